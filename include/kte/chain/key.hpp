@@ -1,0 +1,86 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+/// Names of coordinates, frames and inputs. A name is a type, declared once:
+///
+///   inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow"> {} elbow;
+///
+/// The type makes a typing error a compile error with the compiler's own "did you mean"; the text is for messages,
+/// files and runtime chains.
+namespace kte {
+
+/// What can flow between elements.
+enum class kind : unsigned char {
+  gen,       ///< a generalized coordinate: q and its rates, and a generalized force
+  frame_2D,  ///< a frame in the plane
+  frame_3D,  ///< a frame in space
+  input      ///< a signal from outside, for instance the force of a motor
+};
+
+constexpr std::string_view to_string(kind k) {
+  switch (k) {
+    case kind::gen:
+      return "coordinate";
+    case kind::frame_2D:
+      return "2D frame";
+    case kind::frame_3D:
+      return "3D frame";
+    case kind::input:
+      return "input";
+  }
+  return "";
+}
+
+/// A text as a template argument.
+template <std::size_t N> struct fixed_string {
+  char text[N]{};
+  constexpr fixed_string(const char (&s)[N]) { std::copy_n(s, N, text); }  // NOLINT(google-explicit-constructor)
+  constexpr std::string_view view() const { return {text, N - 1}; }
+};
+
+template <kind K, fixed_string Text> struct key {
+  static_assert(sizeof(Text.text) > 1, "kte: a key needs a text, for messages and files");
+  static constexpr kind what = K;
+  static constexpr std::string_view name = Text.view();
+};
+
+template <fixed_string Text> struct coord_key : key<kind::gen, Text> {};
+template <fixed_string Text> struct frame_2D_key : key<kind::frame_2D, Text> {};
+template <fixed_string Text> struct frame_3D_key : key<kind::frame_3D, Text> {};
+template <fixed_string Text> struct input_key : key<kind::input, Text> {};
+
+/// A declared name.
+template <class T>
+concept key_type = requires {
+  { T::what } -> std::convertible_to<kind>;
+  { T::name } -> std::convertible_to<std::string_view>;
+};
+/// A text, for runtime chains.
+template <class T>
+concept text_type = std::is_convertible_v<const T&, std::string_view>;
+
+namespace detail {
+
+constexpr std::uint64_t hash(std::string_view s) {  // FNV-1a
+  std::uint64_t h = 14695981039346656037ull;
+  for (char c : s) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return h;
+}
+template <class T> constexpr std::uint64_t hash_of_type() {
+#if defined(_MSC_VER)
+  return hash(__FUNCSIG__);
+#else
+  return hash(__PRETTY_FUNCTION__);
+#endif
+}
+/// Two keys are the same name when their types are; and then only may their texts be equal.
+template <class Key> inline constexpr std::uint64_t id_of_key = hash_of_type<Key>();
+template <class Key> inline constexpr std::uint64_t id_of_text = hash(Key::name);
+
+}  // namespace detail
+}  // namespace kte

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <kte/chain/port.hpp>
+#include <kte/errors.hpp>
+#include <kte/math/rigid_body.hpp>
+
+#include <span>
+#include <string>
+
+namespace kte {
+
+/// Given to the `check` of an element core: knows which element it is, and rejects bad parameters in its name. In a
+/// constexpr chain a rejection stops the compilation there.
+struct parameter_check {
+  std::string_view type;
+  std::span<const port> ports;
+  std::span<const std::string_view> names;
+
+  /// Rejects `value` unless ok, e.g. require(m >= 0, "mass must not be negative", m).
+  constexpr void require(bool ok, const char* rule, double value) const {
+    if (!ok) reject(rule, value);
+  }
+  /// A finite number.
+  template <class T> constexpr void finite(const T& x, const char* rule) const {
+    if constexpr (!typed_constant<T>) {
+      const auto v = static_cast<double>(x);
+      require(v - v == 0, rule, v);
+    }
+  }
+  /// A finite number >= 0.
+  template <class T> constexpr void not_negative(const T& x, const char* rule) const {
+    finite(x, rule);
+    require(as<double>(x) >= 0, rule, as<double>(x));
+  }
+  template <class X, class Y, class Z> constexpr void finite(const vec3<X, Y, Z>& v, const char* rule) const {
+    finite(v.x, rule), finite(v.y, rule), finite(v.z, rule);
+  }
+  /// A vector of length 1 to 1e-9: a rounded axis is meant as one, a wrong axis is not.
+  template <class X, class Y, class Z> constexpr void unit(const vec3<X, Y, Z>& v, const char* rule) const {
+    finite(v, rule);
+    const auto n = as<double>(dot(as<double>(v), as<double>(v)));
+    require(n > 1 - 2e-9 && n < 1 + 2e-9, rule, n);
+  }
+  /// Orthonormal with determinant 1, each to 1e-9.
+  template <class R> constexpr void rotation(const R& r, const char* rule) const {
+    const auto m = as<double>(matrix(r));
+    unit(m.x, rule), unit(m.y, rule), unit(m.z, rule);
+    const double det = dot(m.x, cross(m.y, m.z));
+    require(det > 1 - 1e-8, rule, det);
+  }
+  /// Physical: the second moments tr(I)/2 1 - I, which are integrals of x x^T dm, have no negative eigenvalue. That is
+  /// the triangle inequality of the principal moments. Tested by principal minors, with room for printed digits.
+  template <class... T> constexpr void physical(const sym3<T...>& inertia) const {
+    const auto i = as<double>(inertia);
+    const double t = (i.xx + i.yy + i.zz) / 2;
+    constexpr auto rule =
+        "inertia must be physical: finite, not negative, each principal moment at most the sum of the others";
+    finite(t, rule);
+    finite(i.xy + i.xz + i.yz, rule);
+    const double a = t - i.xx, b = t - i.yy, c = t - i.zz, slack = 1e-9 * t;
+    require(a >= -slack && t >= 0, rule, i.xx);
+    require(b >= -slack, rule, i.yy);
+    require(c >= -slack, rule, i.zz);
+    require(a * b - i.xy * i.xy >= -slack * t, rule, i.xy);
+    require(a * c - i.xz * i.xz >= -slack * t, rule, i.xz);
+    require(b * c - i.yz * i.yz >= -slack * t, rule, i.yz);
+    const double det = a * (b * c - i.yz * i.yz) - i.xy * (i.xy * c + i.yz * i.xz) - i.xz * (i.xy * i.yz + b * i.xz);
+    require(det >= -slack * t * t, rule, det);
+  }
+
+  [[noreturn]] void reject(const char* rule, double value) const {
+    detail::raise<bad_parameter>(describe() + ": " + rule + ", got " + detail::number(value));
+  }
+  /// "revolute_joint_3D (coordinate 'q', base 'a', end 'b')"
+  std::string describe() const {
+    std::string s(type);
+    for (std::size_t i = 0; i < ports.size(); ++i)
+      s.append(i == 0 ? " (" : ", ").append(ports[i].role).append(" '").append(names[i]).append("'");
+    return s + ")";
+  }
+};
+
+}  // namespace kte

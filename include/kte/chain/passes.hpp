@@ -1,0 +1,102 @@
+#pragma once
+
+#include <kte/chain/state.hpp>
+#include <kte/math/sincos.hpp>
+
+#include <boost/hana/at.hpp>
+#include <boost/hana/tuple.hpp>
+
+#include <utility>
+
+/// The passes of one element on frames held in a state, for static and runtime chains alike.
+namespace kte::detail {
+
+/// Connects the ports of an element to a state: Where::at<port>() gives the index of what port is connected to.
+template <class Core, class State, class Where> struct stored_element {
+  const Core& core;
+  State& state;
+  Where where;
+
+  static constexpr std::size_t ports = port_count<Core>;
+  template <std::size_t P> static constexpr port at = Core::ports[P];
+
+  /// What is connected to port P.
+  template <std::size_t P> KTE_INLINE constexpr auto& stored() const {
+    return state.template get<at<P>.what>(where.template at<P>());
+  }
+  /// The same as the kernels see it.
+  template <std::size_t P> KTE_INLINE constexpr decltype(auto) input() const {
+    if constexpr (at<P>.what == kind::frame_2D || at<P>.what == kind::frame_3D) {
+      return spatial(stored<P>());
+    } else {
+      return std::as_const(stored<P>());
+    }
+  }
+  template <std::size_t P> KTE_INLINE constexpr auto load() const {
+    if constexpr (at<P>.what == kind::gen) {
+      return stored<P>().f;
+    } else {
+      return load_of(stored<P>());
+    }
+  }
+  static constexpr bool has_output = at<ports - 1>.how == access::out;
+  static constexpr std::size_t inputs = input_count<Core>;
+
+  template <std::size_t... P> KTE_INLINE constexpr void motion(std::index_sequence<P...>) const {
+    const int angles[]{(prepare<P>(), 0)..., 0};
+    (void)angles;
+    if constexpr (has_output) write(core.doMotion(input<P>()...));
+  }
+  template <std::size_t... P> KTE_INLINE constexpr void force(std::index_sequence<P...>) const {
+    if constexpr (has_output) {
+      spread<P...>(core.doForce(input<P>()..., load<ports - 1>()));
+    } else {
+      spread<P...>(core.doForce(input<P>()...));
+    }
+  }
+  template <std::size_t... P> KTE_INLINE constexpr void clear(std::index_sequence<P...>) const {
+    const int done[]{(clear_one<P>(), 0)..., 0};
+    (void)done;
+  }
+
+ private:
+  template <std::size_t P> KTE_INLINE constexpr void prepare() const {
+    if constexpr (at<P>.how == access::angle) sincos(stored<P>().q, stored<P>().sin, stored<P>().cos);
+  }
+  template <class M> KTE_INLINE constexpr void write(const M& m) const {
+    auto& x = stored<ports - 1>();
+    if constexpr (at<ports - 1>.what == kind::gen) {
+      using S = std::remove_cvref_t<decltype(x.q)>;
+      x.q = as<S>(m.q), x.q_dot = as<S>(m.q_dot), x.q_ddot = as<S>(m.q_ddot);
+    } else {
+      set_motion(x, m);
+    }
+  }
+  /// Loads belong to the ports that are no inputs, in order.
+  template <std::size_t... P, class Loads> KTE_INLINE constexpr void spread(const Loads& l) const {
+    const int done[]{(add<P>(l), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t P> static constexpr std::size_t load_index() {
+    std::size_t i = 0;
+    for (std::size_t p = 0; p < P; ++p) i += Core::ports[p].what != kind::input;
+    return i;
+  }
+  template <std::size_t P, class Loads> KTE_INLINE constexpr void add(const Loads& l) const {
+    if constexpr (at<P>.what == kind::gen) {
+      auto& x = stored<P>();
+      x.f = x.f + boost::hana::at_c<load_index<P>()>(l);
+    } else if constexpr (at<P>.what != kind::input) {
+      add_load(stored<P>(), boost::hana::at_c<load_index<P>()>(l));
+    }
+  }
+  template <std::size_t P> KTE_INLINE constexpr void clear_one() const {
+    if constexpr (at<P>.what == kind::gen) {
+      stored<P>().f = {};
+    } else if constexpr (at<P>.what != kind::input) {
+      clear_load(stored<P>());
+    }
+  }
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <kte/chain/key.hpp>
+
+#include <array>
+
+namespace kte {
+
+/// How an element uses what is connected to a port.
+enum class access : unsigned char {
+  in,     ///< reads it. A coordinate that no element writes becomes a degree of freedom of the chain
+  angle,  ///< reads a coordinate as an angle: its cosine and sine are wanted too
+  on,     ///< acts on it by a force. It must come from elsewhere: a spring alone makes no degree of freedom
+  out,    ///< writes it
+  base    ///< declares it: its motion is given from outside
+};
+
+/// One connection of an element: what kind, how it is used, and the role by which messages and files call it.
+struct port {
+  kind what;
+  access how;
+  std::string_view role;
+  constexpr bool writes() const { return how == access::out || how == access::base; }
+};
+
+/// The ports of an element core, in the order of its arguments.
+template <class Core> inline constexpr std::size_t port_count = Core::ports.size();
+
+/// How many of them it reads; what it writes comes last.
+template <class Core>
+inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
+
+/// "rigid_link" and 3D give "rigid_link_3D".
+template <std::size_t N> struct type_name {
+  char text[N + 3]{};
+  constexpr type_name(const char (&stem)[N], kind k) {
+    std::copy_n(stem, N - 1, text);
+    const std::string_view suffix = k == kind::gen ? "_gen" : k == kind::frame_2D ? "_2D" : "_3D";
+    std::copy_n(suffix.data(), suffix.size(), text + N - 1);
+  }
+  constexpr operator std::string_view() const { return {text}; }  // NOLINT(google-explicit-constructor)
+};
+
+}  // namespace kte

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <kte/chain/wiring.hpp>
+#include <kte/frames/frame_2D.hpp>
+#include <kte/frames/frame_3D.hpp>
+#include <kte/frames/gen_coord.hpp>
+
+#include <array>
+
+namespace kte {
+
+/// The state of a static chain: every coordinate, frame and input by name, for the passes to work on and for users to
+/// look at. A value; the chain itself never changes.
+///
+///   s[joint].position,  s[q].q_ddot,  s[motor] = 2.0
+template <class Scalar, class Wiring> class chain_state {
+ public:
+  using scalar = Scalar;
+  static constexpr int dofs = Wiring::dofs;
+
+  template <key_type Key> constexpr auto& operator[](const Key&) { return at(*this, Key{}); }
+  template <key_type Key> constexpr const auto& operator[](const Key&) const { return at(*this, Key{}); }
+
+  // By index, for the passes: coordinates 0 .. dofs-1 are the degrees of freedom.
+  constexpr auto& coordinate(int i) { return coordinates_[static_cast<std::size_t>(i)]; }
+  constexpr const auto& coordinate(int i) const { return coordinates_[static_cast<std::size_t>(i)]; }
+  template <kind K> constexpr auto& get(int i) { return get<K>(*this, static_cast<std::size_t>(i)); }
+  template <kind K> constexpr const auto& get(int i) const { return get<K>(*this, static_cast<std::size_t>(i)); }
+
+ private:
+  template <kind K, class Self> static constexpr auto& get(Self& s, std::size_t i) {
+    if constexpr (K == kind::gen) {
+      return s.coordinates_[i];
+    } else if constexpr (K == kind::frame_2D) {
+      return s.frames_2D_[i];
+    } else if constexpr (K == kind::frame_3D) {
+      return s.frames_3D_[i];
+    } else {
+      return s.inputs_[i];
+    }
+  }
+  template <class Self, class Key> static constexpr auto& at(Self& s, Key) {
+    constexpr int i = Wiring::template find<Key>();
+    static_assert(i >= 0, "kte: this chain has nothing of this name");
+    return get<Key::what>(s, static_cast<std::size_t>(i < 0 ? 0 : i));
+  }
+  static constexpr std::size_t count(kind k) { return static_cast<std::size_t>(Wiring::count(k)); }
+
+  std::array<gen_coord<Scalar>, count(kind::gen)> coordinates_{};
+  std::array<frame_2D<Scalar>, count(kind::frame_2D)> frames_2D_{};
+  std::array<frame_3D<Scalar>, count(kind::frame_3D)> frames_3D_{};
+  std::array<Scalar, count(kind::input)> inputs_{};
+};
+
+}  // namespace kte

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <kte/chain/passes.hpp>
+
+#include <boost/hana/at.hpp>
+#include <boost/hana/flatten.hpp>
+#include <boost/hana/tuple.hpp>
+#include <boost/hana/unpack.hpp>
+
+namespace kte {
+
+namespace detail {
+template <class Core> inline constexpr bool reads_positions = false;
+template <class Core>
+requires requires { Core::reads_positions; }
+inline constexpr bool reads_positions<Core> = Core::reads_positions;
+
+/// The checks, one base class an element.
+template <class Wiring, class Index, class... E> struct wired_elements;
+template <class Wiring, std::size_t... I, class... E>
+struct wired_elements<Wiring, std::index_sequence<I...>, E...>
+    : wired<E, Wiring::table.error[I], Wiring::table.bad_port[I], static_cast<int>(I)>... {};
+}  // namespace detail
+
+/// A mechanism as a type: elements in order, connected by their keys, with a gravity. Build it with `kte::chain`.
+/// Immutable and without pointers: constexpr where its numbers are, free to copy, safe to share between threads.
+///
+/// Passes on a state (made by `make_state`):
+///   doMotion    motion of all frames, front to back
+///   clearForce  all forces to zero
+///   doForce     forces, back to front; then s[q].f is the force of virtual power on q
+template <class Gravity, class... E> class static_chain {
+ public:
+  using wiring = detail::wiring<E...>;
+  static_assert(sizeof(detail::wired_elements<wiring, std::index_sequence_for<E...>, E...>) > 0);
+  static constexpr std::size_t size = sizeof...(E);
+  /// Degrees of freedom.
+  static constexpr int dofs = wiring::dofs;
+  /// Whether an element reads positions, rotations or linear velocities of frames by its forces; it says so by
+  /// `static constexpr bool reads_positions = true`. Only then do the fused algorithms compute them.
+  static constexpr bool reads_positions = [] {
+    const bool each[]{detail::reads_positions<typename E::core_type>..., false};
+    for (bool b : each)
+      if (b) return true;
+    return false;
+  }();
+  template <class Scalar> using state = chain_state<Scalar, wiring>;
+
+  constexpr static_chain(const boost::hana::tuple<E...>& elements, const Gravity& g)
+      : elements_(elements), gravity_(g) {}
+
+  template <class Scalar> constexpr void doMotion(state<Scalar>& s) const {
+    forward([&](auto x) { x.motion(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
+  }
+  template <class Scalar> constexpr void clearForce(state<Scalar>& s) const {
+    forward([&](auto x) { x.clear(std::make_index_sequence<decltype(x)::ports>{}); }, s,
+            std::index_sequence_for<E...>{});
+  }
+  template <class Scalar> constexpr void doForce(state<Scalar>& s) const {
+    backward([&](auto x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
+  }
+
+  /// The same chain under gravity, m/s^2 in the axes of the base: `.gravity(along_z(-9.81))`. It acts as the opposite
+  /// acceleration of the base.
+  template <class X, class Y, class Z> constexpr auto gravity(const vec3<X, Y, Z>& g) const {
+    return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
+  }
+  constexpr const Gravity& gravity() const { return gravity_; }
+
+  constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }
+  template <std::size_t I> KTE_INLINE constexpr const auto& core() const {
+    return boost::hana::at_c<I>(elements_).core;
+  }
+
+ private:
+  template <std::size_t I> struct where {
+    template <std::size_t P> static constexpr int at() {
+      constexpr int slot = wiring::slot(I, P);
+      return slot;
+    }
+  };
+  template <class X> static constexpr auto inputs_of(const X&) { return std::make_index_sequence<X::inputs>{}; }
+  template <std::size_t I, class S> KTE_INLINE constexpr auto stored(S& s) const {
+    using core_type = std::remove_cvref_t<decltype(core<I>())>;
+    return detail::stored_element<core_type, S, where<I>>{core<I>(), s, {}};
+  }
+  template <class F, class S, std::size_t... I>
+  KTE_INLINE constexpr void forward(const F& f, S& s, std::index_sequence<I...>) const {
+    const int done[]{(f(stored<I>(s)), 0)..., 0};
+    (void)done;
+  }
+  template <class F, class S, std::size_t... I>
+  KTE_INLINE constexpr void backward(const F& f, S& s, std::index_sequence<I...>) const {
+    const int done[]{(f(stored<size - 1 - I>(s)), 0)..., 0};
+    (void)done;
+  }
+
+  boost::hana::tuple<E...> elements_;
+  Gravity gravity_;
+};
+
+namespace detail {
+template <class... E> constexpr auto as_elements(const static_chain<zero3, E...>& c) { return c.elements(); }
+template <class Core, class... Keys> constexpr auto as_elements(const element<Core, Keys...>& e) {
+  return boost::hana::tuple<element<Core, Keys...>>(e);
+}
+template <class T> inline constexpr bool is_element = false;
+template <class Core, class... Keys> inline constexpr bool is_element<element<Core, Keys...>> = true;
+
+inline constexpr auto make_chain = [](const auto&... e) {
+  using chain_type = static_chain<zero3, std::remove_cvref_t<decltype(e)>...>;
+  return chain_type(boost::hana::tuple<std::remove_cvref_t<decltype(e)>...>(e...), zero3{});
+};
+}  // namespace detail
+
+/// A static chain of elements and of other static chains, in order.
+///
+/// A name is written by one element, before it is read; several elements may read it: that is a branch. The first frame
+/// read is the base of the chain; a coordinate that no element writes is a degree of freedom. A mistake is a compile
+/// error that names the element (docs/errors.md).
+template <class... E> constexpr auto chain(const E&... e) {
+  if constexpr ((detail::is_element<E> && ...)) {
+    return detail::make_chain(e...);
+  } else {
+    return boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::as_elements(e)...)),
+                               detail::make_chain);
+  }
+}
+
+/// A state for a chain: everything at zero and at rest, the base accelerated against the chain's gravity.
+template <class Scalar = double, class Gravity, class... E>
+constexpr auto make_state(const static_chain<Gravity, E...>& c) {
+  using wiring = detail::wiring<E...>;
+  chain_state<Scalar, wiring> s;
+  for (int i = 0; i < wiring::count(kind::frame_2D); ++i)
+    if constexpr (std::is_same_v<decltype(c.gravity().z + zero), zero_t>)
+      if (wiring::writer(kind::frame_2D, i) < 0)
+        s.template get<kind::frame_2D>(i).acceleration = {as<Scalar>(-c.gravity().x), as<Scalar>(-c.gravity().y)};
+  for (int i = 0; i < wiring::count(kind::frame_3D); ++i)
+    if (wiring::writer(kind::frame_3D, i) < 0)
+      s.template get<kind::frame_3D>(i).acceleration = as<Scalar>(-c.gravity());
+  return s;
+}
+
+}  // namespace kte

@@ -1,0 +1,200 @@
+#pragma once
+
+#include <kte/chain/element.hpp>
+
+#include <array>
+#include <tuple>
+
+/// Who is connected to what, worked out once per chain at compile time. The one file of this library with bookkeeping
+/// in it: everything else asks its table.
+namespace kte::detail {
+
+/// Rules of a chain, and what breaks them.
+enum class problem : unsigned char {
+  none,
+  written_twice,        ///< another element has written this name before
+  read_before_written,  ///< only a later element writes it
+  unknown,              ///< nothing writes it, and it is no base or coordinate of the chain
+  same_text             ///< another key has the same text
+};
+
+/// One port of one element, with the name it is connected to as a number.
+struct port_use {
+  kind what{};
+  access how{};
+  std::uint64_t key{};   ///< the same number is the same name
+  std::uint64_t text{};  ///< the same number is the same text
+};
+
+/// The result. P ports and E elements are counted over the whole chain.
+///   slot[p]       index of what port p is connected to, among things of its kind
+///   count[k]      how many things of kind k there are
+///   writer[k][s]  the element that writes thing s of kind k, or -1 if it is given from outside
+///   dofs          coordinates 0 .. dofs-1 are the degrees of freedom, in order of first appearance
+///   reader[k][s]  the last port through which a load comes on thing s of kind k, or -1; previous[p] is the one before
+///   element[p], load[p]   the element of port p, and the place of its load among the loads of that element
+template <std::size_t P, std::size_t E> struct wiring_table {
+  std::array<int, P + 1> slot{};
+  std::array<int, 4> count{};
+  std::array<std::array<int, P + 1>, 4> writer{};
+  std::array<std::array<std::uint64_t, P + 1>, 4> key{};
+  std::array<std::array<int, P + 1>, 4> reader{};
+  std::array<int, P + 1> previous{}, element{}, load{};
+  std::array<bool, P + 1> angle{};  ///< by coordinate: an element wants its sine and cosine
+  int dofs{};
+  std::array<problem, E + 1> error{};
+  std::array<int, E + 1> bad_port{};
+};
+
+/// Resolves names. `first[e]` is the first port of element e, first[E] = P.
+template <std::size_t P, std::size_t E>
+constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<int, E + 1>& first) {
+  wiring_table<P, E> t;
+  constexpr int n = static_cast<int>(P);
+  std::array<int, P + 1> name{}, writer{}, rank{};  // name[p]: first port with the same name
+  auto& element = t.element;
+  const auto report = [&](int p, problem x) {
+    const auto e = static_cast<std::size_t>(element[p]);
+    if (t.error[e] == problem::none) t.error[e] = x, t.bad_port[e] = p - first[e];
+  };
+  for (std::size_t e = 0; e < E; ++e)
+    for (int p = first[e]; p < first[e + 1]; ++p) element[p] = static_cast<int>(e);
+  for (int p = 0; p < n; ++p) {
+    name[p] = p;
+    for (int o = 0; o < p; ++o)
+      if (use[o].text == use[p].text) {
+        name[p] = name[o];
+        if (use[o].key != use[p].key || use[o].what != use[p].what) report(p, problem::same_text);
+        break;
+      }
+  }
+  // writers; a name is known by its first port
+  for (int p = 0; p < n; ++p) writer[p] = -1;
+  for (int p = 0; p < n; ++p)
+    if (use[p].how == access::out || use[p].how == access::base) {
+      if (writer[name[p]] >= 0)
+        report(p, problem::written_twice);
+      else
+        writer[name[p]] = p;
+    }
+  // the first frame that is read is the base of the chain
+  int base = -1;
+  for (int p = 0; p < n && base < 0; ++p)
+    if ((use[p].what == kind::frame_2D || use[p].what == kind::frame_3D) &&
+        (use[p].how == access::in || use[p].how == access::on))
+      base = name[p];
+  // coordinates that move something
+  std::array<bool, P + 1> moves{};
+  for (int p = 0; p < n; ++p)
+    if (use[p].how == access::in || use[p].how == access::angle) moves[name[p]] = true;
+  for (int p = 0; p < n; ++p) {
+    if (use[p].how == access::out || use[p].how == access::base) continue;
+    const int w = writer[name[p]];
+    if (w >= 0 && element[w] >= element[p]) report(p, problem::read_before_written);
+    if (w < 0 && use[p].what == kind::gen && !moves[name[p]]) report(p, problem::unknown);
+    if (w < 0 && (use[p].what == kind::frame_2D || use[p].what == kind::frame_3D) && name[p] != base)
+      report(p, problem::unknown);
+  }
+  // slots: coordinates that are degrees of freedom first, the rest in order of appearance
+  for (int round = 0; round < 2; ++round)
+    for (int p = 0; p < n; ++p) {
+      if (name[p] != p) continue;
+      const bool free_coordinate = use[p].what == kind::gen && writer[p] < 0;
+      if (free_coordinate != (round == 0)) continue;
+      const auto k = static_cast<std::size_t>(use[p].what);
+      rank[p] = t.count[k]++;
+      const bool given = writer[p] < 0 || use[writer[p]].how == access::base;
+      t.writer[k][rank[p]] = given ? -1 : element[writer[p]];
+      t.key[k][rank[p]] = use[p].key;
+      if (round == 0) ++t.dofs;
+    }
+  for (auto& of_kind : t.reader)
+    for (auto& r : of_kind) r = -1;
+  for (int p = 0; p < n; ++p) {
+    const int s = t.slot[p] = rank[name[p]];
+    if (use[p].how == access::angle) t.angle[s] = true;
+    if (use[p].how == access::out || use[p].how == access::base || use[p].what == kind::input) continue;
+    t.load[p] = p > first[element[p]] ? t.load[p - 1] + (use[p - 1].what != kind::input) : 0;
+    auto& last = t.reader[static_cast<std::size_t>(use[p].what)][s];
+    t.previous[p] = last;
+    last = p;
+  }
+  return t;
+}
+
+/// The wiring of a chain of elements E..., each an `element<Core, Keys...>`.
+template <class... E> struct wiring;
+
+template <class E> struct uses_of;
+template <class Core, class... Keys> struct uses_of<element<Core, Keys...>> {
+  static constexpr int count = static_cast<int>(sizeof...(Keys));
+  static constexpr std::array<port_use, sizeof...(Keys)> make() {
+    std::array<port_use, sizeof...(Keys)> u{};
+    const std::uint64_t keys[]{id_of_key<Keys>...}, texts[]{id_of_text<Keys>...};
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = {Core::ports[i].what, Core::ports[i].how, keys[i], texts[i]};
+    return u;
+  }
+};
+
+template <class... E> struct wiring {
+  static constexpr std::size_t elements = sizeof...(E);
+  static constexpr std::array<int, elements + 1> first = [] {
+    std::array<int, elements + 1> f{};
+    const int counts[]{uses_of<E>::count..., 0};
+    for (std::size_t e = 0; e < elements; ++e) f[e + 1] = f[e] + counts[e];
+    return f;
+  }();
+  static constexpr std::size_t ports = static_cast<std::size_t>(first[elements]);
+  static constexpr auto table = [] {
+    std::array<port_use, ports + 1> all{};
+    std::size_t p = 0;
+    const auto append = [&](const auto& some) {
+      for (const auto& u : some) all[p++] = u;
+      return 0;
+    };
+    const int done[]{append(uses_of<E>::make())..., 0};
+    (void)done;
+    return resolve<ports, elements>(all, first);
+  }();
+
+  /// Index of what port `port` of element e is connected to.
+  static constexpr int slot(std::size_t e, std::size_t port) {
+    return table.slot[static_cast<std::size_t>(first[e]) + port];
+  }
+  static constexpr int count(kind k) { return table.count[static_cast<std::size_t>(k)]; }
+  static constexpr int writer(kind k, int s) {
+    return table.writer[static_cast<std::size_t>(k)][static_cast<std::size_t>(s)];
+  }
+  static constexpr int dofs = table.dofs;
+  /// Whether the sine and cosine of coordinate s are wanted.
+  static constexpr bool angle(int s) { return table.angle[static_cast<std::size_t>(s)]; }
+  /// Index of a key among things of its kind, or -1.
+  template <class Key> static constexpr int find() {
+    const auto k = static_cast<std::size_t>(Key::what);
+    for (int s = 0; s < table.count[k]; ++s)
+      if (table.key[k][static_cast<std::size_t>(s)] == id_of_key<Key>) return s;
+    return -1;
+  }
+};
+
+/// The user's sentence for each broken rule. `Name` is the key in question.
+template <class Element, class Name, problem P> struct check_wiring {
+  static_assert(P != problem::written_twice,
+                "kte: this element writes a name that an earlier element has written: give every end a key of its own");
+  static_assert(P != problem::read_before_written,
+                "kte: this element reads a name that only a later element writes: move it behind that element");
+  static_assert(
+      P != problem::unknown,
+      "kte: this element reads a name that no element of the chain writes: misspelt, or another base? Declare a "
+      "further base by kte::base_gen, base_2D or base_3D");
+  static_assert(P != problem::same_text, "kte: this element names something by a text that another key has already");
+};
+/// A base class of the chain for each of its elements, so that an error names that element.
+template <class Element, problem P, int Port, int Index> struct wired;
+template <class Element, int Port, int Index> struct wired<Element, problem::none, Port, Index> {};
+template <class Core, class... Keys, problem P, int Port, int Index>
+requires(P != problem::none) struct wired<element<Core, Keys...>, P, Port, Index>
+    : check_wiring<element<Core, Keys...>, std::tuple_element_t<std::size_t{Port}, std::tuple<Keys...>>, P> {
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <kte/chain/transmission.hpp>
+#include <kte/dynamics/detail/given.hpp>
+#include <kte/dynamics/joint_vector.hpp>
+
+/// The composite-rigid-body algorithm on local variables.
+namespace kte::detail {
+
+/// A core with a `relative(coordinates...)`: a stiff connection between two frames. Its ports are the coordinates, the
+/// base, the end.
+template <class Core> inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
+template <class Core> inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
+/// A core with a mass, on its first port.
+template <class Core> inline constexpr bool has_mass = requires(const Core& c) { c.mass(); };
+
+/// Force and torque for accelerating a composite inertia by the velocity of `m` each second.
+template <class M, class H, class J, class Motion>
+KTE_INLINE constexpr auto operator*(const composite<M, H, J>& b, const Motion& m) {
+  const auto& a = m.velocity;
+  const auto& al = m.ang_velocity;
+  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
+}
+
+/// The mass matrix over all coordinates of a chain, followers included. `Given` has positions without rates and bases
+/// of `skip`.
+template <class S, class Chain, class Given> class local_mass {
+  using types = local_types<Chain, Given>;
+  using wiring = typename Chain::wiring;
+  template <std::size_t I> using core_t = typename types::template core<I>;
+
+ public:
+  static constexpr int coordinates = wiring::count(kind::gen);
+  using matrix_type = joint_matrix<S, coordinates>;
+
+  KTE_INLINE local_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
+    M.setZero();
+    from_bases<kind::frame_2D>(std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{});
+    from_bases<kind::frame_3D>(std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+    coordinate_masses(std::make_index_sequence<Chain::size>{});
+  }
+
+ private:
+  /// Element I on the coordinate of its first port.
+  template <std::size_t I> static constexpr int coordinate_of = wiring::slot(I, 0);
+  /// A joint or link in its present position; `rate` is applied to its coordinate.
+  template <std::size_t I, class Rate> KTE_INLINE constexpr auto relative(const Rate& rate) const {
+    if constexpr (coordinates_of<core_t<I>> == 0) {
+      return chain_.template core<I>().relative();
+    } else {
+      return chain_.template core<I>().relative(rate(motion_.template get<kind::gen, coordinate_of<I>>()));
+    }
+  }
+  template <std::size_t I> KTE_INLINE constexpr auto pose() const {
+    return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return position_only(c); });
+  }
+  template <std::size_t I> KTE_INLINE constexpr auto axis() const {
+    return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return unit_rate(c); });
+  }
+
+  // ---- up the tree: composite inertias, and a column of M at each joint
+  template <kind K, int... Slot> KTE_INLINE void from_bases(std::integer_sequence<int, Slot...>) {
+    const int done[]{(from_base<K, Slot>(), 0)..., 0};
+    (void)done;
+  }
+  template <kind K, int Slot> KTE_INLINE void from_base() {
+    if constexpr (wiring::writer(K, Slot) < 0)
+      (void)carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+  }
+  /// The inertia carried by a frame, about it and in its axes.
+  template <kind K, int Slot, std::size_t... N> KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
+    return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>());
+  }
+  /// The part of it that comes through element I.
+  template <std::size_t I> KTE_INLINE constexpr auto part() {
+    if constexpr (has_mass<core_t<I>>) {
+      return chain_.template core<I>().mass();
+    } else if constexpr (is_transmission<core_t<I>>) {
+      constexpr kind k = types::template output_kind<I>;
+      constexpr int end = types::template output_slot<I>;
+      const auto c = carried<k, end>(std::make_index_sequence<loads_on<wiring, k, end>.size()>{});
+      if constexpr (coordinates_of<core_t<I>> == 1) column<I>(c);
+      const auto x = pose<I>();
+      return transported(x.rotation, x.position, c);
+    } else {
+      static_assert(!has_output<core_t<I>>,
+                    "kte: the mass matrix needs elements that move frames to be a kte::transmission");
+      return no_mass;
+    }
+  }
+
+  // ---- down the tree: the force of a unit acceleration of joint J, felt at all joints below
+  template <std::size_t J, class C> KTE_INLINE constexpr void column(const C& composite_inertia) {
+    const auto s = axis<J>();
+    const auto w = composite_inertia * s;
+    put<coordinate_of<J>, coordinate_of<J>>(power(s, w));
+    down<J, coordinate_of<J>>(w);
+  }
+  template <std::size_t I, int Column, class W> KTE_INLINE constexpr void down(const W& at_end) {
+    constexpr std::size_t base_port = coordinates_of<core_t<I>>;
+    constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, base_port));
+    if constexpr (below >= 0) {
+      const auto w = transmit(pose<I>(), at_end);
+      if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
+        put<coordinate_of<std::size_t{below}>, Column>(power(axis<std::size_t{below}>(), w));
+      down<std::size_t{below}, Column>(w);
+    }
+  }
+  /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
+  template <int Row, int Column, class T> KTE_INLINE constexpr void put(const T& x) {
+    if constexpr (Row == Column) {
+      M(Row, Row) = as<S>(written_once ? as<S>(x) : as<S>(M(Row, Row) + x));
+    } else if constexpr (written_once) {
+      M(Row, Column) = M(Column, Row) = as<S>(x);
+    } else {
+      M(Row, Column) = as<S>(M(Row, Column) + x);
+      M(Column, Row) = as<S>(M(Column, Row) + x);
+    }
+  }
+  static constexpr bool written_once = [] {
+    bool once = coordinates == wiring::dofs;
+    const auto look = [&]<class Core>(std::type_identity<Core>) {
+      if (Core::ports[0].what == kind::gen && has_mass<Core>) once = false;
+      return 0;
+    };
+    const auto all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{look(std::type_identity<core_t<I>>{})..., 0};
+      (void)done;
+    };
+    all(std::make_index_sequence<Chain::size>{});
+    for (int c = 0; c < coordinates; ++c) {
+      int users = 0;
+      for (int p = wiring::table.reader[0][static_cast<std::size_t>(c)]; p >= 0;
+           p = wiring::table.previous[static_cast<std::size_t>(p)])
+        ++users;
+      once &= users == 1;
+    }
+    return once;
+  }();
+
+  // ---- coordinates: their own masses, and followers
+  template <std::size_t... I> KTE_INLINE void coordinate_masses(std::index_sequence<I...>) {
+    const int done[]{(coordinate_mass<Chain::size - 1 - I>(), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t I> KTE_INLINE void coordinate_mass() {
+    constexpr int b = coordinate_of<I>;
+    if constexpr (core_t<I>::ports[0].what != kind::gen) {
+      return;
+    } else if constexpr (has_mass<core_t<I>>) {
+      M(b, b) = as<S>(M(b, b) + chain_.template core<I>().mass());
+    } else if constexpr (has_output<core_t<I>> && types::template output_kind<I> == kind::gen) {
+      constexpr int e = types::template output_slot<I>;  // q_e' = ratio q_b': its row and column count for b too
+      const auto ratio = chain_.template core<I>().doMotion(unit_rate(motion_.template get<kind::gen, b>())).q_dot;
+      for (int c = 0; c < coordinates; ++c) M(b, c) = as<S>(M(b, c) + ratio * M(e, c));
+      for (int c = 0; c < coordinates; ++c) M(c, b) = as<S>(M(c, b) + ratio * M(c, e));
+    }
+  }
+
+  matrix_type& M;
+  const Chain& chain_;
+  const local_motion<Chain, Given> motion_;
+};
+
+/// The mass matrix over the degrees of freedom.
+template <class S, class Chain, class Positions>
+KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at) {
+  const auto bases = same_base{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
+  const auto g = given{at, same<skip>{}, same<skip>{}, bases};
+  using mass_type = local_mass<S, Chain, std::remove_const_t<decltype(g)>>;
+  typename mass_type::matrix_type m;
+  mass_type(c, g, m);
+  if constexpr (mass_type::coordinates == Chain::dofs) {
+    return m;
+  } else {
+    return joint_matrix<S, Chain::dofs>(m.template block<Chain::dofs, Chain::dofs>(0, 0));
+  }
+}
+
+}  // namespace kte::detail

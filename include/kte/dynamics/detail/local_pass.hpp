@@ -1,0 +1,207 @@
+#pragma once
+
+#include <kte/chain/static_chain.hpp>
+
+/// The passes of a static chain on frames that are local variables: the fused algorithms are made of these. Each frame
+/// has its own type, with typed constants and `skip` where nothing is to be computed, and lives in registers.
+namespace kte::detail {
+
+struct nothing {};
+
+/// Where a load is put on something: load `index` of element `element`.
+struct load_place {
+  std::size_t element;
+  std::size_t index;
+};
+/// The loads on thing Slot of kind K, last element first: the order in which doForce meets them.
+template <class Wiring, kind K, int Slot>
+inline constexpr auto loads_on = [] {
+  constexpr auto& t = Wiring::table;
+  constexpr int last = t.reader[static_cast<std::size_t>(K)][Slot];
+  constexpr std::size_t count = [] {
+    std::size_t n = 0;
+    for (int p = t.reader[static_cast<std::size_t>(K)][Slot]; p >= 0; p = t.previous[p]) ++n;
+    return n;
+  }();
+  std::array<load_place, count> places{};
+  std::size_t n = 0;
+  for (int p = last; p >= 0; p = t.previous[p])
+    places[n++] = {static_cast<std::size_t>(t.element[p]), static_cast<std::size_t>(t.load[p])};
+  return places;
+}();
+
+/// Whether an element core writes something by doMotion; that is then its last port.
+template <class Core> inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == access::out;
+
+template <kind K> constexpr auto no_load() {
+  if constexpr (K == kind::gen) {
+    return zero;
+  } else {
+    return no_wrench;
+  }
+}
+
+/// A coordinate whose sine and cosine are wanted, written by an element.
+template <class Q, class QD, class QDD, class C, class S>
+KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
+  if constexpr (variable<Q>) {
+    coordinate<Q, QD, QDD, Q, Q> r{c.q, c.q_dot, c.q_ddot, Q{}, Q{}};
+    sincos(c.q, r.sin, r.cos);
+    return r;
+  } else {
+    static_assert(std::is_same_v<Q, zero_t>);
+    return coordinate{c.q, c.q_dot, c.q_ddot, one, zero};
+  }
+}
+
+/// The types of what flows in one evaluation of a chain; `Given` is explained at `local_pass`.
+template <class Chain, class Given> struct local_types {
+  using wiring = typename Chain::wiring;
+  template <std::size_t I> using core = std::remove_cvref_t<decltype(std::declval<const Chain&>().template core<I>())>;
+  template <std::size_t I> using inputs = std::make_index_sequence<input_count<core<I>>>;
+  template <std::size_t I, std::size_t P> static constexpr kind what = core<I>::ports[P].what;
+  template <std::size_t I> static constexpr kind output_kind = core<I>::ports.back().what;
+  template <std::size_t I> static constexpr int output_slot = wiring::slot(I, port_count<core<I>> - 1);
+
+  /// What comes from outside.
+  template <kind K, int Slot> KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
+    if constexpr (K == kind::input) {
+      return g.template input<Slot>();
+    } else if constexpr (K != kind::gen) {
+      return g.template base<K, Slot>();
+    } else if constexpr (Slot < wiring::dofs) {
+      return g.template coordinate<Slot>();
+    } else {
+      return g.template fixed<Slot>();
+    }
+  }
+  template <kind K, int Slot> static constexpr int writer = K == kind::input ? -1 : wiring::writer(K, Slot);
+
+  /// A coordinate that turns a joint gets its sine and cosine.
+  template <std::size_t I, class M> KTE_INLINE static constexpr auto finish(const M& m) {
+    if constexpr (output_kind<I> == kind::gen && wiring::angle(output_slot<I>)) {
+      return with_angle(m);
+    } else {
+      return m;
+    }
+  }
+
+  /// What doMotion of element I gives, `nothing` if it writes nothing.
+  template <std::size_t I, class Inputs = inputs<I>> struct written { using type = nothing; };
+  /// What the kernels see of a thing.
+  template <kind K, int Slot> struct thing { using type = typename written<std::size_t{writer<K, Slot>}>::type; };
+  template <kind K, int Slot>
+  requires(writer<K, Slot> < 0) struct thing<K, Slot> {
+    using type = std::remove_cvref_t<decltype(given<K, Slot>(std::declval<const Given&>()))>;
+  };
+  template <std::size_t I, std::size_t P> using seen = typename thing<what<I, P>, wiring::slot(I, P)>::type;
+
+  template <std::size_t I, std::size_t... P>
+  requires(has_output<core<I>>) struct written<I, std::index_sequence<P...>> {
+    using type = decltype(finish<I>(std::declval<const core<I>&>().doMotion(std::declval<const seen<I, P>&>()...)));
+  };
+  /// The sum of the loads on a thing, and what doForce of element I gives.
+  template <kind K, int Slot> struct total;
+  template <std::size_t I, class Inputs = inputs<I>> struct loads;
+  template <std::size_t I, std::size_t Index>
+  using load_at = std::remove_cvref_t<decltype(boost::hana::at_c<Index>(std::declval<typename loads<I>::type>()))>;
+  template <std::size_t I, std::size_t... P> struct loads<I, std::index_sequence<P...>> {
+    using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
+  };
+  template <std::size_t I, std::size_t... P>
+  requires(has_output<core<I>>) struct loads<I, std::index_sequence<P...>> {
+    using load = typename total<output_kind<I>, output_slot<I>>::type;
+    using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
+                                                                 std::declval<const load&>()));
+  };
+  template <kind K, int Slot> struct total {
+    template <std::size_t... I>
+    static auto sum(std::index_sequence<I...>) -> decltype((
+        no_load<K>() + ... +
+        std::declval<load_at<loads_on<wiring, K, Slot>[I].element, loads_on<wiring, K, Slot>[I].index>>()));
+    using type = decltype(sum(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{}));
+  };
+};
+
+/// The motion of a chain on local variables. `Given` says what comes from outside:
+///   given.template coordinate<i>()     degree of freedom i, a `coordinate`
+///   given.template fixed<i>()          coordinate i, which no element writes and which is no degree of freedom
+///   given.template base<K, i>()        frame i of kind K, which no element writes
+///   given.template input<i>()          input i
+template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>> class local_motion;
+
+template <class Chain, class Given, std::size_t... E> class local_motion<Chain, Given, std::index_sequence<E...>> {
+ protected:
+  using types = local_types<Chain, Given>;
+  using wiring = typename Chain::wiring;
+
+ public:
+  /// doMotion of all elements.
+  KTE_INLINE constexpr local_motion(const Chain& c, const Given& g) : chain_(c), given_(g) {
+    const int done[]{(move<E>(typename types::template inputs<E>{}), 0)..., 0};
+    (void)done;
+  }
+  /// Thing Slot of kind K: a coordinate, a frame, an input.
+  template <kind K, int Slot> KTE_INLINE constexpr decltype(auto) get() const {
+    constexpr int writer = types::template writer<K, Slot>;
+    if constexpr (writer >= 0) {
+      return (boost::hana::at_c<std::size_t{writer}>(motions_));
+    } else {
+      return types::template given<K, Slot>(given_);
+    }
+  }
+
+ protected:
+  /// What port P of element I sees.
+  template <std::size_t I, std::size_t P> KTE_INLINE constexpr decltype(auto) seen() const {
+    return get<types::template what<I, P>, wiring::slot(I, P)>();
+  }
+  const Chain& chain_;
+
+ private:
+  template <std::size_t I, std::size_t... P> KTE_INLINE constexpr void move(std::index_sequence<P...>) {
+    if constexpr (has_output<typename types::template core<I>>)
+      boost::hana::at_c<I>(motions_) = types::template finish<I>(chain_.template core<I>().doMotion(seen<I, P>()...));
+  }
+  const Given& given_;
+  boost::hana::tuple<typename types::template written<E>::type...> motions_;
+};
+
+/// Motion, then forces, of a chain on local variables.
+template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>> class local_pass;
+
+template <class Chain, class Given, std::size_t... E>
+class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<Chain, Given> {
+  using typename local_motion<Chain, Given>::types;
+  using typename local_motion<Chain, Given>::wiring;
+
+ public:
+  /// doMotion, then doForce of all elements.
+  KTE_INLINE constexpr local_pass(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
+    const int done[]{(push<Chain::size - 1 - E>(typename types::template inputs<Chain::size - 1 - E>{}), 0)..., 0};
+    (void)done;
+  }
+  /// The sum of the loads that elements have put on thing Slot of kind K.
+  template <kind K, int Slot> KTE_INLINE constexpr auto load() const {
+    return sum<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+  }
+
+ private:
+  template <std::size_t I, std::size_t... P> KTE_INLINE constexpr void push(std::index_sequence<P...>) {
+    const auto& core = this->chain_.template core<I>();
+    if constexpr (has_output<typename types::template core<I>>) {
+      boost::hana::at_c<I>(loads_) = core.doForce(
+          this->template seen<I, P>()..., load<types::template output_kind<I>, types::template output_slot<I>>());
+    } else {
+      boost::hana::at_c<I>(loads_) = core.doForce(this->template seen<I, P>()...);
+    }
+  }
+  template <kind K, int Slot, std::size_t... N> KTE_INLINE constexpr auto sum(std::index_sequence<N...>) const {
+    constexpr auto& places = loads_on<wiring, K, Slot>;
+    return (no_load<K>() + ... + boost::hana::at_c<places[N].index>(boost::hana::at_c<places[N].element>(loads_)));
+  }
+
+  boost::hana::tuple<typename types::template loads<E>::type...> loads_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <kte/dynamics/detail/given.hpp>
+#include <kte/dynamics/joint_vector.hpp>
+
+namespace kte {
+
+namespace detail {
+/// The motion of a frame, from the elements on the way to it and no others.
+template <class Types, kind K, int Slot, class Chain, class Given>
+KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g);
+
+template <class Types, std::size_t I, class Chain, class Given, std::size_t... P>
+KTE_INLINE constexpr auto motion_by(const Chain& c, const Given& g, std::index_sequence<P...>) {
+  return Types::template finish<I>(
+      c.template core<I>().doMotion(motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...));
+}
+template <class Types, kind K, int Slot, class Chain, class Given>
+KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
+  constexpr int writer = Types::template writer<K, Slot>;
+  if constexpr (writer < 0) {
+    return Types::template given<K, Slot>(g);
+  } else {
+    return motion_by<Types, std::size_t{writer}>(c, g, typename Types::template inputs<std::size_t{writer}>{});
+  }
+}
+template <class S, kind K, class M> KTE_INLINE constexpr auto pose_of(const M& m) {
+  if constexpr (K == kind::frame_2D) {
+    return pose{as<S>(m.rotation * rotation_2D{one, zero}), planar_part<S>(m.position)};
+  } else {
+    return pose{as<S>(matrix(m.rotation)), as<S>(m.position)};
+  }
+}
+template <class S, class Key, class Chain, class Positions, class Base>
+KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
+  constexpr int slot = Chain::wiring::template find<Key>();
+  static_assert(slot >= 0, "kte: this chain has no frame of this name");
+  const auto g = given{at, same<skip>{}, same<skip>{}, base};
+  using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
+  return pose_of<S, Key::what>(motion_of < types, Key::what, slot < 0 ? 0 : slot > (c, g));
+}
+}  // namespace detail
+
+/// Where a frame stands, relative to a base at the origin: rotation and position (m). Only the elements between the
+/// base and the frame are evaluated, and only their poses. q as for `inverse_dynamics`.
+template <class Gravity, class... E, indexable Q, key_type Frame>
+auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_size<chain_type::dofs>(q, "q");
+  const detail::positions<S, typename chain_type::wiring, detail::each<S, Q>> at({q});
+  return detail::pose_at<S, Frame>(c, at,
+                                   detail::same_base{motion{zero3{}, no_rotation{}, skip{}, skip{}, skip{}, skip{}}});
+}
+
+/// The same at the positions of a state, in the axes in which its bases are given.
+template <class Gravity, class... E, class S, key_type Frame>
+auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s,
+                        const Frame&) {
+  using namespace detail;
+  using state = chain_state<S, wiring<E...>>;
+  const positions<S, wiring<E...>, of_state<state, &gen_coord<S>::q>> at({s});
+  return pose_at<S, Frame>(c, at, base_of_state<state>{s});
+}
+
+}  // namespace kte

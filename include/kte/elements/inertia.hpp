@@ -1,0 +1,82 @@
+#pragma once
+
+#include <kte/chain/transmission.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// The inertia of a rigid body of mass m, centre of mass c and inertia I about c, fixed to a frame (Newton-Euler):
+///
+///   a_c = a + al x c + w x (w x c)                       (1)
+///   F -= m a_c                                           (2)
+///   T -= I al + w x (I w) + c x (m a_c)                  (3)
+template <kind Dim, class Mass, class Com, class Inertia> struct inertia {
+  static constexpr type_name type{"inertia", Dim};
+  static constexpr std::array<port, 1> ports{{{Dim, access::in, "frame"}}};
+
+  rigid_body<Mass, Com, Inertia> body;
+  decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the same about the origin of the frame
+
+  constexpr explicit inertia(const rigid_body<Mass, Com, Inertia>& b) : body(b), at_origin(to_composite(b)) {}
+
+  template <class Frame> KTE_INLINE constexpr auto doForce(const Frame& x) const {
+    const auto& [m, c, J] = body;
+    const auto& w = x.ang_velocity;
+    const auto& al = x.ang_acceleration;
+    const auto a_c = x.acceleration + (cross(al, c) + cross(w, cross(w, c)));  // (1)
+    const auto f = (-m) * a_c;                                                 // (2)
+    return make_loads(wrench{f, cross(c, f) - (J * al + cross(w, J * w))});    // (3)
+  }
+  /// For the composite-rigid-body algorithm.
+  KTE_INLINE constexpr const auto& mass() const { return at_origin; }
+
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(body.mass, "mass must be finite and not negative");
+    where.finite(body.com, "centre of mass must be finite");
+    where.physical(body.inertia);
+  }
+  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("mass", self.body.mass);
+    visit("com", self.body.com);
+    visit("inertia", self.body.inertia);
+  }
+};
+
+/// The inertia of a coordinate, m in kg or kg m^2: f -= m q_ddot.
+template <class Mass> struct inertia_gen {
+  static constexpr type_name type{"inertia", kind::gen};
+  static constexpr std::array<port, 1> ports{{{kind::gen, access::in, "coordinate"}}};
+
+  Mass m;
+
+  template <class C> KTE_INLINE constexpr auto doForce(const C& c) const { return make_loads((-m) * c.q_ddot); }
+  KTE_INLINE constexpr auto mass() const { return m; }
+
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(m, "mass must be finite and not negative");
+  }
+  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("mass", self.m);
+  }
+};
+
+}  // namespace core
+
+/// A body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
+template <class F, class M, class C, class I>
+constexpr auto inertia_2D(const F& frame, const rigid_body<M, C, I>& body) {
+  return connect(core::inertia<kind::frame_2D, M, C, I>(body), frame);
+}
+/// A body in space, fixed to `frame`: `rigid_body{mass, com, inertia}`, `point_mass(1.0)`.
+template <class F, class M, class C, class I>
+constexpr auto inertia_3D(const F& frame, const rigid_body<M, C, I>& body) {
+  return connect(core::inertia<kind::frame_3D, M, C, I>(body), frame);
+}
+/// The inertia of a coordinate, kg or kg m^2.
+template <class Q, variable M> constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
+  const auto m = real(mass);
+  return connect(core::inertia_gen<std::remove_const_t<decltype(m)>>{m}, coordinate);
+}
+
+}  // namespace kte

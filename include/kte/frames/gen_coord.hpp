@@ -1,0 +1,18 @@
+#pragma once
+
+namespace kte {
+
+/// A generalized coordinate as a chain's state holds it.
+///   q, q_dot, q_ddot   m or rad, and per second
+///   f                  the force of virtual power on it, N or Nm: with accelerations zero, q_ddot = M^-1 f
+///   cos, sin           of q, set by doMotion where q turns a joint
+template <class S = double> struct gen_coord {
+  S q{};
+  S q_dot{};
+  S q_ddot{};
+  S f{};
+  S cos = S(1);
+  S sin{};
+};
+
+}  // namespace kte

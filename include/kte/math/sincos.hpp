@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kte/detail/inline.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace kte {
+
+/// Sine and cosine of one angle, rad.
+template <class S> KTE_INLINE constexpr void sincos(const S& angle, S& sine, S& cosine) {
+  using std::cos;
+  using std::sin;
+  sine = sin(angle);
+  cosine = cos(angle);
+}
+
+namespace detail {
+
+#if defined(__GNUC__) || defined(__clang__)
+#  define KTE_HAS_VECTORS 1
+
+/// Four doubles, and four integers of the same size. The compiler maps them to what the CPU has. Not eight: 512-bit
+/// arithmetic amid scalar code slows the scalar code down (docs/decisions/03-sincos.md).
+using double4 = double __attribute__((vector_size(32)));
+using int64x4 = long long __attribute__((vector_size(32)));
+
+/// Above this, the reduction below loses digits, and libm takes over; so it does for infinity and NaN.
+inline constexpr double largest_reduced_angle = 1e5;
+
+/// Four sines and cosines at once, |x| <= largest_reduced_angle, absolute error below 1.2e-16.
+///
+///   k = round(2 x / pi),  r = x - k pi/2                                                       (1)
+///   sin r = r + r^3 P(r^2),  cos r = 1 - r^2/2 + r^4 Q(r^2)   on |r| <= pi/4                   (2)
+///   sin x, cos x = +-sin r, +-cos r, exchanged for odd k                                       (3)
+///
+/// pi/2 is subtracted in three parts, the first two of 33 bits, so that their products with k are exact (Cody and
+/// Waite, Software Manual for the Elementary Functions, 1980). P and Q: the minimax coefficients of Moshier's Cephes
+/// library.
+KTE_INLINE void sincos4(double4 x, double* sine, double* cosine) {
+  constexpr double round_to_integer = 6755399441055744.0;  // 1.5 2^52: adding it leaves k in the low bits
+  const double4 shifted = x * 0.63661977236758134308 + round_to_integer;
+  const auto k = (int64x4)shifted;
+  const double4 n = shifted - round_to_integer;
+  const double4 r =
+      ((x - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) - n * 2.02226624879595063154e-21;  // (1)
+  const double4 z = r * r;
+  const double4 p =
+      ((((1.58962301576546568060e-10 * z - 2.50507477628578072866e-8) * z + 2.75573136213857245213e-6) * z -
+        1.98412698295895385996e-4) *
+           z +
+       8.33333333332211858878e-3) *
+          z -
+      1.66666666666666307295e-1;
+  const double4 q =
+      ((((-1.13585365213876817300e-11 * z + 2.08757008419747316778e-9) * z - 2.75573141792967388112e-7) * z +
+        2.48015872888517045348e-5) *
+           z -
+       1.38888888888730564116e-3) *
+          z +
+      4.16666666666665929218e-2;
+  const double4 s = p * (z * r) + r;  // (2)
+  const double4 c = q * (z * z) + (1.0 - 0.5 * z);
+  const int64x4 odd = (k & 1) != 0;  // (3)
+  const double4 sin_x = odd ? c : s, cos_x = odd ? s : c;
+  const auto signed_sin = (int64x4)sin_x ^ ((k & 2) << 62), signed_cos = (int64x4)cos_x ^ (((k + 1) & 2) << 62);
+  __builtin_memcpy(sine, &signed_sin, sizeof signed_sin);
+  __builtin_memcpy(cosine, &signed_cos, sizeof signed_cos);
+}
+#endif
+
+}  // namespace detail
+
+/// Sines and cosines of the N angles of a chain.
+template <class S, std::size_t N> struct sines {
+#if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
+  static constexpr bool simd = std::is_same_v<S, double> && N >= 3;
+#else
+  static constexpr bool simd = false;
+#endif
+  static constexpr std::size_t padded = simd ? (N + 3) / 4 * 4 : N + 1;
+  std::array<S, padded> sin;
+  std::array<S, padded> cos;
+};
+
+/// All sines and cosines of a chain at once; `angle(i)` gives angle i in rad. Doubles go four at a time unless
+/// KTE_SCALAR_SINCOS is defined; other scalars one by one, by the `sin` and `cos` found for them.
+template <class S, std::size_t N, class Angle> KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
+  sines<S, N> r;
+  if constexpr (sines<S, N>::simd) {
+#if defined(KTE_HAS_VECTORS)
+    bool small = true;
+    for (std::size_t i = 0; i < N; ++i) small &= std::fabs(angle(i)) <= detail::largest_reduced_angle;
+    if (small) [[likely]] {
+      const auto at = [&](std::size_t i) { return i < N ? angle(i) : S(0); };
+      for (std::size_t i = 0; i < N; i += 4)
+        detail::sincos4(detail::double4{at(i), at(i + 1), at(i + 2), at(i + 3)}, r.sin.data() + i, r.cos.data() + i);
+      return r;
+    }
+#endif
+  }
+  for (std::size_t i = 0; i < N; ++i) sincos(angle(i), r.sin[i], r.cos[i]);
+  return r;
+}
+
+}  // namespace kte
