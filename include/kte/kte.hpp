@@ -5,6 +5,7 @@
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/runtime.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>

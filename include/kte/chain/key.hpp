@@ -37,22 +37,28 @@ constexpr std::string_view to_string(kind k) {
 }
 
 /// A text as a template argument.
-template <std::size_t N> struct fixed_string {
+template <std::size_t N>
+struct fixed_string {
   char text[N]{};
   constexpr fixed_string(const char (&s)[N]) { std::copy_n(s, N, text); }  // NOLINT(google-explicit-constructor)
   constexpr std::string_view view() const { return {text, N - 1}; }
 };
 
-template <kind K, fixed_string Text> struct key {
+template <kind K, fixed_string Text>
+struct key {
   static_assert(sizeof(Text.text) > 1, "kte: a key needs a text, for messages and files");
   static constexpr kind what = K;
   static constexpr std::string_view name = Text.view();
 };
 
-template <fixed_string Text> struct coord_key : key<kind::gen, Text> {};
-template <fixed_string Text> struct frame_2D_key : key<kind::frame_2D, Text> {};
-template <fixed_string Text> struct frame_3D_key : key<kind::frame_3D, Text> {};
-template <fixed_string Text> struct input_key : key<kind::input, Text> {};
+template <fixed_string Text>
+struct coord_key : key<kind::gen, Text> {};
+template <fixed_string Text>
+struct frame_2D_key : key<kind::frame_2D, Text> {};
+template <fixed_string Text>
+struct frame_3D_key : key<kind::frame_3D, Text> {};
+template <fixed_string Text>
+struct input_key : key<kind::input, Text> {};
 
 /// A declared name.
 template <class T>
@@ -71,7 +77,8 @@ constexpr std::uint64_t hash(std::string_view s) {  // FNV-1a
   for (char c : s) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211ull;
   return h;
 }
-template <class T> constexpr std::uint64_t hash_of_type() {
+template <class T>
+constexpr std::uint64_t hash_of_type() {
 #if defined(_MSC_VER)
   return hash(__FUNCSIG__);
 #else
@@ -79,8 +86,10 @@ template <class T> constexpr std::uint64_t hash_of_type() {
 #endif
 }
 /// Two keys are the same name when their types are; and then only may their texts be equal.
-template <class Key> inline constexpr std::uint64_t id_of_key = hash_of_type<Key>();
-template <class Key> inline constexpr std::uint64_t id_of_text = hash(Key::name);
+template <class Key>
+inline constexpr std::uint64_t id_of_key = hash_of_type<Key>();
+template <class Key>
+inline constexpr std::uint64_t id_of_text = hash(Key::name);
 
 }  // namespace detail
 }  // namespace kte

@@ -21,28 +21,33 @@ struct parameter_check {
     if (!ok) reject(rule, value);
   }
   /// A finite number.
-  template <class T> constexpr void finite(const T& x, const char* rule) const {
+  template <class T>
+  constexpr void finite(const T& x, const char* rule) const {
     if constexpr (!typed_constant<T>) {
       const auto v = static_cast<double>(x);
       require(v - v == 0, rule, v);
     }
   }
   /// A finite number >= 0.
-  template <class T> constexpr void not_negative(const T& x, const char* rule) const {
+  template <class T>
+  constexpr void not_negative(const T& x, const char* rule) const {
     finite(x, rule);
     require(as<double>(x) >= 0, rule, as<double>(x));
   }
-  template <class X, class Y, class Z> constexpr void finite(const vec3<X, Y, Z>& v, const char* rule) const {
+  template <class X, class Y, class Z>
+  constexpr void finite(const vec3<X, Y, Z>& v, const char* rule) const {
     finite(v.x, rule), finite(v.y, rule), finite(v.z, rule);
   }
   /// A vector of length 1 to 1e-9: a rounded axis is meant as one, a wrong axis is not.
-  template <class X, class Y, class Z> constexpr void unit(const vec3<X, Y, Z>& v, const char* rule) const {
+  template <class X, class Y, class Z>
+  constexpr void unit(const vec3<X, Y, Z>& v, const char* rule) const {
     finite(v, rule);
     const auto n = as<double>(dot(as<double>(v), as<double>(v)));
     require(n > 1 - 2e-9 && n < 1 + 2e-9, rule, n);
   }
   /// Orthonormal with determinant 1, each to 1e-9.
-  template <class R> constexpr void rotation(const R& r, const char* rule) const {
+  template <class R>
+  constexpr void rotation(const R& r, const char* rule) const {
     const auto m = as<double>(matrix(r));
     unit(m.x, rule), unit(m.y, rule), unit(m.z, rule);
     const double det = dot(m.x, cross(m.y, m.z));
@@ -50,7 +55,8 @@ struct parameter_check {
   }
   /// Physical: the second moments tr(I)/2 1 - I, which are integrals of x x^T dm, have no negative eigenvalue. That is
   /// the triangle inequality of the principal moments. Tested by principal minors, with room for printed digits.
-  template <class... T> constexpr void physical(const sym3<T...>& inertia) const {
+  template <class... T>
+  constexpr void physical(const sym3<T...>& inertia) const {
     const auto i = as<double>(inertia);
     const double t = (i.xx + i.yy + i.zz) / 2;
     constexpr auto rule =
@@ -69,15 +75,9 @@ struct parameter_check {
   }
 
   [[noreturn]] void reject(const char* rule, double value) const {
-    detail::raise<bad_parameter>(describe() + ": " + rule + ", got " + detail::number(value));
+    detail::raise<bad_parameter>("kte: " + describe() + ": " + rule + ", got " + detail::number(value));
   }
-  /// "revolute_joint_3D (coordinate 'q', base 'a', end 'b')"
-  std::string describe() const {
-    std::string s(type);
-    for (std::size_t i = 0; i < ports.size(); ++i)
-      s.append(i == 0 ? " (" : ", ").append(ports[i].role).append(" '").append(names[i]).append("'");
-    return s + ")";
-  }
+  std::string describe() const { return describe_element(type, ports, names); }
 };
 
 }  // namespace kte

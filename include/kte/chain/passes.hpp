@@ -12,27 +12,32 @@
 namespace kte::detail {
 
 /// Connects the ports of an element to a state: Where::at<port>() gives the index of what port is connected to.
-template <class Core, class State, class Where> struct stored_element {
+template <class Core, class State, class Where>
+struct stored_element {
   const Core& core;
   State& state;
   Where where;
 
   static constexpr std::size_t ports = port_count<Core>;
-  template <std::size_t P> static constexpr port at = Core::ports[P];
+  template <std::size_t P>
+  static constexpr port at = Core::ports[P];
 
   /// What is connected to port P.
-  template <std::size_t P> KTE_INLINE constexpr auto& stored() const {
+  template <std::size_t P>
+  KTE_INLINE constexpr auto& stored() const {
     return state.template get<at<P>.what>(where.template at<P>());
   }
   /// The same as the kernels see it.
-  template <std::size_t P> KTE_INLINE constexpr decltype(auto) input() const {
+  template <std::size_t P>
+  KTE_INLINE constexpr decltype(auto) input() const {
     if constexpr (at<P>.what == kind::frame_2D || at<P>.what == kind::frame_3D) {
       return spatial(stored<P>());
     } else {
       return std::as_const(stored<P>());
     }
   }
-  template <std::size_t P> KTE_INLINE constexpr auto load() const {
+  template <std::size_t P>
+  KTE_INLINE constexpr auto load() const {
     if constexpr (at<P>.what == kind::gen) {
       return stored<P>().f;
     } else {
@@ -42,28 +47,38 @@ template <class Core, class State, class Where> struct stored_element {
   static constexpr bool has_output = at<ports - 1>.how == access::out;
   static constexpr std::size_t inputs = input_count<Core>;
 
-  template <std::size_t... P> KTE_INLINE constexpr void motion(std::index_sequence<P...>) const {
-    const int angles[]{(prepare<P>(), 0)..., 0};
-    (void)angles;
+  template <std::size_t... P>
+  KTE_INLINE constexpr void motion(std::index_sequence<P...>) const {
+    update_angles(std::index_sequence<P...>{});
     if constexpr (has_output) write(core.doMotion(input<P>()...));
   }
-  template <std::size_t... P> KTE_INLINE constexpr void force(std::index_sequence<P...>) const {
+  /// Sines and cosines of the coordinates that it reads as angles.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void update_angles(std::index_sequence<P...>) const {
+    const int done[]{(update_angle<P>(), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t... P>
+  KTE_INLINE constexpr void force(std::index_sequence<P...>) const {
     if constexpr (has_output) {
       spread<P...>(core.doForce(input<P>()..., load<ports - 1>()));
     } else {
       spread<P...>(core.doForce(input<P>()...));
     }
   }
-  template <std::size_t... P> KTE_INLINE constexpr void clear(std::index_sequence<P...>) const {
+  template <std::size_t... P>
+  KTE_INLINE constexpr void clear(std::index_sequence<P...>) const {
     const int done[]{(clear_one<P>(), 0)..., 0};
     (void)done;
   }
 
  private:
-  template <std::size_t P> KTE_INLINE constexpr void prepare() const {
+  template <std::size_t P>
+  KTE_INLINE constexpr void update_angle() const {
     if constexpr (at<P>.how == access::angle) sincos(stored<P>().q, stored<P>().sin, stored<P>().cos);
   }
-  template <class M> KTE_INLINE constexpr void write(const M& m) const {
+  template <class M>
+  KTE_INLINE constexpr void write(const M& m) const {
     auto& x = stored<ports - 1>();
     if constexpr (at<ports - 1>.what == kind::gen) {
       using S = std::remove_cvref_t<decltype(x.q)>;
@@ -73,16 +88,19 @@ template <class Core, class State, class Where> struct stored_element {
     }
   }
   /// Loads belong to the ports that are no inputs, in order.
-  template <std::size_t... P, class Loads> KTE_INLINE constexpr void spread(const Loads& l) const {
+  template <std::size_t... P, class Loads>
+  KTE_INLINE constexpr void spread(const Loads& l) const {
     const int done[]{(add<P>(l), 0)..., 0};
     (void)done;
   }
-  template <std::size_t P> static constexpr std::size_t load_index() {
+  template <std::size_t P>
+  static constexpr std::size_t load_index() {
     std::size_t i = 0;
     for (std::size_t p = 0; p < P; ++p) i += Core::ports[p].what != kind::input;
     return i;
   }
-  template <std::size_t P, class Loads> KTE_INLINE constexpr void add(const Loads& l) const {
+  template <std::size_t P, class Loads>
+  KTE_INLINE constexpr void add(const Loads& l) const {
     if constexpr (at<P>.what == kind::gen) {
       auto& x = stored<P>();
       x.f = x.f + boost::hana::at_c<load_index<P>()>(l);
@@ -90,7 +108,8 @@ template <class Core, class State, class Where> struct stored_element {
       add_load(stored<P>(), boost::hana::at_c<load_index<P>()>(l));
     }
   }
-  template <std::size_t P> KTE_INLINE constexpr void clear_one() const {
+  template <std::size_t P>
+  KTE_INLINE constexpr void clear_one() const {
     if constexpr (at<P>.what == kind::gen) {
       stored<P>().f = {};
     } else if constexpr (at<P>.what != kind::input) {

@@ -3,6 +3,8 @@
 #include <kte/chain/key.hpp>
 
 #include <array>
+#include <span>
+#include <string>
 
 namespace kte {
 
@@ -24,14 +26,25 @@ struct port {
 };
 
 /// The ports of an element core, in the order of its arguments.
-template <class Core> inline constexpr std::size_t port_count = Core::ports.size();
+template <class Core>
+inline constexpr std::size_t port_count = Core::ports.size();
 
 /// How many of them it reads; what it writes comes last.
 template <class Core>
 inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
 
+/// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
+inline std::string describe_element(std::string_view type, std::span<const port> ports,
+                                    std::span<const std::string_view> names) {
+  std::string s(type);
+  for (std::size_t i = 0; i < ports.size(); ++i)
+    s.append(i == 0 ? " (" : ", ").append(ports[i].role).append(" '").append(names[i]).append("'");
+  return s + ")";
+}
+
 /// "rigid_link" and 3D give "rigid_link_3D".
-template <std::size_t N> struct type_name {
+template <std::size_t N>
+struct type_name {
   char text[N + 3]{};
   constexpr type_name(const char (&stem)[N], kind k) {
     std::copy_n(stem, N - 1, text);

@@ -10,13 +10,15 @@
 namespace kte {
 
 namespace detail {
-template <class Core> inline constexpr bool reads_positions = false;
+template <class Core>
+inline constexpr bool reads_positions = false;
 template <class Core>
 requires requires { Core::reads_positions; }
 inline constexpr bool reads_positions<Core> = Core::reads_positions;
 
 /// The checks, one base class an element.
-template <class Wiring, class Index, class... E> struct wired_elements;
+template <class Wiring, class Index, class... E>
+struct wired_elements;
 template <class Wiring, std::size_t... I, class... E>
 struct wired_elements<Wiring, std::index_sequence<I...>, E...>
     : wired<E, Wiring::table.error[I], Wiring::table.bad_port[I], static_cast<int>(I)>... {};
@@ -29,7 +31,8 @@ struct wired_elements<Wiring, std::index_sequence<I...>, E...>
 ///   doMotion    motion of all frames, front to back
 ///   clearForce  all forces to zero
 ///   doForce     forces, back to front; then s[q].f is the force of virtual power on q
-template <class Gravity, class... E> class static_chain {
+template <class Gravity, class... E>
+class static_chain {
  public:
   using wiring = detail::wiring<E...>;
   static_assert(sizeof(detail::wired_elements<wiring, std::index_sequence_for<E...>, E...>) > 0);
@@ -44,43 +47,63 @@ template <class Gravity, class... E> class static_chain {
       if (b) return true;
     return false;
   }();
-  template <class Scalar> using state = chain_state<Scalar, wiring>;
+  template <class Scalar>
+  using state = chain_state<Scalar, wiring>;
 
   constexpr static_chain(const boost::hana::tuple<E...>& elements, const Gravity& g)
       : elements_(elements), gravity_(g) {}
 
-  template <class Scalar> constexpr void doMotion(state<Scalar>& s) const {
+  template <class State>
+  constexpr void doMotion(State& s) const {
+    check<State>();
     forward([&](auto x) { x.motion(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
   }
-  template <class Scalar> constexpr void clearForce(state<Scalar>& s) const {
+  template <class State>
+  constexpr void clearForce(State& s) const {
+    check<State>();
     forward([&](auto x) { x.clear(std::make_index_sequence<decltype(x)::ports>{}); }, s,
             std::index_sequence_for<E...>{});
   }
-  template <class Scalar> constexpr void doForce(state<Scalar>& s) const {
+  template <class State>
+  constexpr void doForce(State& s) const {
+    check<State>();
     backward([&](auto x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
   }
 
   /// The same chain under gravity, m/s^2 in the axes of the base: `.gravity(along_z(-9.81))`. It acts as the opposite
   /// acceleration of the base.
-  template <class X, class Y, class Z> constexpr auto gravity(const vec3<X, Y, Z>& g) const {
+  template <class X, class Y, class Z>
+  constexpr auto gravity(const vec3<X, Y, Z>& g) const {
     return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
   }
   constexpr const Gravity& gravity() const { return gravity_; }
 
   constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }
-  template <std::size_t I> KTE_INLINE constexpr const auto& core() const {
+  template <std::size_t I>
+  KTE_INLINE constexpr const auto& core() const {
     return boost::hana::at_c<I>(elements_).core;
   }
 
  private:
-  template <std::size_t I> struct where {
-    template <std::size_t P> static constexpr int at() {
+  template <class State>
+  static constexpr void check() {
+    if constexpr (is_chain_state<State>)
+      static_assert(std::is_same_v<typename State::wiring, wiring>, "kte: this state was made for another chain");
+  }
+  template <std::size_t I>
+  struct where {
+    template <std::size_t P>
+    static constexpr int at() {
       constexpr int slot = wiring::slot(I, P);
       return slot;
     }
   };
-  template <class X> static constexpr auto inputs_of(const X&) { return std::make_index_sequence<X::inputs>{}; }
-  template <std::size_t I, class S> KTE_INLINE constexpr auto stored(S& s) const {
+  template <class X>
+  static constexpr auto inputs_of(const X&) {
+    return std::make_index_sequence<X::inputs>{};
+  }
+  template <std::size_t I, class S>
+  KTE_INLINE constexpr auto stored(S& s) const {
     using core_type = std::remove_cvref_t<decltype(core<I>())>;
     return detail::stored_element<core_type, S, where<I>>{core<I>(), s, {}};
   }
@@ -100,12 +123,18 @@ template <class Gravity, class... E> class static_chain {
 };
 
 namespace detail {
-template <class... E> constexpr auto as_elements(const static_chain<zero3, E...>& c) { return c.elements(); }
-template <class Core, class... Keys> constexpr auto as_elements(const element<Core, Keys...>& e) {
+template <class... E>
+constexpr auto as_elements(const static_chain<zero3, E...>& c) {
+  return c.elements();
+}
+template <class Core, class... Keys>
+constexpr auto as_elements(const element<Core, Keys...>& e) {
   return boost::hana::tuple<element<Core, Keys...>>(e);
 }
-template <class T> inline constexpr bool is_element = false;
-template <class Core, class... Keys> inline constexpr bool is_element<element<Core, Keys...>> = true;
+template <class T>
+inline constexpr bool is_element = false;
+template <class Core, class... Keys>
+inline constexpr bool is_element<element<Core, Keys...>> = true;
 
 inline constexpr auto make_chain = [](const auto&... e) {
   using chain_type = static_chain<zero3, std::remove_cvref_t<decltype(e)>...>;
@@ -118,7 +147,8 @@ inline constexpr auto make_chain = [](const auto&... e) {
 /// A name is written by one element, before it is read; several elements may read it: that is a branch. The first frame
 /// read is the base of the chain; a coordinate that no element writes is a degree of freedom. A mistake is a compile
 /// error that names the element (docs/errors.md).
-template <class... E> constexpr auto chain(const E&... e) {
+template <class... E>
+constexpr auto chain(const E&... e) {
   if constexpr ((detail::is_element<E> && ...)) {
     return detail::make_chain(e...);
   } else {

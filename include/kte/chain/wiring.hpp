@@ -33,8 +33,10 @@ struct port_use {
 ///   dofs          coordinates 0 .. dofs-1 are the degrees of freedom, in order of first appearance
 ///   reader[k][s]  the last port through which a load comes on thing s of kind k, or -1; previous[p] is the one before
 ///   element[p], load[p]   the element of port p, and the place of its load among the loads of that element
-template <std::size_t P, std::size_t E> struct wiring_table {
+template <std::size_t P, std::size_t E>
+struct wiring_table {
   std::array<int, P + 1> slot{};
+  std::array<kind, P + 1> what{};
   std::array<int, 4> count{};
   std::array<std::array<int, P + 1>, 4> writer{};
   std::array<std::array<std::uint64_t, P + 1>, 4> key{};
@@ -112,6 +114,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     for (auto& r : of_kind) r = -1;
   for (int p = 0; p < n; ++p) {
     const int s = t.slot[p] = rank[name[p]];
+    t.what[p] = use[p].what;
     if (use[p].how == access::angle) t.angle[s] = true;
     if (use[p].how == access::out || use[p].how == access::base || use[p].what == kind::input) continue;
     t.load[p] = p > first[element[p]] ? t.load[p - 1] + (use[p - 1].what != kind::input) : 0;
@@ -123,10 +126,13 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
 }
 
 /// The wiring of a chain of elements E..., each an `element<Core, Keys...>`.
-template <class... E> struct wiring;
+template <class... E>
+struct wiring;
 
-template <class E> struct uses_of;
-template <class Core, class... Keys> struct uses_of<element<Core, Keys...>> {
+template <class E>
+struct uses_of;
+template <class Core, class... Keys>
+struct uses_of<element<Core, Keys...>> {
   static constexpr int count = static_cast<int>(sizeof...(Keys));
   static constexpr std::array<port_use, sizeof...(Keys)> make() {
     std::array<port_use, sizeof...(Keys)> u{};
@@ -136,7 +142,8 @@ template <class Core, class... Keys> struct uses_of<element<Core, Keys...>> {
   }
 };
 
-template <class... E> struct wiring {
+template <class... E>
+struct wiring {
   static constexpr std::size_t elements = sizeof...(E);
   static constexpr std::array<int, elements + 1> first = [] {
     std::array<int, elements + 1> f{};
@@ -157,7 +164,10 @@ template <class... E> struct wiring {
     return resolve<ports, elements>(all, first);
   }();
 
-  /// Index of what port `port` of element e is connected to.
+  /// Kind and index of what port `port` of element e is connected to.
+  static constexpr kind what(std::size_t e, std::size_t port) {
+    return table.what[static_cast<std::size_t>(first[e]) + port];
+  }
   static constexpr int slot(std::size_t e, std::size_t port) {
     return table.slot[static_cast<std::size_t>(first[e]) + port];
   }
@@ -169,7 +179,8 @@ template <class... E> struct wiring {
   /// Whether the sine and cosine of coordinate s are wanted.
   static constexpr bool angle(int s) { return table.angle[static_cast<std::size_t>(s)]; }
   /// Index of a key among things of its kind, or -1.
-  template <class Key> static constexpr int find() {
+  template <class Key>
+  static constexpr int find() {
     const auto k = static_cast<std::size_t>(Key::what);
     for (int s = 0; s < table.count[k]; ++s)
       if (table.key[k][static_cast<std::size_t>(s)] == id_of_key<Key>) return s;
@@ -178,7 +189,8 @@ template <class... E> struct wiring {
 };
 
 /// The user's sentence for each broken rule. `Name` is the key in question.
-template <class Element, class Name, problem P> struct check_wiring {
+template <class Element, class Name, problem P>
+struct check_wiring {
   static_assert(P != problem::written_twice,
                 "kte: this element writes a name that an earlier element has written: give every end a key of its own");
   static_assert(P != problem::read_before_written,
@@ -190,8 +202,10 @@ template <class Element, class Name, problem P> struct check_wiring {
   static_assert(P != problem::same_text, "kte: this element names something by a text that another key has already");
 };
 /// A base class of the chain for each of its elements, so that an error names that element.
-template <class Element, problem P, int Port, int Index> struct wired;
-template <class Element, int Port, int Index> struct wired<Element, problem::none, Port, Index> {};
+template <class Element, problem P, int Port, int Index>
+struct wired;
+template <class Element, int Port, int Index>
+struct wired<Element, problem::none, Port, Index> {};
 template <class Core, class... Keys, problem P, int Port, int Index>
 requires(P != problem::none) struct wired<element<Core, Keys...>, P, Port, Index>
     : check_wiring<element<Core, Keys...>, std::tuple_element_t<std::size_t{Port}, std::tuple<Keys...>>, P> {

@@ -7,7 +7,8 @@ namespace kte::detail {
 
 /// Throws `error`; where exceptions are switched off, prints it and aborts. Not constexpr on purpose: reached while a
 /// constexpr chain is built, it stops the compilation at the call that holds the bad value.
-template <class Error, class... Args> [[noreturn, gnu::cold, gnu::noinline]] void raise(Args&&... args) {
+template <class Error, class... Args>
+[[noreturn, gnu::cold, gnu::noinline]] void raise(Args&&... args) {
 #if defined(__cpp_exceptions)
   throw Error(static_cast<Args&&>(args)...);
 #else

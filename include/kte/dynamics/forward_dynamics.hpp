@@ -9,10 +9,12 @@
 
 namespace kte {
 
-/// Solves M x = b for a symmetric positive definite mass matrix (Cholesky, Eigen's LLT). Throws `singular_mass_matrix`
-/// where a coordinate moves no mass, and for NaN.
-template <class Matrix, class Vector> void solve_in_place(const Matrix& m, Vector& b) {
-  const Eigen::LLT<Matrix> factors(m);
+namespace detail {
+/// Factorises a mass matrix (Cholesky, Eigen's LLT). Throws `singular_mass_matrix` where a coordinate moves no mass, and
+/// for NaN.
+template <class Matrix>
+void factorise(const Matrix& m, Eigen::LLT<Matrix>& factors) {
+  factors.compute(m);
   const auto& l = factors.matrixLLT();
   using S = typename Matrix::Scalar;
   bool good = factors.info() == Eigen::Success;
@@ -20,8 +22,14 @@ template <class Matrix, class Vector> void solve_in_place(const Matrix& m, Vecto
   if (!good) [[unlikely]]
     detail::raise<singular_mass_matrix>(
         "kte: the mass matrix is not positive definite: a coordinate moves no mass, or an argument is not a number");
+}
+template <class Matrix, class Vector>
+void solve_in_place(const Matrix& m, Vector& b) {
+  Eigen::LLT<Matrix> factors;
+  factorise(m, factors);
   factors.solveInPlace(b);
 }
+}  // namespace detail
 
 /// Forward dynamics by the factorised mass matrix:
 ///
@@ -39,7 +47,7 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
   joint_vector<S, n> a = detail::coordinate_forces<S>(
       c, detail::given{at, detail::each<S, V>{v}, detail::same<zero_t>{}, detail::base_under_gravity(c)}, one);
   for (int i = 0; i < n; ++i) a[i] += S(tau[static_cast<std::size_t>(i)]);
-  solve_in_place(detail::local_mass_matrix<S>(c, at), a);
+  detail::solve_in_place(detail::local_mass_matrix<S>(c, at), a);
   return a;
 }
 

@@ -24,7 +24,8 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
     return motion_by<Types, std::size_t{writer}>(c, g, typename Types::template inputs<std::size_t{writer}>{});
   }
 }
-template <class S, kind K, class M> KTE_INLINE constexpr auto pose_of(const M& m) {
+template <class S, kind K, class M>
+KTE_INLINE constexpr auto pose_of(const M& m) {
   if constexpr (K == kind::frame_2D) {
     return pose{as<S>(m.rotation * rotation_2D{one, zero}), planar_part<S>(m.position)};
   } else {

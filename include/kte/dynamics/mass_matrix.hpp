@@ -11,7 +11,8 @@ namespace kte {
 ///
 /// with s the axis of a joint and I^c the inertia of all that it carries. q as for `inverse_dynamics`. Symmetric, both
 /// triangles filled; kg m^2, kg m, kg.
-template <class Gravity, class... E, indexable Q> auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
+template <class Gravity, class... E, indexable Q>
+auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   check_size<chain_type::dofs>(q, "q");

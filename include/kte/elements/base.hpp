@@ -7,22 +7,33 @@ namespace kte {
 namespace core {
 
 /// Declares something that no element of the chain moves: its motion is what the state says.
-template <kind Dim> struct base {
+template <kind Dim>
+struct base {
   static constexpr type_name type{"base", Dim};
   static constexpr std::array<port, 1> ports{{{Dim, access::base, "base"}}};
 
   KTE_INLINE constexpr auto doForce() const { return make_loads(); }
   constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit> static constexpr void parameters(Self&, Visit&&) {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
 };
 
 }  // namespace core
 
 /// A coordinate given from outside, for instance the fixed end of a spring. It is no degree of freedom.
-template <class Q> constexpr auto base_gen(const Q& coordinate) { return connect(core::base<kind::gen>{}, coordinate); }
+template <class Q>
+constexpr auto base_gen(const Q& coordinate) {
+  return connect(core::base<kind::gen>{}, coordinate);
+}
 /// A further base in the plane. The first frame that a chain reads is a base anyway.
-template <class F> constexpr auto base_2D(const F& frame) { return connect(core::base<kind::frame_2D>{}, frame); }
+template <class F>
+constexpr auto base_2D(const F& frame) {
+  return connect(core::base<kind::frame_2D>{}, frame);
+}
 /// A further base in space.
-template <class F> constexpr auto base_3D(const F& frame) { return connect(core::base<kind::frame_3D>{}, frame); }
+template <class F>
+constexpr auto base_3D(const F& frame) {
+  return connect(core::base<kind::frame_3D>{}, frame);
+}
 
 }  // namespace kte

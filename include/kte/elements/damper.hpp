@@ -10,20 +10,23 @@ namespace core {
 ///
 ///   s = c (q_dot_2 - q_dot_1)           (1)
 ///   f_1 += s,  f_2 -= s                 (2)
-template <class Damping> struct damper_gen {
+template <class Damping>
+struct damper_gen {
   static constexpr type_name type{"damper", kind::gen};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::on, "anchor1"}, {kind::gen, access::on, "anchor2"}}};
 
   Damping damping;
 
-  template <class C1, class C2> KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
     const auto s = damping * (c2.q_dot - c1.q_dot);  // (1)
     return make_loads(s, -s);                        // (2)
   }
   constexpr void check(const parameter_check& where) const {
     where.not_negative(damping, "damping must be finite and not negative");
   }
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("damping", self.damping);
   }
 };

@@ -12,15 +12,20 @@ struct driving_actuator_gen {
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::input, access::in, "input"}}};
 
-  template <class C, class U> KTE_INLINE constexpr auto doForce(const C&, const U& u) const { return make_loads(u); }
+  template <class C, class U>
+  KTE_INLINE constexpr auto doForce(const C&, const U& u) const {
+    return make_loads(u);
+  }
   constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit> static constexpr void parameters(Self&, Visit&&) {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
 };
 
 }  // namespace core
 
 /// A motor that drives a coordinate by the force `input`, set in the state: `s[motor] = 2.0`.
-template <class Q, class U> constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
+template <class Q, class U>
+constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
   return connect(core::driving_actuator_gen{}, coordinate, input);
 }
 

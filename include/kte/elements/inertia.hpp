@@ -11,7 +11,8 @@ namespace core {
 ///   a_c = a + al x c + w x (w x c)                       (1)
 ///   F -= m a_c                                           (2)
 ///   T -= I al + w x (I w) + c x (m a_c)                  (3)
-template <kind Dim, class Mass, class Com, class Inertia> struct inertia {
+template <kind Dim, class Mass, class Com, class Inertia>
+struct inertia {
   static constexpr type_name type{"inertia", Dim};
   static constexpr std::array<port, 1> ports{{{Dim, access::in, "frame"}}};
 
@@ -20,7 +21,8 @@ template <kind Dim, class Mass, class Com, class Inertia> struct inertia {
 
   constexpr explicit inertia(const rigid_body<Mass, Com, Inertia>& b) : body(b), at_origin(to_composite(b)) {}
 
-  template <class Frame> KTE_INLINE constexpr auto doForce(const Frame& x) const {
+  template <class Frame>
+  KTE_INLINE constexpr auto doForce(const Frame& x) const {
     const auto& [m, c, J] = body;
     const auto& w = x.ang_velocity;
     const auto& al = x.ang_acceleration;
@@ -36,7 +38,8 @@ template <kind Dim, class Mass, class Com, class Inertia> struct inertia {
     where.finite(body.com, "centre of mass must be finite");
     where.physical(body.inertia);
   }
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("mass", self.body.mass);
     visit("com", self.body.com);
     visit("inertia", self.body.inertia);
@@ -44,19 +47,24 @@ template <kind Dim, class Mass, class Com, class Inertia> struct inertia {
 };
 
 /// The inertia of a coordinate, m in kg or kg m^2: f -= m q_ddot.
-template <class Mass> struct inertia_gen {
+template <class Mass>
+struct inertia_gen {
   static constexpr type_name type{"inertia", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::in, "coordinate"}}};
 
   Mass m;
 
-  template <class C> KTE_INLINE constexpr auto doForce(const C& c) const { return make_loads((-m) * c.q_ddot); }
+  template <class C>
+  KTE_INLINE constexpr auto doForce(const C& c) const {
+    return make_loads((-m) * c.q_ddot);
+  }
   KTE_INLINE constexpr auto mass() const { return m; }
 
   constexpr void check(const parameter_check& where) const {
     where.not_negative(m, "mass must be finite and not negative");
   }
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("mass", self.m);
   }
 };
@@ -74,7 +82,8 @@ constexpr auto inertia_3D(const F& frame, const rigid_body<M, C, I>& body) {
   return connect(core::inertia<kind::frame_3D, M, C, I>(body), frame);
 }
 /// The inertia of a coordinate, kg or kg m^2.
-template <class Q, variable M> constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
+template <class Q, variable M>
+constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
   const auto m = real(mass);
   return connect(core::inertia_gen<std::remove_const_t<decltype(m)>>{m}, coordinate);
 }

@@ -9,7 +9,8 @@ namespace core {
 /// A joint that slides along an axis n by the coordinate q, m:
 ///
 ///   R = 1,  p = n q,  v = n q_dot,  a = n q_ddot          (1)
-template <kind Dim, class Axis> struct prismatic_joint : transmission<prismatic_joint<Dim, Axis>> {
+template <kind Dim, class Axis>
+struct prismatic_joint : transmission<prismatic_joint<Dim, Axis>> {
   static constexpr type_name type{"prismatic_joint", Dim};
   static constexpr std::array<port, 3> ports{
       {{kind::gen, access::in, "coordinate"}, {Dim, access::in, "base"}, {Dim, access::out, "end"}}};
@@ -18,12 +19,14 @@ template <kind Dim, class Axis> struct prismatic_joint : transmission<prismatic_
 
   constexpr explicit prismatic_joint(const Axis& n) : axis(n) {}
 
-  template <class C> KTE_INLINE constexpr auto relative(const C& c) const {
+  template <class C>
+  KTE_INLINE constexpr auto relative(const C& c) const {
     return motion{axis * c.q, no_rotation{}, axis * c.q_dot, zero3{}, axis * c.q_ddot, zero3{}};  // (1)
   }
   constexpr void check(const parameter_check& where) const { where.unit(axis, "axis must have length 1"); }
 
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("axis", self.axis);
   }
 };

@@ -9,7 +9,8 @@ namespace core {
 /// A joint that turns about an axis n by the coordinate q, rad:
 ///
 ///   R = Rot(n, q),  p = 0,  w = n q_dot,  al = n q_ddot          (1)
-template <kind Dim, class Axis> struct revolute_joint : transmission<revolute_joint<Dim, Axis>> {
+template <kind Dim, class Axis>
+struct revolute_joint : transmission<revolute_joint<Dim, Axis>> {
   static constexpr type_name type{"revolute_joint", Dim};
   static constexpr std::array<port, 3> ports{
       {{kind::gen, access::angle, "coordinate"}, {Dim, access::in, "base"}, {Dim, access::out, "end"}}};
@@ -18,16 +19,19 @@ template <kind Dim, class Axis> struct revolute_joint : transmission<revolute_jo
 
   constexpr explicit revolute_joint(const Axis& n) : axis(n) {}
 
-  template <class C> KTE_INLINE constexpr auto relative(const C& c) const {
+  template <class C>
+  KTE_INLINE constexpr auto relative(const C& c) const {
     return motion{zero3{}, rotation(c), zero3{}, axis * c.q_dot, zero3{}, axis * c.q_ddot};  // (1)
   }
   constexpr void check(const parameter_check& where) const { where.unit(axis, "axis must have length 1"); }
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("axis", self.axis);
   }
 
  private:
-  template <class C> KTE_INLINE constexpr auto rotation(const C& c) const {
+  template <class C>
+  KTE_INLINE constexpr auto rotation(const C& c) const {
     if constexpr (Dim == kind::frame_2D) {
       return rotation_2D{c.cos, c.sin};
     } else {

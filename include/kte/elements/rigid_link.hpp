@@ -25,27 +25,32 @@ struct rigid_link : transmission<rigid_link<Dim, Rotation, Position>> {
     where.finite(position, "position must be finite");
     where.rotation(rotation, "rotation must be orthonormal and right-handed");
   }
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("position", self.position);
     visit("rotation", self.rotation);
   }
 };
 
 /// A coordinate that follows another at a constant distance: q_e = q_b + c, f_b += f_e.
-template <class Offset> struct rigid_link_gen {
+template <class Offset>
+struct rigid_link_gen {
   static constexpr type_name type{"rigid_link", kind::gen};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "base"}, {kind::gen, access::out, "end"}}};
 
   Offset offset;
 
-  template <class C> KTE_INLINE constexpr auto doMotion(const C& base) const {
+  template <class C>
+  KTE_INLINE constexpr auto doMotion(const C& base) const {
     return coordinate{base.q + offset, base.q_dot, base.q_ddot, skip{}, skip{}};
   }
-  template <class C, class F> KTE_INLINE constexpr auto doForce(const C&, const F& end) const {
+  template <class C, class F>
+  KTE_INLINE constexpr auto doForce(const C&, const F& end) const {
     return make_loads(end);
   }
   constexpr void check(const parameter_check& where) const { where.finite(offset, "offset must be finite"); }
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("offset", self.offset);
   }
 };

@@ -15,7 +15,8 @@ namespace core {
 ///
 /// with |s| limited to the saturation force where there is one (a typed zero: none). Its energy is k/2 (q_2 - q_1 -
 /// L)^2.
-template <class Rest, class Stiffness, class Saturation> struct spring_gen {
+template <class Rest, class Stiffness, class Saturation>
+struct spring_gen {
   static constexpr type_name type{"spring", kind::gen};
   static constexpr std::array<port, 2> ports{{{kind::gen, access::on, "anchor1"}, {kind::gen, access::on, "anchor2"}}};
 
@@ -23,7 +24,8 @@ template <class Rest, class Stiffness, class Saturation> struct spring_gen {
   Stiffness stiffness;
   Saturation saturation;
 
-  template <class C1, class C2> KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
     const auto s = limited(stiffness * ((c2.q - c1.q) - rest_length));  // (1)
     return make_loads(s, -s);                                           // (2)
   }
@@ -32,14 +34,16 @@ template <class Rest, class Stiffness, class Saturation> struct spring_gen {
     where.not_negative(stiffness, "stiffness must be finite and not negative");
     where.not_negative(saturation, "saturation must be finite and not negative");
   }
-  template <class Self, class Visit> static constexpr void parameters(Self& self, Visit&& visit) {
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
     visit("rest_length", self.rest_length);
     visit("stiffness", self.stiffness);
     visit("saturation", self.saturation);
   }
 
  private:
-  template <class S> KTE_INLINE constexpr S limited(const S& s) const {
+  template <class S>
+  KTE_INLINE constexpr S limited(const S& s) const {
     if constexpr (typed_constant<Saturation> || typed_constant<S>) {
       return s;
     } else {  // in this order NaN stays NaN

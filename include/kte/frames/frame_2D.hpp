@@ -6,7 +6,8 @@ namespace kte {
 
 /// A frame in the plane as a chain's state holds it. Position and rotation are in the axes of the world; all rates,
 /// accelerations, forces and torques are in the frame's own axes; angular quantities are about z. SI units.
-template <class S = double> struct frame_2D {
+template <class S = double>
+struct frame_2D {
   vec2<S> position{};
   rotation_2D<S> rotation{S(1), S(0)};
   vec2<S> velocity{};
@@ -18,13 +19,21 @@ template <class S = double> struct frame_2D {
 };
 
 namespace detail {
-template <class S> KTE_INLINE constexpr auto in_plane(const vec2<S>& v) { return vec3{v.x, v.y, zero}; }
-template <class S> KTE_INLINE constexpr auto about_z(const S& w) { return vec3{zero, zero, w}; }
-template <class S, class X, class Y, class Z> KTE_INLINE constexpr vec2<S> planar_part(const vec3<X, Y, Z>& v) {
+template <class S>
+KTE_INLINE constexpr auto in_plane(const vec2<S>& v) {
+  return vec3{v.x, v.y, zero};
+}
+template <class S>
+KTE_INLINE constexpr auto about_z(const S& w) {
+  return vec3{zero, zero, w};
+}
+template <class S, class X, class Y, class Z>
+KTE_INLINE constexpr vec2<S> planar_part(const vec3<X, Y, Z>& v) {
   static_assert(std::is_same_v<Z, zero_t>, "kte: an element moves or pushes a 2D frame out of its plane");
   return {as<S>(v.x), as<S>(v.y)};
 }
-template <class S, class X, class Y, class Z> KTE_INLINE constexpr S normal_part(const vec3<X, Y, Z>& v) {
+template <class S, class X, class Y, class Z>
+KTE_INLINE constexpr S normal_part(const vec3<X, Y, Z>& v) {
   static_assert(std::is_same_v<X, zero_t> && std::is_same_v<Y, zero_t>,
                 "kte: an element turns a 2D frame out of its plane");
   return as<S>(v.z);
@@ -33,16 +42,19 @@ template <class S, class X, class Y, class Z> KTE_INLINE constexpr S normal_part
 
 /// A frame as the kernels see it: one in space, whose components out of the plane are typed zeros. So every kernel is
 /// written once.
-template <class S> KTE_INLINE constexpr auto spatial(const frame_2D<S>& x) {
+template <class S>
+KTE_INLINE constexpr auto spatial(const frame_2D<S>& x) {
   using namespace detail;
   return motion{in_plane(x.position),     x.rotation,
                 in_plane(x.velocity),     about_z(x.ang_velocity),
                 in_plane(x.acceleration), about_z(x.ang_acceleration)};
 }
-template <class S> KTE_INLINE constexpr auto load_of(const frame_2D<S>& x) {
+template <class S>
+KTE_INLINE constexpr auto load_of(const frame_2D<S>& x) {
   return wrench{detail::in_plane(x.force), detail::about_z(x.torque)};
 }
-template <class S, class... M> KTE_INLINE constexpr void set_motion(frame_2D<S>& x, const motion<M...>& m) {
+template <class S, class... M>
+KTE_INLINE constexpr void set_motion(frame_2D<S>& x, const motion<M...>& m) {
   using namespace detail;
   x.position = planar_part<S>(m.position);
   x.rotation = as<S>(m.rotation * rotation_2D{one, zero});
@@ -51,11 +63,13 @@ template <class S, class... M> KTE_INLINE constexpr void set_motion(frame_2D<S>&
   x.acceleration = planar_part<S>(m.acceleration);
   x.ang_acceleration = normal_part<S>(m.ang_acceleration);
 }
-template <class S, class F, class T> KTE_INLINE constexpr void add_load(frame_2D<S>& x, const wrench<F, T>& w) {
+template <class S, class F, class T>
+KTE_INLINE constexpr void add_load(frame_2D<S>& x, const wrench<F, T>& w) {
   x.force = as<S>(x.force + detail::planar_part<S>(w.force));
   x.torque = as<S>(x.torque + detail::normal_part<S>(w.torque));
 }
-template <class S> KTE_INLINE constexpr void clear_load(frame_2D<S>& x) {
+template <class S>
+KTE_INLINE constexpr void clear_load(frame_2D<S>& x) {
   x.force = {};
   x.torque = S{};
 }

@@ -6,7 +6,8 @@ namespace kte {
 
 /// A frame in space as a chain's state holds it. Position and rotation are in the axes of the world (the parent of the
 /// chain's base); all rates, accelerations, forces and torques are in the frame's own axes. SI units; see `motion`.
-template <class S = double> struct frame_3D {
+template <class S = double>
+struct frame_3D {
   vec3<S> position{};
   mat3<vec3<S>> rotation{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}};
   vec3<S> velocity{};
@@ -18,10 +19,17 @@ template <class S = double> struct frame_3D {
 };
 
 /// A frame as the kernels see it.
-template <class S> KTE_INLINE constexpr const frame_3D<S>& spatial(const frame_3D<S>& x) { return x; }
+template <class S>
+KTE_INLINE constexpr const frame_3D<S>& spatial(const frame_3D<S>& x) {
+  return x;
+}
 /// Its load as the kernels see it.
-template <class S> KTE_INLINE constexpr auto load_of(const frame_3D<S>& x) { return wrench{x.force, x.torque}; }
-template <class S, class... M> KTE_INLINE constexpr void set_motion(frame_3D<S>& x, const motion<M...>& m) {
+template <class S>
+KTE_INLINE constexpr auto load_of(const frame_3D<S>& x) {
+  return wrench{x.force, x.torque};
+}
+template <class S, class... M>
+KTE_INLINE constexpr void set_motion(frame_3D<S>& x, const motion<M...>& m) {
   x.position = as<S>(m.position);
   x.rotation = as<S>(matrix(m.rotation));
   x.velocity = as<S>(m.velocity);
@@ -29,11 +37,13 @@ template <class S, class... M> KTE_INLINE constexpr void set_motion(frame_3D<S>&
   x.acceleration = as<S>(m.acceleration);
   x.ang_acceleration = as<S>(m.ang_acceleration);
 }
-template <class S, class F, class T> KTE_INLINE constexpr void add_load(frame_3D<S>& x, const wrench<F, T>& w) {
+template <class S, class F, class T>
+KTE_INLINE constexpr void add_load(frame_3D<S>& x, const wrench<F, T>& w) {
   x.force = as<S>(x.force + w.force);
   x.torque = as<S>(x.torque + w.torque);
 }
-template <class S> KTE_INLINE constexpr void clear_load(frame_3D<S>& x) {
+template <class S>
+KTE_INLINE constexpr void clear_load(frame_3D<S>& x) {
   x.force = {};
   x.torque = {};
 }

@@ -6,7 +6,8 @@ namespace kte {
 ///   q, q_dot, q_ddot   m or rad, and per second
 ///   f                  the force of virtual power on it, N or Nm: with accelerations zero, q_ddot = M^-1 f
 ///   cos, sin           of q, set by doMotion where q turns a joint
-template <class S = double> struct gen_coord {
+template <class S = double>
+struct gen_coord {
   S q{};
   S q_dot{};
   S q_ddot{};

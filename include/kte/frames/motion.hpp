@@ -13,7 +13,8 @@ namespace kte {
 ///   acceleration      a   second derivative of p (classical, not spatial), in axes of X, m/s^2
 ///   ang_acceleration  al  in axes of X, rad/s^2
 /// Each field is a vector of numbers, of typed constants, or `skip` where an algorithm does not want it.
-template <class P, class R, class V, class W, class A, class AL> struct motion {
+template <class P, class R, class V, class W, class A, class AL>
+struct motion {
   P position;
   R rotation;
   V velocity;
@@ -21,32 +22,39 @@ template <class P, class R, class V, class W, class A, class AL> struct motion {
   A acceleration;
   AL ang_acceleration;
 };
-template <class P, class R, class V, class W, class A, class AL> motion(P, R, V, W, A, AL) -> motion<P, R, V, W, A, AL>;
+template <class P, class R, class V, class W, class A, class AL>
+motion(P, R, V, W, A, AL) -> motion<P, R, V, W, A, AL>;
 
 /// A rotation and a position: where a frame stands in another.
-template <class R, class P> struct pose {
+template <class R, class P>
+struct pose {
   R rotation;
   P position;
 };
-template <class R, class P> pose(R, P) -> pose<R, P>;
+template <class R, class P>
+pose(R, P) -> pose<R, P>;
 
 /// What flows along a coordinate: q, its rates, and for angles also cosine and sine.
-template <class Q, class QD, class QDD, class C, class S> struct coordinate {
+template <class Q, class QD, class QDD, class C, class S>
+struct coordinate {
   Q q;
   QD q_dot;
   QDD q_ddot;
   C cos;
   S sin;
 };
-template <class Q, class QD, class QDD, class C, class S> coordinate(Q, QD, QDD, C, S) -> coordinate<Q, QD, QDD, C, S>;
+template <class Q, class QD, class QDD, class C, class S>
+coordinate(Q, QD, QDD, C, S) -> coordinate<Q, QD, QDD, C, S>;
 
 /// Force (N) and torque (Nm) on the mechanism at the origin of a frame, in its axes.
-template <class F, class T> struct wrench {
+template <class F, class T>
+struct wrench {
   using geometry = wrench;
   F force;
   T torque;
 };
-template <class F, class T> wrench(F, T) -> wrench<F, T>;
+template <class F, class T>
+wrench(F, T) -> wrench<F, T>;
 
 inline constexpr wrench<zero3, zero3> no_wrench{};
 
@@ -62,7 +70,8 @@ KTE_INLINE constexpr auto operator+(const wrench<F, T>& a, const wrench<G, U>& b
 ///   w  = R_B^T w_A + w_B                                                              (2)
 ///   a  = R_B^T (a_A + al_A x p_B + w_A x (w_A x p_B)) + 2 (R_B^T w_A) x v_B + a_B     (3)
 ///   al = R_B^T al_A + (R_B^T w_A) x w_B + al_B                                        (4)
-template <class A, class B> KTE_INLINE constexpr auto compose(const A& a, const B& b) {
+template <class A, class B>
+KTE_INLINE constexpr auto compose(const A& a, const B& b) {
   const auto t = transpose(b.rotation);
   const auto& p = b.position;
   const auto& w = a.ang_velocity;
@@ -84,7 +93,8 @@ KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b)
 }
 
 /// A frame at rest relative to its parent.
-template <class R, class P> KTE_INLINE constexpr auto at_rest(const R& rotation, const P& position) {
+template <class R, class P>
+KTE_INLINE constexpr auto at_rest(const R& rotation, const P& position) {
   return motion{position, rotation, zero3{}, zero3{}, zero3{}, zero3{}};
 }
 

@@ -44,7 +44,8 @@ KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const S& c, con
   }
 }
 /// The same from the angle in rad.
-template <class X, class Y, class Z, variable T> constexpr auto rotation_about(const vec3<X, Y, Z>& u, const T& angle) {
+template <class X, class Y, class Z, variable T>
+constexpr auto rotation_about(const vec3<X, Y, Z>& u, const T& angle) {
   const auto r = rotation_by(angle);
   return rotation_about(u, r.cos, r.sin);
 }

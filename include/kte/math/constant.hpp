@@ -13,7 +13,8 @@
 namespace kte {
 
 /// The integer N as a type. `constant<0>`, `constant<1>` and `constant<-1>` vanish from arithmetic by (1).
-template <int N> struct constant {};
+template <int N>
+struct constant {};
 
 using zero_t = constant<0>;
 using one_t = constant<1>;
@@ -26,8 +27,10 @@ inline constexpr constant<-1> minus_one{};
 struct skip {};
 
 namespace detail {
-template <class T> inline constexpr bool is_constant = false;
-template <int N> inline constexpr bool is_constant<constant<N>> = true;
+template <class T>
+inline constexpr bool is_constant = false;
+template <int N>
+inline constexpr bool is_constant<constant<N>> = true;
 }  // namespace detail
 
 /// A typed constant.
@@ -49,11 +52,18 @@ template <class T>
 concept entry = typed_constant<T> || variable<T>;
 
 /// The value of an entry as a scalar of type S.
-template <class S, int N> KTE_INLINE constexpr S as(constant<N>) { return S(N); }
-template <class S, variable T> KTE_INLINE constexpr S as(const T& x) { return S(x); }
+template <class S, int N>
+KTE_INLINE constexpr S as(constant<N>) {
+  return S(N);
+}
+template <class S, variable T>
+KTE_INLINE constexpr S as(const T& x) {
+  return S(x);
+}
 
 /// A parameter as its user wrote it; whole numbers become double, so that `along_x(1)` means 1.0 m.
-template <entry T> KTE_INLINE constexpr auto real(const T& x) {
+template <entry T>
+KTE_INLINE constexpr auto real(const T& x) {
   if constexpr (std::is_integral_v<T>) {
     return static_cast<double>(x);
   } else {
@@ -62,14 +72,30 @@ template <entry T> KTE_INLINE constexpr auto real(const T& x) {
 }
 
 // ---- constants with constants
-template <int M, int N> KTE_INLINE constexpr constant<M + N> operator+(constant<M>, constant<N>) { return {}; }
-template <int M, int N> KTE_INLINE constexpr constant<M - N> operator-(constant<M>, constant<N>) { return {}; }
-template <int M, int N> KTE_INLINE constexpr constant<M * N> operator*(constant<M>, constant<N>) { return {}; }
-template <int N> KTE_INLINE constexpr constant<-N> operator-(constant<N>) { return {}; }
-template <int M, int N> constexpr bool operator==(constant<M>, constant<N>) { return M == N; }
+template <int M, int N>
+KTE_INLINE constexpr constant<M + N> operator+(constant<M>, constant<N>) {
+  return {};
+}
+template <int M, int N>
+KTE_INLINE constexpr constant<M - N> operator-(constant<M>, constant<N>) {
+  return {};
+}
+template <int M, int N>
+KTE_INLINE constexpr constant<M * N> operator*(constant<M>, constant<N>) {
+  return {};
+}
+template <int N>
+KTE_INLINE constexpr constant<-N> operator-(constant<N>) {
+  return {};
+}
+template <int M, int N>
+constexpr bool operator==(constant<M>, constant<N>) {
+  return M == N;
+}
 
 // ---- constants with variables: (1)
-template <int N, variable T> KTE_INLINE constexpr auto operator*(constant<N>, const T& x) {
+template <int N, variable T>
+KTE_INLINE constexpr auto operator*(constant<N>, const T& x) {
   if constexpr (N == 0) {
     return zero;
   } else if constexpr (N == 1) {
@@ -80,23 +106,32 @@ template <int N, variable T> KTE_INLINE constexpr auto operator*(constant<N>, co
     return T(T(N) * x);
   }
 }
-template <int N, variable T> KTE_INLINE constexpr auto operator*(const T& x, constant<N> n) { return n * x; }
-template <int N, variable T> KTE_INLINE constexpr T operator+(constant<N>, const T& x) {
+template <int N, variable T>
+KTE_INLINE constexpr auto operator*(const T& x, constant<N> n) {
+  return n * x;
+}
+template <int N, variable T>
+KTE_INLINE constexpr T operator+(constant<N>, const T& x) {
   if constexpr (N == 0) {
     return x;
   } else {
     return T(T(N) + x);
   }
 }
-template <int N, variable T> KTE_INLINE constexpr T operator+(const T& x, constant<N> n) { return n + x; }
-template <int N, variable T> KTE_INLINE constexpr T operator-(constant<N>, const T& x) {
+template <int N, variable T>
+KTE_INLINE constexpr T operator+(const T& x, constant<N> n) {
+  return n + x;
+}
+template <int N, variable T>
+KTE_INLINE constexpr T operator-(constant<N>, const T& x) {
   if constexpr (N == 0) {
     return T(-x);
   } else {
     return T(T(N) - x);
   }
 }
-template <int N, variable T> KTE_INLINE constexpr T operator-(const T& x, constant<N>) {
+template <int N, variable T>
+KTE_INLINE constexpr T operator-(const T& x, constant<N>) {
   if constexpr (N == 0) {
     return x;
   } else {
@@ -109,16 +144,35 @@ template <class T>
 concept not_skip = !std::is_same_v<T, skip>;
 
 KTE_INLINE constexpr skip operator-(skip) { return {}; }
-template <class T> KTE_INLINE constexpr skip operator+(skip, const T&) { return {}; }
-template <not_skip T> KTE_INLINE constexpr skip operator+(const T&, skip) { return {}; }
-template <class T> KTE_INLINE constexpr skip operator-(skip, const T&) { return {}; }
-template <not_skip T> KTE_INLINE constexpr skip operator-(const T&, skip) { return {}; }
-template <class T> KTE_INLINE constexpr skip operator*(skip, const T&) { return {}; }
-template <not_skip T> KTE_INLINE constexpr skip operator*(const T&, skip) { return {}; }
+template <class T>
+KTE_INLINE constexpr skip operator+(skip, const T&) {
+  return {};
+}
+template <not_skip T>
+KTE_INLINE constexpr skip operator+(const T&, skip) {
+  return {};
+}
+template <class T>
+KTE_INLINE constexpr skip operator-(skip, const T&) {
+  return {};
+}
+template <not_skip T>
+KTE_INLINE constexpr skip operator-(const T&, skip) {
+  return {};
+}
+template <class T>
+KTE_INLINE constexpr skip operator*(skip, const T&) {
+  return {};
+}
+template <not_skip T>
+KTE_INLINE constexpr skip operator*(const T&, skip) {
+  return {};
+}
 
 /// Literals for typed constants: `0_c`, `1_c`, `-1_c`.
 inline namespace literals {
-template <char... digits> constexpr auto operator""_c() {
+template <char... digits>
+constexpr auto operator""_c() {
   static_assert(((digits >= '0' && digits <= '9') && ...),
                 "kte: a typed constant is a whole number, such as 0_c or 1_c");
   constexpr int value = [] {

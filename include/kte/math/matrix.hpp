@@ -6,17 +6,20 @@
 namespace kte {
 
 /// A 3x3 matrix by rows; m.y.x is row 2, column 1.
-template <class RX = vec3<>, class RY = RX, class RZ = RY> struct mat3 {
+template <class RX = vec3<>, class RY = RX, class RZ = RY>
+struct mat3 {
   using geometry = mat3;
   RX x;
   RY y;
   RZ z;
   friend constexpr bool operator==(const mat3&, const mat3&) = default;
 };
-template <class RX, class RY, class RZ> mat3(RX, RY, RZ) -> mat3<RX, RY, RZ>;
+template <class RX, class RY, class RZ>
+mat3(RX, RY, RZ) -> mat3<RX, RY, RZ>;
 
 /// A symmetric 3x3 matrix by its upper triangle.
-template <class XX = double, class XY = XX, class XZ = XY, class YY = XZ, class YZ = YY, class ZZ = YZ> struct sym3 {
+template <class XX = double, class XY = XX, class XZ = XY, class YY = XZ, class YZ = YY, class ZZ = YZ>
+struct sym3 {
   using geometry = sym3;
   XX xx;
   XY xy;
@@ -29,18 +32,22 @@ template <class XX = double, class XY = XX, class XZ = XY, class YY = XZ, class 
 template <class XX, class XY, class XZ, class YY, class YZ, class ZZ>
 sym3(XX, XY, XZ, YY, YZ, ZZ) -> sym3<XX, XY, XZ, YY, YZ, ZZ>;
 
-template <class XX, class YY, class ZZ> constexpr auto diagonal(XX xx, YY yy, ZZ zz) {
+template <class XX, class YY, class ZZ>
+constexpr auto diagonal(XX xx, YY yy, ZZ zz) {
   return sym3{xx, zero, zero, yy, zero, zz};
 }
 
-template <class S, class RX, class RY, class RZ> KTE_INLINE constexpr mat3<vec3<S>> as(const mat3<RX, RY, RZ>& m) {
+template <class S, class RX, class RY, class RZ>
+KTE_INLINE constexpr mat3<vec3<S>> as(const mat3<RX, RY, RZ>& m) {
   return {as<S>(m.x), as<S>(m.y), as<S>(m.z)};
 }
-template <class S, class... T> KTE_INLINE constexpr sym3<S> as(const sym3<T...>& m) {
+template <class S, class... T>
+KTE_INLINE constexpr sym3<S> as(const sym3<T...>& m) {
   return {as<S>(m.xx), as<S>(m.xy), as<S>(m.xz), as<S>(m.yy), as<S>(m.yz), as<S>(m.zz)};
 }
 
-template <class RX, class RY, class RZ> KTE_INLINE constexpr auto transpose(const mat3<RX, RY, RZ>& m) {
+template <class RX, class RY, class RZ>
+KTE_INLINE constexpr auto transpose(const mat3<RX, RY, RZ>& m) {
   return mat3{vec3{m.x.x, m.y.x, m.z.x}, vec3{m.x.y, m.y.y, m.z.y}, vec3{m.x.z, m.y.z, m.z.z}};
 }
 template <class RX, class RY, class RZ, class A, class B, class C>
@@ -53,14 +60,16 @@ KTE_INLINE constexpr auto operator*(const mat3<RX, RY, RZ>& a, const mat3<QX, QY
   return mat3{t * a.x, t * a.y, t * a.z};
 }
 
-template <class... T> KTE_INLINE constexpr auto full(const sym3<T...>& m) {
+template <class... T>
+KTE_INLINE constexpr auto full(const sym3<T...>& m) {
   return mat3{vec3{m.xx, m.xy, m.xz}, vec3{m.xy, m.yy, m.yz}, vec3{m.xz, m.yz, m.zz}};
 }
 template <class... T, class A, class B, class C>
 KTE_INLINE constexpr auto operator*(const sym3<T...>& m, const vec3<A, B, C>& v) {
   return full(m) * v;
 }
-template <class... T, class... U> KTE_INLINE constexpr auto operator+(const sym3<T...>& a, const sym3<U...>& b) {
+template <class... T, class... U>
+KTE_INLINE constexpr auto operator+(const sym3<T...>& a, const sym3<U...>& b) {
   return sym3{a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
 

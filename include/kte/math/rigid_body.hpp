@@ -8,18 +8,24 @@ namespace kte {
 ///   mass     kg
 ///   com      centre of mass in the axes of its frame, m
 ///   inertia  about the centre of mass, in the axes of the frame, kg m^2
-template <class M = double, class C = vec3<>, class I = sym3<>> struct rigid_body {
+template <class M = double, class C = vec3<>, class I = sym3<>>
+struct rigid_body {
   M mass;
   C com;
   I inertia;
   friend constexpr bool operator==(const rigid_body&, const rigid_body&) = default;
 };
-template <class M, class C, class I> rigid_body(M, C, I) -> rigid_body<M, C, I>;
+template <class M, class C, class I>
+rigid_body(M, C, I) -> rigid_body<M, C, I>;
 
 /// A mass at the origin of its frame; no rotational inertia, at no cost.
-template <variable T> constexpr auto point_mass(T mass) { return rigid_body{real(mass), zero3{}, sym3<zero_t>{}}; }
+template <variable T>
+constexpr auto point_mass(T mass) {
+  return rigid_body{real(mass), zero3{}, sym3<zero_t>{}};
+}
 /// A mass at `com`.
-template <variable T, class X, class Y, class Z> constexpr auto point_mass(T mass, const vec3<X, Y, Z>& com) {
+template <variable T, class X, class Y, class Z>
+constexpr auto point_mass(T mass, const vec3<X, Y, Z>& com) {
   return rigid_body{real(mass), com, sym3<zero_t>{}};
 }
 /// A body in the plane: the moment of inertia about its centre of mass, normal to the plane.
@@ -32,20 +38,23 @@ constexpr auto planar_body(T mass, U inertia, const vec3<X, Y, zero_t>& com = {}
 ///   mass m, first moment h = m c, inertia I = I_c + m (|c|^2 1 - c c^T).
 /// Acceleration a of the origin and al of the axes need the force and torque
 ///   F = m a + al x h,    T = I al + h x a                       (1)
-template <class M, class H, class I> struct composite {
+template <class M, class H, class I>
+struct composite {
   using geometry = composite;
   M mass;
   H moment;
   I inertia;
 };
-template <class M, class H, class I> composite(M, H, I) -> composite<M, H, I>;
+template <class M, class H, class I>
+composite(M, H, I) -> composite<M, H, I>;
 
 inline constexpr composite<zero_t, zero3, sym3<zero_t>> no_mass{};
 
 namespace detail {
 /// I -> I + 2 (p.u) 1 - p u^T - u p^T: the change of an inertia when its point of reference moves by p and
 /// u = h + (m/2) p.
-template <class... T, class P, class U> KTE_INLINE constexpr auto shifted(const sym3<T...>& i, const P& p, const U& u) {
+template <class... T, class P, class U>
+KTE_INLINE constexpr auto shifted(const sym3<T...>& i, const P& p, const U& u) {
   constexpr constant<2> two{};
   const auto xx = p.x * u.x;
   const auto yy = p.y * u.y;
@@ -53,7 +62,8 @@ template <class... T, class P, class U> KTE_INLINE constexpr auto shifted(const 
   return sym3{i.xx + two * (yy + zz), i.xy - (p.x * u.y + p.y * u.x), i.xz - (p.x * u.z + p.z * u.x),
               i.yy + two * (zz + xx), i.yz - (p.y * u.z + p.z * u.y), i.zz + two * (xx + yy)};
 }
-template <class T> KTE_INLINE constexpr auto half(const T& x) {
+template <class T>
+KTE_INLINE constexpr auto half(const T& x) {
   if constexpr (variable<T>) {
     return T(x * T(0.5));
   } else {
@@ -64,7 +74,8 @@ template <class T> KTE_INLINE constexpr auto half(const T& x) {
 }  // namespace detail
 
 /// The composite inertia of one body.
-template <class M, class C, class I> KTE_INLINE constexpr auto to_composite(const rigid_body<M, C, I>& b) {
+template <class M, class C, class I>
+KTE_INLINE constexpr auto to_composite(const rigid_body<M, C, I>& b) {
   const auto h = b.mass * b.com;
   return composite{b.mass, h, detail::shifted(b.inertia, b.com, detail::half(b.mass) * b.com)};
 }

@@ -8,16 +8,19 @@ namespace kte {
 
 /// A rotation about z by its cosine and sine. It turns vectors of space, so that a planar mechanism runs through the
 /// same formulas as a spatial one.
-template <class C = double, class S = C> struct rotation_2D {
+template <class C = double, class S = C>
+struct rotation_2D {
   using geometry = rotation_2D;
   C cos;
   S sin;
   friend constexpr bool operator==(const rotation_2D&, const rotation_2D&) = default;
 };
-template <class C, class S> rotation_2D(C, S) -> rotation_2D<C, S>;
+template <class C, class S>
+rotation_2D(C, S) -> rotation_2D<C, S>;
 
 /// The rotation by `angle` rad.
-template <variable T> constexpr auto rotation_by(const T& angle) {
+template <variable T>
+constexpr auto rotation_by(const T& angle) {
   using std::cos;
   using std::sin;
   const auto a = real(angle);
@@ -25,7 +28,8 @@ template <variable T> constexpr auto rotation_by(const T& angle) {
 }
 
 /// The angle in (-pi, pi], rad.
-template <class S> S angle(const rotation_2D<S>& r) {
+template <class S>
+S angle(const rotation_2D<S>& r) {
   using std::atan2;
   return atan2(r.sin, r.cos);
 }
@@ -36,10 +40,12 @@ struct no_rotation {
   friend constexpr bool operator==(no_rotation, no_rotation) { return true; }
 };
 
-template <class S, class A, class B> KTE_INLINE constexpr rotation_2D<S> as(const rotation_2D<A, B>& r) {
+template <class S, class A, class B>
+KTE_INLINE constexpr rotation_2D<S> as(const rotation_2D<A, B>& r) {
   return {as<S>(r.cos), as<S>(r.sin)};
 }
-template <class A, class B> KTE_INLINE constexpr auto transpose(const rotation_2D<A, B>& r) {
+template <class A, class B>
+KTE_INLINE constexpr auto transpose(const rotation_2D<A, B>& r) {
   return rotation_2D{r.cos, -r.sin};
 }
 template <class A, class B, class C, class D>
@@ -56,10 +62,14 @@ KTE_INLINE constexpr auto operator*(const rotation_2D<A, B>& r, const vec2<X, Y>
 }
 
 /// As a 3x3 matrix.
-template <class A, class B> KTE_INLINE constexpr auto matrix(const rotation_2D<A, B>& r) {
+template <class A, class B>
+KTE_INLINE constexpr auto matrix(const rotation_2D<A, B>& r) {
   return mat3{vec3{r.cos, -r.sin, zero}, vec3{r.sin, r.cos, zero}, vec3{zero, zero, one}};
 }
-template <class RX, class RY, class RZ> KTE_INLINE constexpr auto matrix(const mat3<RX, RY, RZ>& m) { return m; }
+template <class RX, class RY, class RZ>
+KTE_INLINE constexpr auto matrix(const mat3<RX, RY, RZ>& m) {
+  return m;
+}
 KTE_INLINE constexpr auto matrix(no_rotation) {
   return mat3{vec3{one, zero, zero}, vec3{zero, one, zero}, vec3{zero, zero, one}};
 }
@@ -69,10 +79,16 @@ KTE_INLINE constexpr auto congruence(const rotation_2D<A, B>& r, const sym3<T...
 }
 
 KTE_INLINE constexpr no_rotation transpose(no_rotation) { return {}; }
-template <geometric T> KTE_INLINE constexpr T operator*(no_rotation, const T& x) { return x; }
+template <geometric T>
+KTE_INLINE constexpr T operator*(no_rotation, const T& x) {
+  return x;
+}
 template <geometric T>
 requires(!std::is_same_v<T, no_rotation>) KTE_INLINE constexpr T operator*(const T& x, no_rotation) { return x; }
-template <class... T> KTE_INLINE constexpr auto congruence(no_rotation, const sym3<T...>& a) { return a; }
+template <class... T>
+KTE_INLINE constexpr auto congruence(no_rotation, const sym3<T...>& a) {
+  return a;
+}
 KTE_INLINE constexpr skip transpose(skip) { return {}; }
 
 }  // namespace kte

@@ -11,7 +11,8 @@
 namespace kte {
 
 /// Sine and cosine of one angle, rad.
-template <class S> KTE_INLINE constexpr void sincos(const S& angle, S& sine, S& cosine) {
+template <class S>
+KTE_INLINE constexpr void sincos(const S& angle, S& sine, S& cosine) {
   using std::cos;
   using std::sin;
   sine = sin(angle);
@@ -75,7 +76,8 @@ KTE_INLINE void sincos4(double4 x, double* sine, double* cosine) {
 }  // namespace detail
 
 /// Sines and cosines of the N angles of a chain.
-template <class S, std::size_t N> struct sines {
+template <class S, std::size_t N>
+struct sines {
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
   static constexpr bool simd = std::is_same_v<S, double> && N >= 3;
 #else
@@ -88,7 +90,8 @@ template <class S, std::size_t N> struct sines {
 
 /// All sines and cosines of a chain at once; `angle(i)` gives angle i in rad. Doubles go four at a time unless
 /// KTE_SCALAR_SINCOS is defined; other scalars one by one, by the `sin` and `cos` found for them.
-template <class S, std::size_t N, class Angle> KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
+template <class S, std::size_t N, class Angle>
+KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
   sines<S, N> r;
   if constexpr (sines<S, N>::simd) {
 #if defined(KTE_HAS_VECTORS)

@@ -6,44 +6,63 @@
 namespace kte {
 
 /// A vector in the plane, for what users read and write of a 2D frame.
-template <class X = double, class Y = X> struct vec2 {
+template <class X = double, class Y = X>
+struct vec2 {
   using geometry = vec2;
   X x;
   Y y;
   friend constexpr bool operator==(const vec2&, const vec2&) = default;
 };
-template <class X, class Y> vec2(X, Y) -> vec2<X, Y>;
+template <class X, class Y>
+vec2(X, Y) -> vec2<X, Y>;
 
 /// A vector in space. An entry may be a typed constant: `vec3{zero, zero, 0.36}`.
-template <class X = double, class Y = X, class Z = Y> struct vec3 {
+template <class X = double, class Y = X, class Z = Y>
+struct vec3 {
   using geometry = vec3;
   X x;
   Y y;
   Z z;
   friend constexpr bool operator==(const vec3&, const vec3&) = default;
 };
-template <class X, class Y, class Z> vec3(X, Y, Z) -> vec3<X, Y, Z>;
+template <class X, class Y, class Z>
+vec3(X, Y, Z) -> vec3<X, Y, Z>;
 
 using zero3 = vec3<zero_t>;
 
 /// A distance along an axis, in m; the other two components are typed zeros and cost nothing.
-template <variable T> constexpr auto along_x(T d) { return vec3{real(d), zero, zero}; }
-template <variable T> constexpr auto along_y(T d) { return vec3{zero, real(d), zero}; }
-template <variable T> constexpr auto along_z(T d) { return vec3{zero, zero, real(d)}; }
+template <variable T>
+constexpr auto along_x(T d) {
+  return vec3{real(d), zero, zero};
+}
+template <variable T>
+constexpr auto along_y(T d) {
+  return vec3{zero, real(d), zero};
+}
+template <variable T>
+constexpr auto along_z(T d) {
+  return vec3{zero, zero, real(d)};
+}
 
 namespace detail {
 /// A position in the plane, as a user writes it, as a vector of space with a typed zero.
-template <entry X, entry Y> constexpr auto planar(const vec2<X, Y>& v) { return vec3{real(v.x), real(v.y), zero}; }
-template <entry X, entry Y, entry Z> constexpr auto planar(const vec3<X, Y, Z>& v) {
+template <entry X, entry Y>
+constexpr auto planar(const vec2<X, Y>& v) {
+  return vec3{real(v.x), real(v.y), zero};
+}
+template <entry X, entry Y, entry Z>
+constexpr auto planar(const vec3<X, Y, Z>& v) {
   static_assert(std::is_same_v<Z, zero_t>, "kte: a position in the plane has no z: use along_x, along_y or vec2{x, y}");
   return vec3{real(v.x), real(v.y), zero};
 }
 }  // namespace detail
 
-template <class S, class X, class Y> KTE_INLINE constexpr vec2<S> as(const vec2<X, Y>& v) {
+template <class S, class X, class Y>
+KTE_INLINE constexpr vec2<S> as(const vec2<X, Y>& v) {
   return {as<S>(v.x), as<S>(v.y)};
 }
-template <class S, class X, class Y, class Z> KTE_INLINE constexpr vec3<S> as(const vec3<X, Y, Z>& v) {
+template <class S, class X, class Y, class Z>
+KTE_INLINE constexpr vec3<S> as(const vec3<X, Y, Z>& v) {
   return {as<S>(v.x), as<S>(v.y), as<S>(v.z)};
 }
 
@@ -55,7 +74,8 @@ template <class A, class B, class C, class D>
 KTE_INLINE constexpr auto operator-(const vec2<A, B>& a, const vec2<C, D>& b) {
   return vec2{a.x - b.x, a.y - b.y};
 }
-template <entry S, class A, class B> KTE_INLINE constexpr auto operator*(const S& s, const vec2<A, B>& v) {
+template <entry S, class A, class B>
+KTE_INLINE constexpr auto operator*(const S& s, const vec2<A, B>& v) {
   return vec2{s * v.x, s * v.y};
 }
 
@@ -67,13 +87,16 @@ template <class A, class B, class C, class D, class E, class F>
 KTE_INLINE constexpr auto operator-(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return vec3{a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <class A, class B, class C> KTE_INLINE constexpr auto operator-(const vec3<A, B, C>& v) {
+template <class A, class B, class C>
+KTE_INLINE constexpr auto operator-(const vec3<A, B, C>& v) {
   return vec3{-v.x, -v.y, -v.z};
 }
-template <entry S, class A, class B, class C> KTE_INLINE constexpr auto operator*(const S& s, const vec3<A, B, C>& v) {
+template <entry S, class A, class B, class C>
+KTE_INLINE constexpr auto operator*(const S& s, const vec3<A, B, C>& v) {
   return vec3{s * v.x, s * v.y, s * v.z};
 }
-template <entry S, class A, class B, class C> KTE_INLINE constexpr auto operator*(const vec3<A, B, C>& v, const S& s) {
+template <entry S, class A, class B, class C>
+KTE_INLINE constexpr auto operator*(const vec3<A, B, C>& v, const S& s) {
   return s * v;
 }
 
@@ -82,15 +105,22 @@ template <class A, class B, class C, class D, class E, class F>
 KTE_INLINE constexpr auto cross(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-template <class T> KTE_INLINE constexpr skip cross(skip, const T&) { return {}; }
-template <not_skip T> KTE_INLINE constexpr skip cross(const T&, skip) { return {}; }
+template <class T>
+KTE_INLINE constexpr skip cross(skip, const T&) {
+  return {};
+}
+template <not_skip T>
+KTE_INLINE constexpr skip cross(const T&, skip) {
+  return {};
+}
 
 /// a . b
 template <class A, class B, class C, class D, class E, class F>
 KTE_INLINE constexpr auto dot(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-template <class A, class B, class C, class D> KTE_INLINE constexpr auto dot(const vec2<A, B>& a, const vec2<C, D>& b) {
+template <class A, class B, class C, class D>
+KTE_INLINE constexpr auto dot(const vec2<A, B>& a, const vec2<C, D>& b) {
   return a.x * b.x + a.y * b.y;
 }
 

@@ -1,33 +1,20 @@
 #pragma once
 
-#include <kte/chain/transmission.hpp>
+#include <kte/chain/mass_kernels.hpp>
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/joint_vector.hpp>
 
 /// The composite-rigid-body algorithm on local variables.
 namespace kte::detail {
 
-/// A core with a `relative(coordinates...)`: a stiff connection between two frames. Its ports are the coordinates, the
-/// base, the end.
-template <class Core> inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
-template <class Core> inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
-/// A core with a mass, on its first port.
-template <class Core> inline constexpr bool has_mass = requires(const Core& c) { c.mass(); };
-
-/// Force and torque for accelerating a composite inertia by the velocity of `m` each second.
-template <class M, class H, class J, class Motion>
-KTE_INLINE constexpr auto operator*(const composite<M, H, J>& b, const Motion& m) {
-  const auto& a = m.velocity;
-  const auto& al = m.ang_velocity;
-  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
-}
-
 /// The mass matrix over all coordinates of a chain, followers included. `Given` has positions without rates and bases
 /// of `skip`.
-template <class S, class Chain, class Given> class local_mass {
+template <class S, class Chain, class Given>
+class local_mass {
   using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
-  template <std::size_t I> using core_t = typename types::template core<I>;
+  template <std::size_t I>
+  using core_t = typename types::template core<I>;
 
  public:
   static constexpr int coordinates = wiring::count(kind::gen);
@@ -42,37 +29,45 @@ template <class S, class Chain, class Given> class local_mass {
 
  private:
   /// Element I on the coordinate of its first port.
-  template <std::size_t I> static constexpr int coordinate_of = wiring::slot(I, 0);
+  template <std::size_t I>
+  static constexpr int coordinate_of = wiring::slot(I, 0);
   /// A joint or link in its present position; `rate` is applied to its coordinate.
-  template <std::size_t I, class Rate> KTE_INLINE constexpr auto relative(const Rate& rate) const {
+  template <std::size_t I, class Rate>
+  KTE_INLINE constexpr auto relative(const Rate& rate) const {
     if constexpr (coordinates_of<core_t<I>> == 0) {
       return chain_.template core<I>().relative();
     } else {
       return chain_.template core<I>().relative(rate(motion_.template get<kind::gen, coordinate_of<I>>()));
     }
   }
-  template <std::size_t I> KTE_INLINE constexpr auto pose() const {
+  template <std::size_t I>
+  KTE_INLINE constexpr auto pose() const {
     return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return position_only(c); });
   }
-  template <std::size_t I> KTE_INLINE constexpr auto axis() const {
+  template <std::size_t I>
+  KTE_INLINE constexpr auto axis() const {
     return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return unit_rate(c); });
   }
 
   // ---- up the tree: composite inertias, and a column of M at each joint
-  template <kind K, int... Slot> KTE_INLINE void from_bases(std::integer_sequence<int, Slot...>) {
+  template <kind K, int... Slot>
+  KTE_INLINE void from_bases(std::integer_sequence<int, Slot...>) {
     const int done[]{(from_base<K, Slot>(), 0)..., 0};
     (void)done;
   }
-  template <kind K, int Slot> KTE_INLINE void from_base() {
+  template <kind K, int Slot>
+  KTE_INLINE void from_base() {
     if constexpr (wiring::writer(K, Slot) < 0)
       (void)carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
   }
   /// The inertia carried by a frame, about it and in its axes.
-  template <kind K, int Slot, std::size_t... N> KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
+  template <kind K, int Slot, std::size_t... N>
+  KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
     return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>());
   }
   /// The part of it that comes through element I.
-  template <std::size_t I> KTE_INLINE constexpr auto part() {
+  template <std::size_t I>
+  KTE_INLINE constexpr auto part() {
     if constexpr (has_mass<core_t<I>>) {
       return chain_.template core<I>().mass();
     } else if constexpr (is_transmission<core_t<I>>) {
@@ -90,13 +85,15 @@ template <class S, class Chain, class Given> class local_mass {
   }
 
   // ---- down the tree: the force of a unit acceleration of joint J, felt at all joints below
-  template <std::size_t J, class C> KTE_INLINE constexpr void column(const C& composite_inertia) {
+  template <std::size_t J, class C>
+  KTE_INLINE constexpr void column(const C& composite_inertia) {
     const auto s = axis<J>();
-    const auto w = composite_inertia * s;
+    const auto w = accelerating_wrench(composite_inertia, s);
     put<coordinate_of<J>, coordinate_of<J>>(power(s, w));
     down<J, coordinate_of<J>>(w);
   }
-  template <std::size_t I, int Column, class W> KTE_INLINE constexpr void down(const W& at_end) {
+  template <std::size_t I, int Column, class W>
+  KTE_INLINE constexpr void down(const W& at_end) {
     constexpr std::size_t base_port = coordinates_of<core_t<I>>;
     constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, base_port));
     if constexpr (below >= 0) {
@@ -107,7 +104,8 @@ template <class S, class Chain, class Given> class local_mass {
     }
   }
   /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
-  template <int Row, int Column, class T> KTE_INLINE constexpr void put(const T& x) {
+  template <int Row, int Column, class T>
+  KTE_INLINE constexpr void put(const T& x) {
     if constexpr (Row == Column) {
       M(Row, Row) = as<S>(written_once ? as<S>(x) : as<S>(M(Row, Row) + x));
     } else if constexpr (written_once) {
@@ -139,11 +137,13 @@ template <class S, class Chain, class Given> class local_mass {
   }();
 
   // ---- coordinates: their own masses, and followers
-  template <std::size_t... I> KTE_INLINE void coordinate_masses(std::index_sequence<I...>) {
+  template <std::size_t... I>
+  KTE_INLINE void coordinate_masses(std::index_sequence<I...>) {
     const int done[]{(coordinate_mass<Chain::size - 1 - I>(), 0)..., 0};
     (void)done;
   }
-  template <std::size_t I> KTE_INLINE void coordinate_mass() {
+  template <std::size_t I>
+  KTE_INLINE void coordinate_mass() {
     constexpr int b = coordinate_of<I>;
     if constexpr (core_t<I>::ports[0].what != kind::gen) {
       return;

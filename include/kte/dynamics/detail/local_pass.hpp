@@ -31,9 +31,11 @@ inline constexpr auto loads_on = [] {
 }();
 
 /// Whether an element core writes something by doMotion; that is then its last port.
-template <class Core> inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == access::out;
+template <class Core>
+inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == access::out;
 
-template <kind K> constexpr auto no_load() {
+template <kind K>
+constexpr auto no_load() {
   if constexpr (K == kind::gen) {
     return zero;
   } else {
@@ -55,16 +57,23 @@ KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
 }
 
 /// The types of what flows in one evaluation of a chain; `Given` is explained at `local_pass`.
-template <class Chain, class Given> struct local_types {
+template <class Chain, class Given>
+struct local_types {
   using wiring = typename Chain::wiring;
-  template <std::size_t I> using core = std::remove_cvref_t<decltype(std::declval<const Chain&>().template core<I>())>;
-  template <std::size_t I> using inputs = std::make_index_sequence<input_count<core<I>>>;
-  template <std::size_t I, std::size_t P> static constexpr kind what = core<I>::ports[P].what;
-  template <std::size_t I> static constexpr kind output_kind = core<I>::ports.back().what;
-  template <std::size_t I> static constexpr int output_slot = wiring::slot(I, port_count<core<I>> - 1);
+  template <std::size_t I>
+  using core = std::remove_cvref_t<decltype(std::declval<const Chain&>().template core<I>())>;
+  template <std::size_t I>
+  using inputs = std::make_index_sequence<input_count<core<I>>>;
+  template <std::size_t I, std::size_t P>
+  static constexpr kind what = core<I>::ports[P].what;
+  template <std::size_t I>
+  static constexpr kind output_kind = core<I>::ports.back().what;
+  template <std::size_t I>
+  static constexpr int output_slot = wiring::slot(I, port_count<core<I>> - 1);
 
   /// What comes from outside.
-  template <kind K, int Slot> KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
+  template <kind K, int Slot>
+  KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
     if constexpr (K == kind::input) {
       return g.template input<Slot>();
     } else if constexpr (K != kind::gen) {
@@ -75,10 +84,12 @@ template <class Chain, class Given> struct local_types {
       return g.template fixed<Slot>();
     }
   }
-  template <kind K, int Slot> static constexpr int writer = K == kind::input ? -1 : wiring::writer(K, Slot);
+  template <kind K, int Slot>
+  static constexpr int writer = K == kind::input ? -1 : wiring::writer(K, Slot);
 
   /// A coordinate that turns a joint gets its sine and cosine.
-  template <std::size_t I, class M> KTE_INLINE static constexpr auto finish(const M& m) {
+  template <std::size_t I, class M>
+  KTE_INLINE static constexpr auto finish(const M& m) {
     if constexpr (output_kind<I> == kind::gen && wiring::angle(output_slot<I>)) {
       return with_angle(m);
     } else {
@@ -87,25 +98,35 @@ template <class Chain, class Given> struct local_types {
   }
 
   /// What doMotion of element I gives, `nothing` if it writes nothing.
-  template <std::size_t I, class Inputs = inputs<I>> struct written { using type = nothing; };
+  template <std::size_t I, class Inputs = inputs<I>>
+  struct written {
+    using type = nothing;
+  };
   /// What the kernels see of a thing.
-  template <kind K, int Slot> struct thing { using type = typename written<std::size_t{writer<K, Slot>}>::type; };
+  template <kind K, int Slot>
+  struct thing {
+    using type = typename written<std::size_t{writer<K, Slot>}>::type;
+  };
   template <kind K, int Slot>
   requires(writer<K, Slot> < 0) struct thing<K, Slot> {
     using type = std::remove_cvref_t<decltype(given<K, Slot>(std::declval<const Given&>()))>;
   };
-  template <std::size_t I, std::size_t P> using seen = typename thing<what<I, P>, wiring::slot(I, P)>::type;
+  template <std::size_t I, std::size_t P>
+  using seen = typename thing<what<I, P>, wiring::slot(I, P)>::type;
 
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>>) struct written<I, std::index_sequence<P...>> {
     using type = decltype(finish<I>(std::declval<const core<I>&>().doMotion(std::declval<const seen<I, P>&>()...)));
   };
   /// The sum of the loads on a thing, and what doForce of element I gives.
-  template <kind K, int Slot> struct total;
-  template <std::size_t I, class Inputs = inputs<I>> struct loads;
+  template <kind K, int Slot>
+  struct total;
+  template <std::size_t I, class Inputs = inputs<I>>
+  struct loads;
   template <std::size_t I, std::size_t Index>
   using load_at = std::remove_cvref_t<decltype(boost::hana::at_c<Index>(std::declval<typename loads<I>::type>()))>;
-  template <std::size_t I, std::size_t... P> struct loads<I, std::index_sequence<P...>> {
+  template <std::size_t I, std::size_t... P>
+  struct loads<I, std::index_sequence<P...>> {
     using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
   };
   template <std::size_t I, std::size_t... P>
@@ -114,7 +135,8 @@ template <class Chain, class Given> struct local_types {
     using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
                                                                  std::declval<const load&>()));
   };
-  template <kind K, int Slot> struct total {
+  template <kind K, int Slot>
+  struct total {
     template <std::size_t... I>
     static auto sum(std::index_sequence<I...>) -> decltype((
         no_load<K>() + ... +
@@ -128,9 +150,11 @@ template <class Chain, class Given> struct local_types {
 ///   given.template fixed<i>()          coordinate i, which no element writes and which is no degree of freedom
 ///   given.template base<K, i>()        frame i of kind K, which no element writes
 ///   given.template input<i>()          input i
-template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>> class local_motion;
+template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
+class local_motion;
 
-template <class Chain, class Given, std::size_t... E> class local_motion<Chain, Given, std::index_sequence<E...>> {
+template <class Chain, class Given, std::size_t... E>
+class local_motion<Chain, Given, std::index_sequence<E...>> {
  protected:
   using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
@@ -142,7 +166,8 @@ template <class Chain, class Given, std::size_t... E> class local_motion<Chain, 
     (void)done;
   }
   /// Thing Slot of kind K: a coordinate, a frame, an input.
-  template <kind K, int Slot> KTE_INLINE constexpr decltype(auto) get() const {
+  template <kind K, int Slot>
+  KTE_INLINE constexpr decltype(auto) get() const {
     constexpr int writer = types::template writer<K, Slot>;
     if constexpr (writer >= 0) {
       return (boost::hana::at_c<std::size_t{writer}>(motions_));
@@ -153,13 +178,15 @@ template <class Chain, class Given, std::size_t... E> class local_motion<Chain, 
 
  protected:
   /// What port P of element I sees.
-  template <std::size_t I, std::size_t P> KTE_INLINE constexpr decltype(auto) seen() const {
+  template <std::size_t I, std::size_t P>
+  KTE_INLINE constexpr decltype(auto) seen() const {
     return get<types::template what<I, P>, wiring::slot(I, P)>();
   }
   const Chain& chain_;
 
  private:
-  template <std::size_t I, std::size_t... P> KTE_INLINE constexpr void move(std::index_sequence<P...>) {
+  template <std::size_t I, std::size_t... P>
+  KTE_INLINE constexpr void move(std::index_sequence<P...>) {
     if constexpr (has_output<typename types::template core<I>>)
       boost::hana::at_c<I>(motions_) = types::template finish<I>(chain_.template core<I>().doMotion(seen<I, P>()...));
   }
@@ -168,7 +195,8 @@ template <class Chain, class Given, std::size_t... E> class local_motion<Chain, 
 };
 
 /// Motion, then forces, of a chain on local variables.
-template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>> class local_pass;
+template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
+class local_pass;
 
 template <class Chain, class Given, std::size_t... E>
 class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<Chain, Given> {
@@ -182,12 +210,14 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
     (void)done;
   }
   /// The sum of the loads that elements have put on thing Slot of kind K.
-  template <kind K, int Slot> KTE_INLINE constexpr auto load() const {
+  template <kind K, int Slot>
+  KTE_INLINE constexpr auto load() const {
     return sum<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
   }
 
  private:
-  template <std::size_t I, std::size_t... P> KTE_INLINE constexpr void push(std::index_sequence<P...>) {
+  template <std::size_t I, std::size_t... P>
+  KTE_INLINE constexpr void push(std::index_sequence<P...>) {
     const auto& core = this->chain_.template core<I>();
     if constexpr (has_output<typename types::template core<I>>) {
       boost::hana::at_c<I>(loads_) = core.doForce(
@@ -196,7 +226,8 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
       boost::hana::at_c<I>(loads_) = core.doForce(this->template seen<I, P>()...);
     }
   }
-  template <kind K, int Slot, std::size_t... N> KTE_INLINE constexpr auto sum(std::index_sequence<N...>) const {
+  template <kind K, int Slot, std::size_t... N>
+  KTE_INLINE constexpr auto sum(std::index_sequence<N...>) const {
     constexpr auto& places = loads_on<wiring, K, Slot>;
     return (no_load<K>() + ... + boost::hana::at_c<places[N].index>(boost::hana::at_c<places[N].element>(loads_)));
   }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <kte/chain/transmission.hpp>
+
+#include <type_traits>
+
+/// What the composite-rigid-body algorithm asks of elements, in static and runtime chains.
+namespace kte::detail {
+
+/// A core with a `relative(coordinates...)`: a stiff connection between two frames. Its ports are the coordinates, the
+/// base, the end.
+template <class Core> inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
+template <class Core> inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
+/// A core with a mass, on its first port.
+template <class Core> inline constexpr bool has_mass = requires(const Core& c) { c.mass(); };
+
+/// Force and torque for accelerating a composite inertia by the velocity of `m` each second.
+template <class M, class H, class J, class Motion>
+KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const Motion& m) {
+  const auto& a = m.velocity;
+  const auto& al = m.ang_velocity;
+  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <kte/chain/port.hpp>
+#include <kte/math/quaternion.hpp>
+#include <kte/math/rigid_body.hpp>
+
+#include <string>
+#include <vector>
+
+/// Elements as plain data, for files and comparisons.
+namespace kte {
+
+/// A parameter: its name and its numbers; vectors x y z, matrices by rows, symmetric ones xx xy xz yy yz zz.
+struct parameter_record {
+  std::string name;
+  std::vector<double> values;
+  friend bool operator==(const parameter_record&, const parameter_record&) = default;
+};
+/// A connection: the role of the port, and the name of what it is connected to.
+struct connection_record {
+  std::string role;
+  std::string name;
+  friend bool operator==(const connection_record&, const connection_record&) = default;
+};
+/// An element: its type, the version of that type, connections and parameters.
+struct element_record {
+  std::string type;
+  int version = 1;
+  std::vector<connection_record> connections;
+  std::vector<parameter_record> parameters;
+  friend bool operator==(const element_record&, const element_record&) = default;
+};
+
+namespace detail {
+
+template <entry T>
+void append_numbers(std::vector<double>& v, const T& x) {
+  v.push_back(as<double>(x));
+}
+template <class X, class Y, class Z>
+void append_numbers(std::vector<double>& v, const vec3<X, Y, Z>& x) {
+  const auto d = as<double>(x);
+  v.insert(v.end(), {d.x, d.y, d.z});
+}
+template <class... T>
+void append_numbers(std::vector<double>& v, const sym3<T...>& x) {
+  const auto d = as<double>(x);
+  v.insert(v.end(), {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz});
+}
+template <geometric R>
+  requires requires(const R& r) { matrix(r); }
+void append_numbers(std::vector<double>& v, const R& rotation) {
+  const auto m = matrix(rotation);
+  append_numbers(v, m.x), append_numbers(v, m.y), append_numbers(v, m.z);
+}
+
+}  // namespace detail
+
+/// The record of a core under the given names.
+template <class Core, class Names>
+element_record record_of(const Core& core, const Names& names) {
+  element_record r{std::string(std::string_view(Core::type)), 1, {}, {}};
+  for (std::size_t p = 0; p < port_count<Core>; ++p)
+    r.connections.push_back({std::string(Core::ports[p].role), std::string(names[p])});
+  Core::parameters(core, [&r](const char* name, const auto& value) {
+    parameter_record x{name, {}};
+    detail::append_numbers(x.values, value);
+    r.parameters.push_back(std::move(x));
+  });
+  return r;
+}
+
+}  // namespace kte

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <kte/integrators/time_grid.hpp>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <concepts>
+#include <utility>
+
+namespace kte {
+
+/// What an integration has cost so far.
+struct step_statistics {
+  long long steps = 0;        ///< accepted
+  long long rejected = 0;     ///< tried and thrown away
+  long long evaluations = 0;  ///< of the right-hand side
+};
+
+/// What all integrators of x' = f(t, x) share: time and state, observers, samples, the last step.
+///
+/// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. F: called as f(t, x), returns x'
+/// as anything that can be assigned to an X. Nothing is allocated for a fixed size; for a dynamic size nothing after the
+/// first step, but by f itself, which may return a reference to a vector that it keeps.
+///
+/// A method derives from this with itself as `Method` and has three functions:
+///
+///   start(t_end)      called once before the steps of an `integrate`; f may have changed since the last one
+///   advance(t_end)    one step towards t_end and not beyond: leaves the new state in `next_` and calls `accept`
+///   dense(theta, x)   the state x at the fraction 0 < theta < 1 of the last step
+template <class Method, class F, class X> class integrator {
+ public:
+  using S = typename X::Scalar;
+  static_assert(X::ColsAtCompileTime == 1, "kte: a state is a column vector");
+  static_assert(std::invocable<F&, const S&, const X&>, "kte: a right-hand side is called as f(t, x)");
+
+  const S& time() const { return time_; }
+  /// The state at `time()`. After a failure: the last good one.
+  const X& state() const { return x_; }
+  const step_statistics& statistics() const { return statistics_; }
+
+  /// Integrates to t_end, forward or backward; afterwards `time() == t_end`. Throws `integration_failure` that says
+  /// where and why it stopped, `bad_argument` for a t_end that is not finite.
+  void integrate(const S& t_end) {
+    integrate(t_end, [](const S&, const X&) {});
+  }
+  /// The same; calls observer(t, x) at the start and after every step.
+  template <std::invocable<const S&, const X&> Observer> void integrate(const S& t_end, Observer&& observer) {
+    start(t_end);
+    observer(time_, x_);
+    while (time_ != t_end) {
+      method().advance(t_end);
+      observer(time_, x_);
+    }
+  }
+  /// The same; calls observer(t, x) at the times of a `time_grid`: t0, t0 + h, t0 + 2h, ..., t_end, with t0 the time at
+  /// the call. The steps are as without samples; those between step ends are interpolated.
+  template <class T, std::invocable<const S&, const X&> Observer>
+  void integrate(const S& t_end, const every<T>& spacing, Observer&& observer) {
+    start(t_end);
+    const time_grid<S> samples(time_, t_end, S(spacing.spacing), "spacing of samples");
+    X x = x_;
+    observer(time_, x_);
+    for (long long i = 1; time_ != t_end;) {
+      method().advance(t_end);
+      for (; i <= samples.intervals() && in_last_step(samples[i]); ++i) {
+        interpolate(samples[i], x);
+        observer(samples[i], x);
+      }
+    }
+  }
+
+  /// The state at a time of the last step; exact at its ends. Throws `bad_argument` for other times.
+  X interpolate(const S& t) const {
+    X x = x_;
+    interpolate(t, x);
+    return x;
+  }
+
+  /// Goes on from another time and state, for instance after an impact. Throws `bad_argument` unless they are finite.
+  template <class V> void restart(const S& t, const Eigen::MatrixBase<V>& x) {
+    detail::check_finite(t, "start time");
+    if (x.size() == 0) detail::raise<bad_argument>("kte: the start state is empty");
+    for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(S(x[i]), "start state");
+    x_ = next_ = previous_ = x;
+    time_ = previous_time_ = t;
+  }
+
+ protected:
+  template <class V> integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0) : f_(std::move(f)) {
+    restart(t0, x0);
+  }
+
+  /// x_dot = f(t, x).
+  void evaluate(const S& t, const X& x, X& x_dot) {
+    ++statistics_.evaluations;
+    x_dot = f_(t, x);
+    if (x_dot.size() != x.size()) [[unlikely]]
+      detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
+                                  " numbers for a state of " + std::to_string(x.size()));
+  }
+  /// Ends a step: `next_` is the state at t.
+  void accept(const S& t) {
+    previous_time_ = time_;
+    time_ = t;
+    previous_.swap(x_);
+    x_.swap(next_);
+    ++statistics_.steps;
+  }
+  [[noreturn, gnu::cold, gnu::noinline]] void fail(const std::string& why) const {
+    detail::raise<integration_failure>("kte: integration stopped at t = " + detail::number(static_cast<double>(time_)) +
+                                       ": " + why);
+  }
+
+  X x_, next_, previous_;
+  S time_{}, previous_time_{};
+  step_statistics statistics_;
+
+ private:
+  Method& method() { return static_cast<Method&>(*this); }
+
+  void start(const S& t_end) {
+    detail::check_finite(t_end, "end time");
+    if (t_end != time_) method().start(t_end);
+  }
+  bool in_last_step(const S& t) const {
+    return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
+  }
+  void interpolate(const S& t, X& x) const {
+    if (!in_last_step(t)) [[unlikely]]
+      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(static_cast<double>(t)) +
+                                  ": the last step goes from " + detail::number(static_cast<double>(previous_time_)) +
+                                  " to " + detail::number(static_cast<double>(time_)));
+    if (t == time_) {
+      x = x_;
+    } else if (t == previous_time_) {
+      x = previous_;
+    } else {
+      static_cast<const Method&>(*this).dense(S((t - previous_time_) / (time_ - previous_time_)), x);
+    }
+  }
+
+  F f_;
+};
+
+}  // namespace kte

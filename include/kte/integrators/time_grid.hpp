@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kte/errors.hpp>
+
+#include <limits>
+#include <string>
+
+namespace kte {
+
+/// Asks an integrator for the state at evenly spaced times: `solver.integrate(10, every(0.001), observer)`.
+template <class S> struct every {
+  S spacing;  ///< s, positive, also where time runs backward
+
+  constexpr explicit every(const S& s) : spacing(s) {}
+};
+
+namespace detail {
+
+/// Whether x is neither infinite nor NaN, for any scalar.
+template <class S> constexpr bool is_finite(const S& x) { return x - x == S(0); }
+
+/// A time or a setting that has to be finite, or finite and positive. Throws `bad_argument` with its name and value.
+template <class S> void check_finite(const S& x, const char* name) {
+  if (!is_finite(x)) [[unlikely]]
+    raise<bad_argument>(std::string("kte: ") + name + " must be finite, got " + number(static_cast<double>(x)));
+}
+template <class S> void check_positive(const S& x, const char* name) {
+  if (!(x > S(0) && is_finite(x))) [[unlikely]]
+    raise<bad_argument>(std::string("kte: ") + name + " must be finite and positive, got " +
+                        number(static_cast<double>(x)));
+}
+
+}  // namespace detail
+
+/// The times from a start to an end, a spacing h apart, in either direction:
+///
+///   t_i = start + i h  for i < n,   t_n = end              (1)
+///   n = ceil(|end - start| / h - slack / h)                (2)
+///   slack = 4 eps max(|start|, |end|)                      (3)
+///
+/// Times are counted, not summed, so they do not drift. The last interval is shorter where h does not divide the whole,
+/// but never a mere rounding error: by (2) a rest below the slack belongs to the interval before it.
+template <class S> class time_grid {
+ public:
+  time_grid() = default;
+  /// Throws `bad_argument` for a spacing that is not positive, or too small for times of this size.
+  time_grid(const S& start, const S& end, const S& spacing, const char* name) : start_(start), end_(end) {
+    using std::abs;
+    using std::ceil;
+    detail::check_positive(spacing, name);
+    if (end == start) return;
+    step_ = end < start ? S(-spacing) : spacing;
+    const S slack = 4 * std::numeric_limits<S>::epsilon() * (abs(start) < abs(end) ? abs(end) : abs(start));  // (3)
+    const S count = ceil(S((abs(S(end - start)) - slack) / spacing));                                         // (2)
+    if (spacing <= slack || !(count < S(1e15))) [[unlikely]]
+      detail::raise<bad_argument>(std::string("kte: ") + name + " " + detail::number(static_cast<double>(spacing)) +
+                                  " is too small to go from " + detail::number(static_cast<double>(start)) + " to " +
+                                  detail::number(static_cast<double>(end)));
+    intervals_ = count < S(1) ? 1 : static_cast<long long>(count);
+  }
+
+  /// n of (2); 0 where the end is the start.
+  long long intervals() const { return intervals_; }
+  /// t_i of (1).
+  S operator[](long long i) const { return i < intervals_ ? S(start_ + S(i) * step_) : end_; }
+
+ private:
+  S start_{}, end_{}, step_{};
+  long long intervals_ = 0;
+};
+
+}  // namespace kte
