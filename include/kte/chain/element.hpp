@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/chain/checks.hpp>
 #include <kte/chain/parameter_check.hpp>
 
 #include <array>
@@ -7,25 +8,6 @@
 #include <type_traits>
 
 namespace kte {
-
-namespace detail {
-template <class Core, std::size_t Port, class Key>
-struct check_kind {
-  static constexpr kind wanted = Core::ports[Port].what;
-  static_assert(wanted != kind::gen || Key::what == wanted,
-                "kte: this port of the element takes a coordinate (coord_key)");
-  static_assert(wanted != kind::frame_2D || Key::what == wanted,
-                "kte: this port of the element takes a 2D frame (frame_2D_key)");
-  static_assert(wanted != kind::frame_3D || Key::what == wanted,
-                "kte: this port of the element takes a 3D frame (frame_3D_key)");
-  static_assert(wanted != kind::input || Key::what == wanted,
-                "kte: this port of the element takes an input (input_key)");
-};
-template <class Core, class Ports, class... Keys>
-struct check_kinds;
-template <class Core, std::size_t... Ports, class... Keys>
-struct check_kinds<Core, std::index_sequence<Ports...>, Keys...> : check_kind<Core, Ports, Keys>... {};
-}  // namespace detail
 
 /// An element of a static chain: a core, which holds the arithmetic and the parameters and knows no names, and the keys
 /// of what its ports are connected to.

@@ -25,7 +25,8 @@ class kte_map_adapter final : public kte_element {
     if constexpr (has_coordinate) c.coordinate = index_[0];
     c.stiff = detail::is_transmission<Core>;
     if constexpr (detail::is_transmission<Core>)
-      c.below = t.writers[static_cast<std::size_t>(Core::ports[base_port].what)][static_cast<std::size_t>(index_[base_port])];
+      c.below =
+          t.writers[static_cast<std::size_t>(Core::ports[base_port].what)][static_cast<std::size_t>(index_[base_port])];
   }
   element_record record() const override { return record_of(core_, names_); }
 

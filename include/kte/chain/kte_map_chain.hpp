@@ -107,10 +107,17 @@ class kte_map_chain final : public kte_map {
   }
 
  private:
-
   std::vector<std::unique_ptr<kte_map>> elements_;
   std::shared_ptr<topology> topology_ = std::make_shared<topology>();
   vec3<> gravity_{};
 };
+
+/// A runtime chain as plain data; what is in it is listed element by element.
+inline model_record record_of(const kte_map_chain& c) {
+  model_record r;
+  r.gravity = {c.gravity().x, c.gravity().y, c.gravity().z};
+  c.for_each_element([&r](const kte_element& e) { r.elements.push_back(e.record()); });
+  return r;
+}
 
 }  // namespace kte

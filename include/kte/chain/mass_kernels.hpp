@@ -9,10 +9,15 @@ namespace kte::detail {
 
 /// A core with a `relative(coordinates...)`: a stiff connection between two frames. Its ports are the coordinates, the
 /// base, the end.
-template <class Core> inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
-template <class Core> inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
+template <class Core>
+inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
+template <class Core>
+inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
 /// A core with a mass, on its first port.
-template <class Core> inline constexpr bool has_mass = requires(const Core& c) { c.mass(); };
+template <class Core>
+inline constexpr bool has_mass = requires(const Core& c) {
+  c.mass();
+};
 
 /// Force and torque for accelerating a composite inertia by the velocity of `m` each second.
 template <class M, class H, class J, class Motion>

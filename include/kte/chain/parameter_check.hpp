@@ -59,21 +59,22 @@ struct parameter_check {
   constexpr void physical(const sym3<T...>& inertia) const {
     const auto i = as<double>(inertia);
     const double t = (i.xx + i.yy + i.zz) / 2;
-    constexpr auto rule =
-        "inertia must be physical: finite, not negative, each principal moment at most the sum of the others";
-    finite(t, rule);
-    finite(i.xy + i.xz + i.yz, rule);
+    finite(t, "inertia must be finite");
+    finite(i.xy + i.xz + i.yz, "inertia must be finite");
     const double a = t - i.xx, b = t - i.yy, c = t - i.zz, slack = 1e-9 * t;
-    require(a >= -slack && t >= 0, rule, i.xx);
-    require(b >= -slack, rule, i.yy);
-    require(c >= -slack, rule, i.zz);
-    require(a * b - i.xy * i.xy >= -slack * t, rule, i.xy);
-    require(a * c - i.xz * i.xz >= -slack * t, rule, i.xz);
-    require(b * c - i.yz * i.yz >= -slack * t, rule, i.yz);
+    physical_if(a >= -slack && t >= 0, i.xx);
+    physical_if(b >= -slack, i.yy);
+    physical_if(c >= -slack, i.zz);
+    physical_if(a * b - i.xy * i.xy >= -slack * t, i.xy);
+    physical_if(a * c - i.xz * i.xz >= -slack * t, i.xz);
+    physical_if(b * c - i.yz * i.yz >= -slack * t, i.yz);
     const double det = a * (b * c - i.yz * i.yz) - i.xy * (i.xy * c + i.yz * i.xz) - i.xz * (i.xy * i.yz + b * i.xz);
-    require(det >= -slack * t * t, rule, det);
+    physical_if(det >= -slack * t * t, det);
   }
 
+  constexpr void physical_if(bool ok, double value) const {
+    require(ok, "inertia must be physical: not negative, each principal moment at most the sum of the others", value);
+  }
   [[noreturn]] void reject(const char* rule, double value) const {
     detail::raise<bad_parameter>("kte: " + describe() + ": " + rule + ", got " + detail::number(value));
   }

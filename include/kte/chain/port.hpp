@@ -45,7 +45,7 @@ inline std::string describe_element(std::string_view type, std::span<const port>
 /// "rigid_link" and 3D give "rigid_link_3D".
 template <std::size_t N>
 struct type_name {
-  char text[N + 3]{};
+  char text[N + 4]{};
   constexpr type_name(const char (&stem)[N], kind k) {
     std::copy_n(stem, N - 1, text);
     const std::string_view suffix = k == kind::gen ? "_gen" : k == kind::frame_2D ? "_2D" : "_3D";

@@ -31,6 +31,13 @@ struct element_record {
   friend bool operator==(const element_record&, const element_record&) = default;
 };
 
+/// A whole chain: gravity in the axes of its bases, m/s^2, and the elements in order.
+struct model_record {
+  std::vector<double> gravity{0, 0, 0};
+  std::vector<element_record> elements;
+  friend bool operator==(const model_record&, const model_record&) = default;
+};
+
 namespace detail {
 
 template <entry T>
@@ -48,7 +55,7 @@ void append_numbers(std::vector<double>& v, const sym3<T...>& x) {
   v.insert(v.end(), {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz});
 }
 template <geometric R>
-  requires requires(const R& r) { matrix(r); }
+requires requires(const R& r) { matrix(r); }
 void append_numbers(std::vector<double>& v, const R& rotation) {
   const auto m = matrix(rotation);
   append_numbers(v, m.x), append_numbers(v, m.y), append_numbers(v, m.z);

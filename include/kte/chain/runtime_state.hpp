@@ -17,8 +17,8 @@ namespace kte {
 using wrench_3D = wrench<vec3<>, vec3<>>;
 using composite_3D = composite<double, vec3<>, sym3<>>;
 
-/// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms, so
-/// that they allocate nothing.
+/// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms,
+/// so that they allocate nothing.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 class runtime_state {

@@ -15,13 +15,6 @@ inline constexpr bool reads_positions = false;
 template <class Core>
 requires requires { Core::reads_positions; }
 inline constexpr bool reads_positions<Core> = Core::reads_positions;
-
-/// The checks, one base class an element.
-template <class Wiring, class Index, class... E>
-struct wired_elements;
-template <class Wiring, std::size_t... I, class... E>
-struct wired_elements<Wiring, std::index_sequence<I...>, E...>
-    : wired<E, Wiring::table.error[I], Wiring::table.bad_port[I], static_cast<int>(I)>... {};
 }  // namespace detail
 
 /// A mechanism as a type: elements in order, connected by their keys, with a gravity. Build it with `kte::chain`.
@@ -35,7 +28,6 @@ template <class Gravity, class... E>
 class static_chain {
  public:
   using wiring = detail::wiring<E...>;
-  static_assert(sizeof(detail::wired_elements<wiring, std::index_sequence_for<E...>, E...>) > 0);
   static constexpr std::size_t size = sizeof...(E);
   /// Degrees of freedom.
   static constexpr int dofs = wiring::dofs;
@@ -137,6 +129,7 @@ template <class Core, class... Keys>
 inline constexpr bool is_element<element<Core, Keys...>> = true;
 
 inline constexpr auto make_chain = [](const auto&... e) {
+  static_assert(check_chain<wiring<std::remove_cvref_t<decltype(e)>...>, std::remove_cvref_t<decltype(e)>...>());
   using chain_type = static_chain<zero3, std::remove_cvref_t<decltype(e)>...>;
   return chain_type(boost::hana::tuple<std::remove_cvref_t<decltype(e)>...>(e...), zero3{});
 };

@@ -16,6 +16,19 @@ named_element<Core> with_texts(const element<Core, Keys...>& e) {
 }
 }  // namespace detail
 
+/// A static chain as plain data.
+template <class Gravity, class... E>
+model_record record_of(const static_chain<Gravity, E...>& c) {
+  model_record r;
+  r.gravity.clear();
+  detail::append_numbers(r.gravity, c.gravity());
+  boost::hana::for_each(c.elements(), [&r](const auto& e) {
+    const auto named = detail::with_texts(e);
+    r.elements.push_back(record_of(named.core, named.names));
+  });
+  return r;
+}
+
 /// A static chain as one element of a runtime chain: its passes run unrolled, on frames of the runtime chain.
 template <class Chain>
 class static_chain_map final : public kte_map {

@@ -19,8 +19,8 @@ class topology {
  public:
   struct thing {
     kind what;
-    int index;   ///< among things of its kind
-    int writer;  ///< the element that writes it, or -1: given from outside
+    int index;      ///< among things of its kind
+    int writer;     ///< the element that writes it, or -1: given from outside
     bool declared;  ///< written by an element, or declared by base_gen, base_2D, base_3D
     bool moves;     ///< for coordinates: an element moves by it, or it is given
   };
@@ -38,7 +38,8 @@ class topology {
   std::array<std::vector<int>, 4> writers;        ///< of all things, by kind: an element, or -1
 
   /// Connects one more element. Throws `bad_wiring`, and then nothing has changed.
-  void connect(const kte_element* e, std::string_view type, std::span<const port> ports, std::span<const std::string> to) {
+  void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
+               std::span<const std::string> to) {
     check(type, ports, to);
     connection c;
     c.element = e;
@@ -63,8 +64,8 @@ class topology {
     if (it == things_.end())
       throw unknown_name("kte: this chain has no " + std::string(to_string(k)) + " '" + std::string(name) + "'");
     if (it->second.what != k)
-      throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(it->second.what)) + ", not a " +
-                         std::string(to_string(k)));
+      throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(it->second.what)) +
+                         ", not a " + std::string(to_string(k)));
     return it->second.index;
   }
 
@@ -86,10 +87,13 @@ class topology {
       if (known != things_.end() || here != fresh.end()) {
         const kind k = known != things_.end() ? known->second.what : here->second->what;
         if (k != x.what)
-          fail(type, ports, to, quoted + " is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
+          fail(type, ports, to,
+               quoted + " is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
         const bool declared = known != things_.end() ? known->second.declared : here->second->writes();
         if (x.writes())
-          fail(type, ports, to, "it writes " + quoted + (declared ? ", which is then written twice" : ", which is read before it is written"));
+          fail(type, ports, to,
+               "it writes " + quoted +
+                   (declared ? ", which is then written twice" : ", which is read before it is written"));
         continue;
       }
       fresh.emplace(to[p], &x);
@@ -97,8 +101,9 @@ class topology {
       if (frame && !x.writes()) {
         if (base_taken)
           fail(type, ports, to,
-               "it reads " + quoted + ", which no element before it writes: misspelt, written later, or another base? "
-               "(a further base is declared by base_2D or base_3D)");
+               "it reads " + quoted +
+                   ", which no element before it writes: misspelt, written later, or another base? "
+                   "(a further base is declared by base_2D or base_3D)");
         base_taken = true;
       }
     }
@@ -107,7 +112,8 @@ class topology {
     const auto k = static_cast<std::size_t>(x.what);
     const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
     const bool moves = x.how != access::on;
-    const auto [it, fresh] = things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.writes(), moves});
+    const auto [it, fresh] =
+        things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.writes(), moves});
     it->second.moves |= moves;
     if (fresh) {
       names[k].push_back(name);

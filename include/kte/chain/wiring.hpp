@@ -9,15 +9,6 @@
 /// in it: everything else asks its table.
 namespace kte::detail {
 
-/// Rules of a chain, and what breaks them.
-enum class problem : unsigned char {
-  none,
-  written_twice,        ///< another element has written this name before
-  read_before_written,  ///< only a later element writes it
-  unknown,              ///< nothing writes it, and it is no base or coordinate of the chain
-  same_text             ///< another key has the same text
-};
-
 /// One port of one element, with the name it is connected to as a number.
 struct port_use {
   kind what{};
@@ -44,8 +35,9 @@ struct wiring_table {
   std::array<int, P + 1> previous{}, element{}, load{};
   std::array<bool, P + 1> angle{};  ///< by coordinate: an element wants its sine and cosine
   int dofs{};
-  std::array<problem, E + 1> error{};
-  std::array<int, E + 1> bad_port{};
+  problem error = problem::none;  ///< the first one; of element bad_element, about its port bad_port
+  std::size_t bad_element = E;
+  std::size_t bad_port{};
 };
 
 /// Resolves names. `first[e]` is the first port of element e, first[E] = P.
@@ -56,8 +48,10 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
   std::array<int, P + 1> name{}, writer{}, rank{};  // name[p]: first port with the same name
   auto& element = t.element;
   const auto report = [&](int p, problem x) {
-    const auto e = static_cast<std::size_t>(element[p]);
-    if (t.error[e] == problem::none) t.error[e] = x, t.bad_port[e] = p - first[e];
+    if (t.error != problem::none) return;
+    t.error = x;
+    t.bad_element = static_cast<std::size_t>(element[p]);
+    t.bad_port = static_cast<std::size_t>(p - first[t.bad_element]);
   };
   for (std::size_t e = 0; e < E; ++e)
     for (int p = first[e]; p < first[e + 1]; ++p) element[p] = static_cast<int>(e);
@@ -131,6 +125,12 @@ struct wiring;
 
 template <class E>
 struct uses_of;
+template <class E, std::size_t Port>
+struct key_at;
+template <class Core, class... Keys, std::size_t Port>
+struct key_at<element<Core, Keys...>, Port> : std::tuple_element<Port, std::tuple<Keys...>> {};
+template <class E, std::size_t Port>
+using key_of = typename key_at<E, Port>::type;
 template <class Core, class... Keys>
 struct uses_of<element<Core, Keys...>> {
   static constexpr int count = static_cast<int>(sizeof...(Keys));
@@ -188,27 +188,16 @@ struct wiring {
   }
 };
 
-/// The user's sentence for each broken rule. `Name` is the key in question.
-template <class Element, class Name, problem P>
-struct check_wiring {
-  static_assert(P != problem::written_twice,
-                "kte: this element writes a name that an earlier element has written: give every end a key of its own");
-  static_assert(P != problem::read_before_written,
-                "kte: this element reads a name that only a later element writes: move it behind that element");
-  static_assert(
-      P != problem::unknown,
-      "kte: this element reads a name that no element of the chain writes: misspelt, or another base? Declare a "
-      "further base by kte::base_gen, base_2D or base_3D");
-  static_assert(P != problem::same_text, "kte: this element names something by a text that another key has already");
-};
-/// A base class of the chain for each of its elements, so that an error names that element.
-template <class Element, problem P, int Port, int Index>
-struct wired;
-template <class Element, int Port, int Index>
-struct wired<Element, problem::none, Port, Index> {};
-template <class Core, class... Keys, problem P, int Port, int Index>
-requires(P != problem::none) struct wired<element<Core, Keys...>, P, Port, Index>
-    : check_wiring<element<Core, Keys...>, std::tuple_element_t<std::size_t{Port}, std::tuple<Keys...>>, P> {
-};
+/// The first problem of a chain, if it has one: an element, the kind of problem, and the name in question.
+template <class Wiring, class... E>
+constexpr bool check_chain() {
+  constexpr std::size_t bad = Wiring::table.bad_element;
+  if constexpr (bad < sizeof...(E)) {
+    using element_type = std::tuple_element_t<bad, std::tuple<E...>>;
+    return check_wiring<element_type, Wiring::table.error, key_of<element_type, Wiring::table.bad_port>>::done;
+  } else {
+    return true;
+  }
+}
 
 }  // namespace kte::detail

@@ -10,8 +10,8 @@
 namespace kte {
 
 namespace detail {
-/// Factorises a mass matrix (Cholesky, Eigen's LLT). Throws `singular_mass_matrix` where a coordinate moves no mass, and
-/// for NaN.
+/// Factorises a mass matrix (Cholesky, Eigen's LLT). Throws `singular_mass_matrix` where a coordinate moves no mass,
+/// and for NaN.
 template <class Matrix>
 void factorise(const Matrix& m, Eigen::LLT<Matrix>& factors) {
   factors.compute(m);

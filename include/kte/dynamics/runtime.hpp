@@ -108,22 +108,23 @@ const Eigen::VectorXd& accelerate(const kte_map_chain& c, runtime_state& s, cons
 }
 }  // namespace detail
 
-/// Forward dynamics at the state's positions and rates under its inputs: M^-1 f, as on a static chain. The accelerations
-/// are also put into the coordinates of the state; its frames hold the motion without them.
+/// Forward dynamics at the state's positions and rates under its inputs: M^-1 f, as on a static chain. The
+/// accelerations are also put into the coordinates of the state; its frames hold the motion without them.
 inline const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s) {
   return detail::accelerate(c, s, [](int) { return 0.0; });
 }
 /// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
 template <indexable Q, indexable V, indexable T>
-const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const T& tau) {
+const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
+                                        const T& tau) {
   detail::set_coordinates(s, q, &gen_coord<>::q, "q");
   detail::set_coordinates(s, v, &gen_coord<>::q_dot, "v");
   check_size(static_cast<std::size_t>(s.dofs()), tau, "tau");
   return detail::accelerate(c, s, [&](int i) { return static_cast<double>(tau[static_cast<std::size_t>(i)]); });
 }
 
-/// Where a frame stands at the state's positions, in the axes in which the bases are given. Only the elements between the
-/// bases and the frame are evaluated. A 2D frame is given as one in space. Throws `unknown_name`.
+/// Where a frame stands at the state's positions, in the axes in which the bases are given. Only the elements between
+/// the bases and the frame are evaluated. A 2D frame is given as one in space. Throws `unknown_name`.
 inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
   c.check(s);
   const auto& t = c.wiring();
@@ -139,7 +140,8 @@ inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, run
 }
 /// The same at q, which is put into the state.
 template <indexable Q>
-pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame) {
+pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, const Q& q,
+                                              std::string_view frame) {
   detail::set_coordinates(s, q, &gen_coord<>::q, "q");
   return forward_kinematics(c, s, frame);
 }

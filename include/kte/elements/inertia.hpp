@@ -43,6 +43,7 @@ struct inertia {
     visit("mass", self.body.mass);
     visit("com", self.body.com);
     visit("inertia", self.body.inertia);
+    if constexpr (!std::is_const_v<Self>) self.at_origin = to_composite(self.body);
   }
 };
 

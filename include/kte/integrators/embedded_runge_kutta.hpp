@@ -84,7 +84,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     const auto e = h * detail::combination<Tableau::error>(k_);  // (3)
     return detail::error_norm(tolerances_, e, this->x_, this->next_);
   }
-  template <std::size_t I> void stage(const S& h, const S& end) {
+  template <std::size_t I>
+  void stage(const S& h, const S& end) {
     this->next_ = this->x_ + h * detail::combination<Tableau::a[I]>(k_);  // (1); at last (2)
     if constexpr (Tableau::c[I] == ratio{1, 1}) {
       this->evaluate(end, this->next_, k_[I]);

@@ -13,7 +13,8 @@ namespace kte {
 ///
 ///   kte::euler solver(f, 0.0, x0, 0.001);
 ///   solver.integrate(10.0);
-template <class F, class X> class euler : public integrator<euler<F, X>, F, X> {
+template <class F, class X>
+class euler : public integrator<euler<F, X>, F, X> {
   using base = integrator<euler, F, X>;
   friend base;
 

@@ -19,16 +19,17 @@ struct step_statistics {
 
 /// What all integrators of x' = f(t, x) share: time and state, observers, samples, the last step.
 ///
-/// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. F: called as f(t, x), returns x'
-/// as anything that can be assigned to an X. Nothing is allocated for a fixed size; for a dynamic size nothing after the
-/// first step, but by f itself, which may return a reference to a vector that it keeps.
+/// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. F: called as f(t, x), returns
+/// x' as anything that can be assigned to an X. Nothing is allocated for a fixed size; for a dynamic size nothing after
+/// the first step, but by f itself, which may return a reference to a vector that it keeps.
 ///
 /// A method derives from this with itself as `Method` and has three functions:
 ///
 ///   start(t_end)      called once before the steps of an `integrate`; f may have changed since the last one
 ///   advance(t_end)    one step towards t_end and not beyond: leaves the new state in `next_` and calls `accept`
 ///   dense(theta, x)   the state x at the fraction 0 < theta < 1 of the last step
-template <class Method, class F, class X> class integrator {
+template <class Method, class F, class X>
+class integrator {
  public:
   using S = typename X::Scalar;
   static_assert(X::ColsAtCompileTime == 1, "kte: a state is a column vector");
@@ -45,7 +46,8 @@ template <class Method, class F, class X> class integrator {
     integrate(t_end, [](const S&, const X&) {});
   }
   /// The same; calls observer(t, x) at the start and after every step.
-  template <std::invocable<const S&, const X&> Observer> void integrate(const S& t_end, Observer&& observer) {
+  template <std::invocable<const S&, const X&> Observer>
+  void integrate(const S& t_end, Observer&& observer) {
     start(t_end);
     observer(time_, x_);
     while (time_ != t_end) {
@@ -78,7 +80,8 @@ template <class Method, class F, class X> class integrator {
   }
 
   /// Goes on from another time and state, for instance after an impact. Throws `bad_argument` unless they are finite.
-  template <class V> void restart(const S& t, const Eigen::MatrixBase<V>& x) {
+  template <class V>
+  void restart(const S& t, const Eigen::MatrixBase<V>& x) {
     detail::check_finite(t, "start time");
     if (x.size() == 0) detail::raise<bad_argument>("kte: the start state is empty");
     for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(S(x[i]), "start state");
@@ -87,7 +90,8 @@ template <class Method, class F, class X> class integrator {
   }
 
  protected:
-  template <class V> integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0) : f_(std::move(f)) {
+  template <class V>
+  integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0) : f_(std::move(f)) {
     restart(t0, x0);
   }
 

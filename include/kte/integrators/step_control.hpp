@@ -2,12 +2,15 @@
 
 #include <kte/integrators/time_grid.hpp>
 
+#include <Eigen/Core>
+
 #include <cmath>
 
 namespace kte {
 
 /// How exact an integrator that chooses its own steps shall be.
-template <class S> struct tolerances {
+template <class S>
+struct tolerances {
   S absolute = S(1e-6);           ///< in units of the state
   S relative = S(1e-6);           ///< as a fraction of the state
   long long max_steps = 1000000;  ///< of one `integrate`, with those rejected
@@ -20,7 +23,8 @@ namespace detail {
 ///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute + relative max(|x0_i|, |x1_i|)          (1)
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.4, (4.10), (4.11).
-template <class S, class E, class X> S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
+template <class S, class E, class X>
+S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
   using std::abs;
   using std::sqrt;
   S sum(0);
@@ -32,16 +36,17 @@ template <class S, class E, class X> S error_norm(const tolerances<S>& tol, cons
   return sqrt(S(sum / S(static_cast<double>(e.size()))));
 }
 
-/// The factor from one step to the next where the error of a step is of order h^k, err_n being the norm (1) of its error
-/// and err_{n-1} that of the accepted step before it:
+/// The factor from one step to the next where the error of a step is of order h^k, err_n being the norm (1) of its
+/// error and err_{n-1} that of the accepted step before it:
 ///
 ///   accepted:  0.9 err_n^-(1/k - 3/4 beta) err_{n-1}^beta,  0.2 to 10, at most 1 after a rejection      (2)
 ///   rejected:  0.9 err_n^-(1/k),  0.2 to 1                                                              (3)
 ///
 /// with beta = 1/(5 k): a proportional-integral controller. The same book, II.4 (4.13) and II.5; Gustafsson 1991.
-template <class S> class step_controller {
+template <class S>
+class step_controller {
  public:
-  explicit step_controller(int k) : k_(k) {}
+  explicit step_controller(int k) : k_(S(k)) {}
 
   S accepted(const S& error, bool after_rejection) {
     using std::pow;
@@ -72,10 +77,12 @@ template <class S> class step_controller {
 ///   h = min(100 h0, h1)                                                                          (6)
 ///
 /// The same book, II.4, "starting step size".
-template <class S> S trial_step(const S& d0, const S& d1) {
+template <class S>
+S trial_step(const S& d0, const S& d1) {
   return d0 < S(1e-5) || d1 < S(1e-5) ? S(1e-6) : S(S(0.01) * d0 / d1);  // (4)
 }
-template <class S> S first_step(const S& h0, const S& d1, const S& d2, int k) {
+template <class S>
+S first_step(const S& h0, const S& d1, const S& d2, int k) {
   using std::pow;
   const S d = d1 < d2 ? d2 : d1;
   const S least = h0 < S(1e-3) ? S(1e-6) : S(h0 / 1000);

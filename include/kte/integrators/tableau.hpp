@@ -15,12 +15,14 @@ struct ratio {
 };
 
 /// The entries of one row of a tableau; one a stage.
-template <std::size_t Stages> using tableau_row = std::array<ratio, Stages>;
+template <std::size_t Stages>
+using tableau_row = std::array<ratio, Stages>;
 
 namespace detail {
 
 /// A ratio as a scalar, divided once.
-template <class S, ratio R> S coefficient() {
+template <class S, ratio R>
+S coefficient() {
   if constexpr (std::is_floating_point_v<S>) {
     constexpr S value = S(R.num) / S(R.den);
     return value;
@@ -30,14 +32,16 @@ template <class S, ratio R> S coefficient() {
   }
 }
 
-template <std::size_t N> constexpr bool zero_from(const tableau_row<N>& w, std::size_t i) {
+template <std::size_t N>
+constexpr bool zero_from(const tableau_row<N>& w, std::size_t i) {
   while (i < N && w[i].num == 0) ++i;
   return i == N;
 }
 
 /// w_1 k_1 + w_2 k_2 + ... without the terms of weight zero, as an Eigen expression: evaluated in one go, no
 /// temporaries.
-template <auto Weights, std::size_t I = 0, class X, std::size_t N> auto combination(const std::array<X, N>& k) {
+template <auto Weights, std::size_t I = 0, class X, std::size_t N>
+auto combination(const std::array<X, N>& k) {
   using S = typename X::Scalar;
   if constexpr (Weights[I].num == 0) {
     return combination<Weights, I + 1>(k);

@@ -2,13 +2,15 @@
 
 #include <kte/errors.hpp>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
 namespace kte {
 
 /// Asks an integrator for the state at evenly spaced times: `solver.integrate(10, every(0.001), observer)`.
-template <class S> struct every {
+template <class S>
+struct every {
   S spacing;  ///< s, positive, also where time runs backward
 
   constexpr explicit every(const S& s) : spacing(s) {}
@@ -17,14 +19,19 @@ template <class S> struct every {
 namespace detail {
 
 /// Whether x is neither infinite nor NaN, for any scalar.
-template <class S> constexpr bool is_finite(const S& x) { return x - x == S(0); }
+template <class S>
+constexpr bool is_finite(const S& x) {
+  return x - x == S(0);
+}
 
 /// A time or a setting that has to be finite, or finite and positive. Throws `bad_argument` with its name and value.
-template <class S> void check_finite(const S& x, const char* name) {
+template <class S>
+void check_finite(const S& x, const char* name) {
   if (!is_finite(x)) [[unlikely]]
     raise<bad_argument>(std::string("kte: ") + name + " must be finite, got " + number(static_cast<double>(x)));
 }
-template <class S> void check_positive(const S& x, const char* name) {
+template <class S>
+void check_positive(const S& x, const char* name) {
   if (!(x > S(0) && is_finite(x))) [[unlikely]]
     raise<bad_argument>(std::string("kte: ") + name + " must be finite and positive, got " +
                         number(static_cast<double>(x)));
@@ -40,7 +47,8 @@ template <class S> void check_positive(const S& x, const char* name) {
 ///
 /// Times are counted, not summed, so they do not drift. The last interval is shorter where h does not divide the whole,
 /// but never a mere rounding error: by (2) a rest below the slack belongs to the interval before it.
-template <class S> class time_grid {
+template <class S>
+class time_grid {
  public:
   time_grid() = default;
   /// Throws `bad_argument` for a spacing that is not positive, or too small for times of this size.

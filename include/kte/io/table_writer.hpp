@@ -72,7 +72,8 @@ class table_writer {
   }
 
   /// A row of numbers and vectors of numbers, as many as there are columns; else throws `bad_argument`.
-  template <class... T> void row(const T&... values) {
+  template <class... T>
+  void row(const T&... values) {
     const std::size_t n = (std::size_t{0} + ... + count(values));
     if (n != columns_) [[unlikely]]
       detail::raise<bad_argument>("kte: a row of " + std::to_string(n) + " numbers in a table of " +
@@ -101,14 +102,16 @@ class table_writer {
  private:
   static constexpr std::size_t capacity = 1 << 16;
 
-  template <class T> static std::size_t count(const T& x) {
+  template <class T>
+  static std::size_t count(const T& x) {
     if constexpr (std::is_arithmetic_v<T>) {
       return 1;
     } else {
       return static_cast<std::size_t>(x.size());
     }
   }
-  template <class T> void put(const T& x) {
+  template <class T>
+  void put(const T& x) {
     if constexpr (std::is_arithmetic_v<T>) {
       char text[64];
       put(std::string_view(text, static_cast<std::size_t>(std::to_chars(text, text + sizeof text, x).ptr - text)));

@@ -3,11 +3,14 @@
 #include <kte/errors.hpp>
 #include <kte/math/rotation_2D.hpp>
 
+#include <limits>
+
 namespace kte {
 
 /// A rotation as a unit quaternion w + x i + y j + z k (Hamilton). Like a rotation matrix it maps axes of the turned
 /// frame to axes of its parent, and a*b turns by b first. q and -q are the same rotation.
-template <class S = double> struct unit_quaternion {
+template <class S = double>
+struct unit_quaternion {
   using geometry = unit_quaternion;
   S w = S(1);
   S x = S(0);
@@ -15,20 +18,25 @@ template <class S = double> struct unit_quaternion {
   S z = S(0);
   friend constexpr bool operator==(const unit_quaternion&, const unit_quaternion&) = default;
 };
-template <class S> unit_quaternion(S, S, S, S) -> unit_quaternion<S>;
+template <class S>
+unit_quaternion(S, S, S, S) -> unit_quaternion<S>;
 
-template <class S, class T> KTE_INLINE constexpr unit_quaternion<S> as(const unit_quaternion<T>& q) {
+template <class S, class T>
+KTE_INLINE constexpr unit_quaternion<S> as(const unit_quaternion<T>& q) {
   return {as<S>(q.w), as<S>(q.x), as<S>(q.y), as<S>(q.z)};
 }
-template <class S> KTE_INLINE constexpr unit_quaternion<S> conjugate(const unit_quaternion<S>& q) {
+template <class S>
+KTE_INLINE constexpr unit_quaternion<S> conjugate(const unit_quaternion<S>& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 /// The inverse rotation, by the name it has for matrices.
-template <class S> KTE_INLINE constexpr unit_quaternion<S> transpose(const unit_quaternion<S>& q) {
+template <class S>
+KTE_INLINE constexpr unit_quaternion<S> transpose(const unit_quaternion<S>& q) {
   return conjugate(q);
 }
 /// The cosine of half the angle between two rotations, but for its sign.
-template <class S> KTE_INLINE constexpr S dot(const unit_quaternion<S>& a, const unit_quaternion<S>& b) {
+template <class S>
+KTE_INLINE constexpr S dot(const unit_quaternion<S>& a, const unit_quaternion<S>& b) {
   return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class S>
@@ -45,11 +53,13 @@ KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const vec3<A, B
 }
 
 /// As a 3x3 matrix: (1) for the three axes.
-template <class S> KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
+template <class S>
+KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
   const S x = q.x + q.x, y = q.y + q.y, z = q.z + q.z;
   const S xx = x * q.x, xy = x * q.y, xz = x * q.z, yy = y * q.y, yz = y * q.z, zz = z * q.z;
   const S wx = x * q.w, wy = y * q.w, wz = z * q.w;
-  return {{S(1) - (yy + zz), xy - wz, xz + wy}, {xy + wz, S(1) - (xx + zz), yz - wx}, {xz - wy, yz + wx, S(1) - (xx + yy)}};
+  return {
+      {S(1) - (yy + zz), xy - wz, xz + wy}, {xy + wz, S(1) - (xx + zz), yz - wx}, {xz - wy, yz + wx, S(1) - (xx + yy)}};
 }
 template <class S, class RX, class RY, class RZ>
 KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const mat3<RX, RY, RZ>& m) {
@@ -65,7 +75,8 @@ KTE_INLINE constexpr auto congruence(const unit_quaternion<S>& q, const sym3<T..
 }
 
 /// The rotation w + x i + y j + z k of any length but 0, brought to length 1; throws bad_argument if there is none.
-template <variable S> constexpr auto normalized(const S& w, const S& x, const S& y, const S& z) {
+template <variable S>
+constexpr auto normalized(const S& w, const S& x, const S& y, const S& z) {
   using std::sqrt;
   using T = decltype(real(w));
   const auto larger = [](const T& a, const T& b) { return a < b ? b : a; };
@@ -81,10 +92,12 @@ template <variable S> constexpr auto normalized(const S& w, const S& x, const S&
 
 namespace detail {
 /// The scalar of a sum of entries; double if all of them are typed.
-template <class T> using scalar_of = std::conditional_t<typed_constant<T>, double, decltype(real(T()))>;
+template <class T>
+using scalar_of = std::conditional_t<typed_constant<T>, double, decltype(real(T()))>;
 
 /// The one of q and -q that has w >= 0.
-template <class S> constexpr unit_quaternion<S> canonical(const unit_quaternion<S>& q) {
+template <class S>
+constexpr unit_quaternion<S> canonical(const unit_quaternion<S>& q) {
   return q.w < 0 ? unit_quaternion<S>{-q.w, -q.x, -q.y, -q.z} : q;
 }
 }  // namespace detail
@@ -94,15 +107,18 @@ template <class S> constexpr unit_quaternion<S> canonical(const unit_quaternion<
 ///   4 w w = 1 + m.x.x + m.y.y + m.z.z,  4 x x = 1 + m.x.x - m.y.y - m.z.z,  ...                (2)
 ///   4 w x = m.z.y - m.y.z,  4 x y = m.x.y + m.y.x,  ...                                        (3)
 ///
-/// q times four times its largest component (Shepperd, J. Guidance and Control 1, 1978). Throws bad_argument if m is not
-/// orthonormal to 1e-6 and right-handed.
-template <class RX, class RY, class RZ> constexpr auto to_quaternion(const mat3<RX, RY, RZ>& rotation) {
+/// q times four times its largest component (Shepperd, J. Guidance and Control 1, 1978). Throws bad_argument if m is
+/// not orthonormal to 1e-6 (in float, to a thousand rounding errors) and right-handed.
+template <class RX, class RY, class RZ>
+constexpr auto to_quaternion(const mat3<RX, RY, RZ>& rotation) {
   using S = detail::scalar_of<decltype(dot(rotation.x, rotation.x + (rotation.y + rotation.z)))>;
   const auto m = as<S>(rotation);
-  const auto small = [](const S& d) { return d <= S(1e-6) && d >= S(-1e-6); };
+  const S eps = std::numeric_limits<S>::epsilon();
+  const S most = eps > S(1e-9) ? S(S(1000) * eps) : S(1e-6);
+  const auto small = [&](const S& d) { return d <= most && d >= -most; };
   if (!(small(dot(m.x, m.x) - S(1)) && small(dot(m.y, m.y) - S(1)) && small(dot(m.z, m.z) - S(1)) &&
         small(dot(m.x, m.y)) && small(dot(m.y, m.z)) && small(dot(m.z, m.x)) && dot(m.x, cross(m.y, m.z)) > 0))
-    detail::raise<bad_argument>("kte: a rotation matrix must be orthonormal to 1e-6 and right-handed");
+    detail::raise<bad_argument>("kte: a rotation matrix must be orthonormal and right-handed");
   const S a = m.x.x, b = m.y.y, c = m.z.z, trace = a + b + c;
   const S wx = m.z.y - m.y.z, wy = m.x.z - m.z.x, wz = m.y.x - m.x.y;  // (3)
   const S xy = m.x.y + m.y.x, yz = m.y.z + m.z.y, zx = m.z.x + m.x.z;

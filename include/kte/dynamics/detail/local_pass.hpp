@@ -34,6 +34,16 @@ inline constexpr auto loads_on = [] {
 template <class Core>
 inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == access::out;
 
+/// Whether something that nobody asked for is in a load.
+template <class T>
+inline constexpr bool has_skip = std::is_same_v<T, skip>;
+template <class X, class Y, class Z>
+inline constexpr bool has_skip<vec3<X, Y, Z>> = has_skip<X> || has_skip<Y> || has_skip<Z>;
+template <class F, class T>
+inline constexpr bool has_skip<wrench<F, T>> = has_skip<F> || has_skip<T>;
+template <class... L>
+inline constexpr bool has_skip<boost::hana::tuple<L...>> = (has_skip<L> || ...);
+
 template <kind K>
 constexpr auto no_load() {
   if constexpr (K == kind::gen) {
@@ -128,6 +138,9 @@ struct local_types {
   template <std::size_t I, std::size_t... P>
   struct loads<I, std::index_sequence<P...>> {
     using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
+    static_assert(!has_skip<type>,
+                  "kte: this element's force depends on a position, rotation or linear velocity, which this algorithm "
+                  "leaves out unless the element core says: static constexpr bool reads_positions = true;");
   };
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>>) struct loads<I, std::index_sequence<P...>> {
@@ -232,6 +245,9 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
     return (no_load<K>() + ... + boost::hana::at_c<places[N].index>(boost::hana::at_c<places[N].element>(loads_)));
   }
 
+  // The types from the last element to the first, so that none has to wait for a long row of others.
+  static constexpr std::size_t from_the_back =
+      sizeof(std::type_identity<void (*)(typename types::template loads<Chain::size - 1 - E>::type*...)>);
   boost::hana::tuple<typename types::template loads<E>::type...> loads_;
 };
 

@@ -1,0 +1,187 @@
+#pragma once
+
+#include <kte/chain/kte_map_chain.hpp>
+#include <kte/elements/base.hpp>
+#include <kte/elements/damper.hpp>
+#include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/inertia.hpp>
+#include <kte/elements/prismatic_joint.hpp>
+#include <kte/elements/revolute_joint.hpp>
+#include <kte/elements/rigid_link.hpp>
+#include <kte/elements/spring.hpp>
+
+#include <functional>
+#include <map>
+
+namespace kte {
+
+/// Reads names and parameters of an element record by role and name; throws `bad_file` where one is missing or odd.
+class record_reader {
+ public:
+  explicit record_reader(const element_record& r) : record_(r) {}
+
+  const std::string& name(std::string_view role) const {
+    for (const auto& c : record_.connections)
+      if (c.role == role) return c.name;
+    fail("has no connection '" + std::string(role) + "'");
+  }
+  double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
+  vec3<> vector(std::string_view parameter) const {
+    const auto& v = values(parameter, 3);
+    return {v[0], v[1], v[2]};
+  }
+  vec2<> planar_vector(std::string_view parameter) const {
+    const auto v = vector(parameter);
+    if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
+    return {v.x, v.y};
+  }
+  mat3<vec3<>> rotation(std::string_view parameter) const {
+    const auto& v = values(parameter, 9);
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+  }
+  rotation_2D<> planar_rotation(std::string_view parameter) const {
+    const auto m = rotation(parameter);
+    const rotation_2D<> r{m.x.x, m.y.x};
+    if (m != as<double>(matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
+    return r;
+  }
+  rigid_body<> body() const {
+    const auto& v = values("inertia", 6);
+    return {number("mass"), vector("com"), {v[0], v[1], v[2], v[3], v[4], v[5]}};
+  }
+  /// A body in the plane; what it has out of it must be zero.
+  auto planar_body() const {
+    const auto b = body();
+    const auto& i = b.inertia;
+    if (b.com.z != 0 || i.xx != 0 || i.xy != 0 || i.xz != 0 || i.yy != 0 || i.yz != 0)
+      fail("has inertia out of the plane");
+    return kte::planar_body(b.mass, i.zz, vec3{b.com.x, b.com.y, zero});
+  }
+  /// Calls f with the typed axis of the same value if there is one, else with the numbers: a joint read from a file is
+  /// the one that was written.
+  template <class F>
+  auto with_axis(std::string_view parameter, const F& f) const {
+    const auto v = vector(parameter);
+    if (v == as<double>(axis::x)) return f(axis::x);
+    if (v == as<double>(axis::y)) return f(axis::y);
+    if (v == as<double>(axis::z)) return f(axis::z);
+    return f(v);
+  }
+  [[noreturn]] void fail(const std::string& why) const { throw bad_file(record_.type + " " + why); }
+
+ private:
+  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+    for (const auto& p : record_.parameters)
+      if (p.name == parameter) {
+        if (p.values.size() != count)
+          fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count));
+        return p.values;
+      }
+    fail("has no parameter '" + std::string(parameter) + "'");
+  }
+  const element_record& record_;
+};
+
+/// Makes elements from records by the name of their type. A new element is one line here, or in a program
+///
+///   registry.add("my_element", [](const record_reader& r) { return my_element(r.name("frame"), r.number("c")); });
+class element_registry {
+ public:
+  using factory = std::function<std::unique_ptr<kte_map>(const record_reader&)>;
+
+  /// Throws `bad_argument` if the type is known.
+  template <class Make>
+  void add(const std::string& type, Make make) {
+    const bool fresh = factories_.emplace(type, [make](const record_reader& r) { return adapt(make(r)); }).second;
+    if (!fresh) throw bad_argument("kte: the registry has a '" + type + "' already");
+  }
+  /// Throws `bad_file` for an unknown type, a wrong version, missing names or parameters; `bad_parameter` for bad ones.
+  std::unique_ptr<kte_map> make(const element_record& r) const {
+    const auto f = factories_.find(r.type);
+    if (f == factories_.end()) throw bad_file("there is no element type '" + r.type + "'");
+    if (r.version != 1)
+      throw bad_file(r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
+    auto e = f->second(record_reader(r));
+    check_complete(static_cast<const kte_element&>(*e).record(), r);
+    return e;
+  }
+
+  /// All elements of this library.
+  static element_registry standard() {
+    element_registry r;
+    using in = const record_reader&;
+    r.add("base_gen", [](in x) { return base_gen(x.name("base")); });
+    r.add("base_2D", [](in x) { return base_2D(x.name("base")); });
+    r.add("base_3D", [](in x) { return base_3D(x.name("base")); });
+    r.add("damper_gen", [](in x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
+    r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
+    r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
+    r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
+    r.add("prismatic_joint_2D", [](in x) {
+      return prismatic_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"), x.planar_vector("axis"));
+    });
+    r.add("prismatic_joint_3D", [](in x) {
+      return x.with_axis("axis", [&](const auto& n) {
+        return adapt(prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
+      });
+    });
+    r.add("revolute_joint_2D", [](in x) {
+      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+      return revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"));
+    });
+    r.add("revolute_joint_3D", [](in x) {
+      return x.with_axis("axis", [&](const auto& n) {
+        return adapt(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
+      });
+    });
+    r.add("rigid_link_gen", [](in x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
+    r.add("rigid_link_2D", [](in x) {
+      return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
+    });
+    r.add("rigid_link_3D", [](in x) {
+      return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
+    });
+    r.add("spring_gen", [](in x) {
+      return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                        x.number("saturation"));
+    });
+    return r;
+  }
+
+ private:
+  template <class Core>
+  static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
+    return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+  }
+  static std::unique_ptr<kte_map> adapt(std::unique_ptr<kte_map> e) { return e; }
+  /// What was not understood is an error, not ignored.
+  static void check_complete(const element_record& made, const element_record& r) {
+    for (const auto& p : r.parameters)
+      if (std::none_of(made.parameters.begin(), made.parameters.end(), [&](const auto& o) { return o.name == p.name; }))
+        throw bad_file(r.type + " has no parameter '" + p.name + "'");
+    for (const auto& c : r.connections)
+      if (std::none_of(made.connections.begin(), made.connections.end(),
+                       [&](const auto& o) { return o.role == c.role; }))
+        throw bad_file(r.type + " has no connection '" + c.role + "'");
+  }
+
+  std::map<std::string, factory, std::less<>> factories_;
+};
+
+/// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
+inline kte_map_chain to_chain(const model_record& m, const element_registry& registry = element_registry::standard()) {
+  kte_map_chain c;
+  if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
+  c.gravity(vec3{m.gravity[0], m.gravity[1], m.gravity[2]});
+  for (std::size_t i = 0; i < m.elements.size(); ++i) {
+    try {
+      c.append(registry.make(m.elements[i]));
+    } catch (const bad_file& e) {
+      throw bad_file("kte: element " + std::to_string(i + 1) + ": " + e.what());
+    }
+  }
+  return c;
+}
+
+}  // namespace kte

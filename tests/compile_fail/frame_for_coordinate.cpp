@@ -1,0 +1,12 @@
+// expect: error: .*kte: this port of the element takes a coordinate
+// expect: base_
+#include <kte/kte.hpp>
+
+// clang-format off
+inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
+inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
+// clang-format on
+
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(base, base, elbow));

@@ -1,0 +1,16 @@
+// expect: error: .*kte: this state was made for another chain
+#include <kte/kte.hpp>
+
+// clang-format off
+inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
+inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
+// clang-format on
+
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow));
+constexpr auto longer = kte::chain(arm, kte::rigid_link_3D(elbow, hand, kte::along_z(0.5)));
+void f() {
+  auto s = kte::make_state(arm);
+  longer.doMotion(s);
+}

@@ -1,0 +1,13 @@
+// expect: error: .*elbwo.*
+// expect: did you mean .*elbow
+#include <kte/kte.hpp>
+
+// clang-format off
+inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
+inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
+// clang-format on
+
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
+                                kte::rigid_link_3D(elbwo, hand, kte::along_z(0.5)));

@@ -1,0 +1,14 @@
+// expect: error: .*kte: this element writes a name that an earlier element has written
+// expect: rigid_link.*base_, elbow_
+// lines: 15
+#include <kte/kte.hpp>
+
+// clang-format off
+inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
+inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
+// clang-format on
+
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
+                                kte::rigid_link_3D(base, elbow, kte::along_z(0.5)));
