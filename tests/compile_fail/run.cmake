@@ -1,4 +1,4 @@
-# cmake -D FILE=x.cpp -D GNU=0|1 -P run.cmake -- COMPILER FLAGS...
+# cmake -D FILE=x.cpp -D COMPILER=GNU|Clang -P run.cmake -- COMPILER FLAGS...
 #
 # Comments in x.cpp say what must happen:
 #   // expect: REGEX      it does not compile, and the output matches; any number of these
@@ -36,7 +36,7 @@ foreach(expectation IN LISTS expectations)
     message(SEND_ERROR "the compiler does not say: ${expectation}")
   endif()
 endforeach()
-if(GNU AND text MATCHES "// lines: ([0-9]+)")
+if(COMPILER STREQUAL GNU AND text MATCHES "// lines: ([0-9]+)")
   set(limit ${CMAKE_MATCH_1})
   string(REGEX MATCHALL "\n" newlines "${output}")
   list(LENGTH newlines lines)

@@ -67,7 +67,7 @@ class kte_map_chain final : public kte_map {
     topology_->check_complete();
     runtime_state s(topology_);
     const auto& t = *topology_;
-    const vec3<> up = -gravity_;
+    const vec3<> up = vec3<>{} - gravity_;
     for (std::size_t i = 0; i < t.names[1].size(); ++i)
       if (t.writers[1][i] < 0) s.get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
     for (std::size_t i = 0; i < t.names[2].size(); ++i)

@@ -155,13 +155,11 @@ template <class Scalar = double, class Gravity, class... E>
 constexpr auto make_state(const static_chain<Gravity, E...>& c) {
   using wiring = detail::wiring<E...>;
   chain_state<Scalar, wiring> s;
+  const vec3<Scalar> up = vec3<Scalar>{} - as<Scalar>(c.gravity());
   for (int i = 0; i < wiring::count(kind::frame_2D); ++i)
-    if constexpr (std::is_same_v<decltype(c.gravity().z + zero), zero_t>)
-      if (wiring::writer(kind::frame_2D, i) < 0)
-        s.template get<kind::frame_2D>(i).acceleration = {as<Scalar>(-c.gravity().x), as<Scalar>(-c.gravity().y)};
+    if (wiring::writer(kind::frame_2D, i) < 0) s.template get<kind::frame_2D>(i).acceleration = {up.x, up.y};
   for (int i = 0; i < wiring::count(kind::frame_3D); ++i)
-    if (wiring::writer(kind::frame_3D, i) < 0)
-      s.template get<kind::frame_3D>(i).acceleration = as<Scalar>(-c.gravity());
+    if (wiring::writer(kind::frame_3D, i) < 0) s.template get<kind::frame_3D>(i).acceleration = up;
   return s;
 }
 

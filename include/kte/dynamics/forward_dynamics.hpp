@@ -23,11 +23,16 @@ void factorise(const Matrix& m, Eigen::LLT<Matrix>& factors) {
     detail::raise<singular_mass_matrix>(
         "kte: the mass matrix is not positive definite: a coordinate moves no mass, or an argument is not a number");
 }
+template <class Factors, class Vector>
+void solve_in_place(const Factors& factors, Vector& b) {
+  factors.solveInPlace(b);
+  check_finite(b, static_cast<std::size_t>(b.size()), "an acceleration is no finite number: an argument is none");
+}
 template <class Matrix, class Vector>
-void solve_in_place(const Matrix& m, Vector& b) {
+void factorise_and_solve(const Matrix& m, Vector& b) {
   Eigen::LLT<Matrix> factors;
   factorise(m, factors);
-  factors.solveInPlace(b);
+  solve_in_place(factors, b);
 }
 }  // namespace detail
 
@@ -47,7 +52,7 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
   joint_vector<S, n> a = detail::coordinate_forces<S>(
       c, detail::given{at, detail::each<S, V>{v}, detail::same<zero_t>{}, detail::base_under_gravity(c)}, one);
   for (int i = 0; i < n; ++i) a[i] += S(tau[static_cast<std::size_t>(i)]);
-  detail::solve_in_place(detail::local_mass_matrix<S>(c, at), a);
+  detail::factorise_and_solve(detail::local_mass_matrix<S>(c, at), a);
   return a;
 }
 
@@ -59,7 +64,7 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
   const positions<S, wiring<E...>, of_state<state, &gen_coord<S>::q>> at({s});
   joint_vector<S, static_chain<Gravity, E...>::dofs> a = coordinate_forces<S>(
       c, given{at, of_state<state, &gen_coord<S>::q_dot>{s}, same<zero_t>{}, base_of_state<state>{s}}, one);
-  solve_in_place(local_mass_matrix<S>(c, at), a);
+  factorise_and_solve(local_mass_matrix<S>(c, at), a);
   return a;
 }
 

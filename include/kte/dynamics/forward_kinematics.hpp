@@ -36,6 +36,7 @@ template <class S, class Key, class Chain, class Positions, class Base>
 KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
   constexpr int slot = Chain::wiring::template find<Key>();
   static_assert(slot >= 0, "kte: this chain has no frame of this name");
+  at.check();
   const auto g = given{at, same<skip>{}, same<skip>{}, base};
   using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
   return pose_of<S, Key::what>(motion_of < types, Key::what, slot < 0 ? 0 : slot > (c, g));

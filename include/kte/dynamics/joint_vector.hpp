@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/inline.hpp>
 #include <kte/errors.hpp>
 
 #include <Eigen/Core>
@@ -36,5 +37,17 @@ template <int N, indexable T>
 constexpr void check_size(const T& x, const char* name) {
   check_size(std::size_t{N}, x, name);
 }
+
+namespace detail {
+/// No algorithm gives NaN back in silence: throws `bad_argument` unless x[0] ... x[n-1] are finite numbers.
+template <class X>
+KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* what) {
+  using S = std::remove_cvref_t<decltype(x[0])>;
+  S zero_or_nan(0);
+  for (std::size_t i = 0; i < n; ++i) zero_or_nan += x[i] - x[i];
+  if (!(zero_or_nan == S(0))) [[unlikely]]
+    raise<bad_argument>(std::string("kte: ") + what);
+}
+}  // namespace detail
 
 }  // namespace kte

@@ -16,6 +16,11 @@ void set_coordinates(runtime_state& s, const V& v, double gen_coord<>::*member, 
   for (int i = 0; i < s.dofs(); ++i) s.coordinate(i).*member = v[static_cast<std::size_t>(i)];
 }
 
+inline void check_positions(const runtime_state& s) {
+  for (int i = 0; i < s.dofs(); ++i)
+    if (!(s.coordinate(i).q - s.coordinate(i).q == 0)) throw bad_argument("kte: a coordinate is no finite number");
+}
+
 inline void evaluate(const kte_map_chain& c, runtime_state& s) {
   c.doMotion(s);
   c.clearForce(s);
@@ -64,6 +69,8 @@ inline void mass_of_coordinates(const topology& t, runtime_state& s) {
 inline const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s) {
   detail::evaluate(c, s);
   for (int i = 0; i < s.dofs(); ++i) s.work.forces[i] = -s.coordinate(i).f;
+  detail::check_finite(s.work.forces, static_cast<std::size_t>(s.dofs()),
+                       "a force is no finite number: an argument is none, or is too large");
   return s.work.forces;
 }
 /// The same at q, v, a, which are put into the state.
@@ -79,6 +86,7 @@ const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s
 inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s) {
   c.check(s);
   const auto& t = c.wiring();
+  detail::check_positions(s);
   detail::mass_of_coordinates(t, s);
   for (int i = 0; i < s.dofs(); ++i)
     for (int j = 0; j < s.dofs(); ++j)
@@ -102,7 +110,7 @@ const Eigen::VectorXd& accelerate(const kte_map_chain& c, runtime_state& s, cons
   for (int i = 0; i < s.dofs(); ++i) a[i] = s.coordinate(i).f + tau(i);
   mass_matrix(c, s);
   factorise(s.work.mass, s.work.factors);
-  s.work.factors.solveInPlace(a);
+  solve_in_place(s.work.factors, a);
   for (int i = 0; i < s.dofs(); ++i) s.coordinate(i).q_ddot = a[i];
   return a;
 }
@@ -130,6 +138,7 @@ inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, run
   const auto& t = c.wiring();
   const kind k = t.kind_of(frame) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
   const int index = t.find(frame, k);
+  detail::check_positions(s);
   detail::move(t, s, k, index);
   if (k == kind::frame_2D) {
     const auto m = spatial(s.get<kind::frame_2D>(index));

@@ -36,7 +36,11 @@ struct inertia {
   constexpr void check(const parameter_check& where) const {
     where.not_negative(body.mass, "mass must be finite and not negative");
     where.finite(body.com, "centre of mass must be finite");
-    where.physical(body.inertia);
+    if constexpr (Dim == kind::frame_2D) {
+      where.not_negative(body.inertia.zz, "inertia must be finite and not negative");
+    } else {
+      where.physical(body.inertia);
+    }
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {

@@ -92,6 +92,7 @@ struct sines {
 /// KTE_SCALAR_SINCOS is defined; other scalars one by one, by the `sin` and `cos` found for them.
 template <class S, std::size_t N, class Angle>
 KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
+  if constexpr (N == 0) return sines<S, N>{};
   sines<S, N> r;
   if constexpr (sines<S, N>::simd) {
 #if defined(KTE_HAS_VECTORS)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/local_pass.hpp>
+#include <kte/dynamics/joint_vector.hpp>
 #include <kte/math/sincos.hpp>
 
 /// What comes from outside into a fused evaluation: see `local_pass`.
@@ -67,6 +68,8 @@ struct positions {
   KTE_INLINE explicit positions(const Q& positions_in)
       : q(positions_in), angle(gather(q, std::make_index_sequence<angles<Wiring>::count>{})) {}
 
+  /// Throws `bad_argument` unless all are finite numbers.
+  KTE_INLINE void check() const { check(std::make_integer_sequence<int, Wiring::dofs>{}); }
   /// Coordinate I with the given rates.
   template <int I, class QD, class QDD>
   KTE_INLINE auto with(const QD& q_dot, const QDD& q_ddot) const {
@@ -79,6 +82,11 @@ struct positions {
   }
 
  private:
+  template <int... I>
+  KTE_INLINE void check(std::integer_sequence<int, I...>) const {
+    const std::array<S, sizeof...(I) + 1> x{q.template at<I>()...};
+    check_finite(x, sizeof...(I), "a coordinate is no finite number");
+  }
   template <std::size_t... N>
   KTE_INLINE static auto gather(const Q& q, std::index_sequence<N...>) {
     const std::array<S, sizeof...(N) + 1> x{q.template at<angles<Wiring>::of_angle[N]>()...};

@@ -89,7 +89,8 @@ class local_mass {
   KTE_INLINE constexpr void column(const C& composite_inertia) {
     const auto s = axis<J>();
     const auto w = accelerating_wrench(composite_inertia, s);
-    put<coordinate_of<J>, coordinate_of<J>>(power(s, w));
+    auto& diagonal = M(coordinate_of<J>, coordinate_of<J>);
+    diagonal = written_once ? as<S>(power(s, w)) : as<S>(diagonal + power(s, w));
     down<J, coordinate_of<J>>(w);
   }
   template <std::size_t I, int Column, class W>
@@ -106,9 +107,7 @@ class local_mass {
   /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
   template <int Row, int Column, class T>
   KTE_INLINE constexpr void put(const T& x) {
-    if constexpr (Row == Column) {
-      M(Row, Row) = as<S>(written_once ? as<S>(x) : as<S>(M(Row, Row) + x));
-    } else if constexpr (written_once) {
+    if constexpr (written_once) {
       M(Row, Column) = M(Column, Row) = as<S>(x);
     } else {
       M(Row, Column) = as<S>(M(Row, Column) + x);
@@ -165,6 +164,7 @@ class local_mass {
 /// The mass matrix over the degrees of freedom.
 template <class S, class Chain, class Positions>
 KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at) {
+  at.check();
   const auto bases = same_base{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};
   using mass_type = local_mass<S, Chain, std::remove_const_t<decltype(g)>>;

@@ -1,0 +1,74 @@
+/// Prints straight-line C of the dynamics of the robots, to compare kte with: no calls, no loops, no memory, nothing
+/// computed twice or in vain. The formulas are kte's own, run on `traced`.
+#include <string>
+
+#include "robots/iiwa14.hpp"
+#include "robots/ur5.hpp"
+#include "straightline/print.hpp"
+
+namespace straightline {
+namespace {
+
+/// Solves M x = b by M = L D L^T, unrolled.
+template <int N>
+void solve(kte::joint_matrix<traced, N> m, kte::joint_vector<traced, N>& b) {
+  kte::joint_vector<traced, N> inverse;
+  for (int k = 0; k < N; ++k) {
+    inverse[k] = 1 / m(k, k);
+    for (int i = k + 1; i < N; ++i) {
+      const traced l = m(k, i) * inverse[k];
+      for (int j = i; j < N; ++j) m(i, j) = m(i, j) - l * m(k, j);
+      m(i, k) = l;
+    }
+  }
+  for (int k = 0; k < N; ++k)
+    for (int i = k + 1; i < N; ++i) b[i] = b[i] - m(i, k) * b[k];
+  for (int k = 0; k < N; ++k) b[k] = b[k] * inverse[k];
+  for (int k = N; k-- > 0;)
+    for (int i = 0; i < k; ++i) b[i] = b[i] - m(k, i) * b[k];
+}
+
+/// Numbers n, n+1, ... of the inputs.
+template <int N>
+auto inputs(std::size_t n) {
+  std::array<traced, std::size_t{N}> x;
+  for (auto& xi : x) xi = traced::input(n++);
+  return x;
+}
+void print(const std::string& robot, const char* operation, const std::vector<traced>& results) {
+  printer(results).function((robot + "_" + operation).c_str(), results);
+}
+template <class Vector>
+std::vector<traced> list(const Vector& v) {
+  return {v.begin(), v.end()};
+}
+
+template <class Chain, class Tool>
+void print_robot(const std::string& robot, const Chain& c, const Tool& tool) {
+  constexpr int n = Chain::dofs;
+  const auto q = inputs<n>(0), v = inputs<n>(n), a = inputs<n>(2 * n);
+  print(robot, "inverse_dynamics", list(kte::inverse_dynamics(c, q, v, a)));
+
+  const auto m = kte::mass_matrix(c, q);
+  std::vector<traced> upper;
+  for (int i = 0; i < n; ++i)
+    for (int j = i; j < n; ++j) upper.push_back(m(i, j));
+  print(robot, "mass_matrix", upper);
+
+  kte::joint_vector<traced, n> b = -kte::inverse_dynamics(c, q, v, std::array<traced, std::size_t{n}>{});
+  for (int i = 0; i < n; ++i) b[i] = b[i] + a[static_cast<std::size_t>(i)];
+  solve<n>(m, b);
+  print(robot, "forward_dynamics", list(b));
+
+  const auto [r, p] = kte::forward_kinematics(c, q, tool);
+  print(robot, "forward_kinematics", {r.x.x, r.x.y, r.x.z, r.y.x, r.y.y, r.y.z, r.z.x, r.z.y, r.z.z, p.x, p.y, p.z});
+}
+
+}  // namespace
+}  // namespace straightline
+
+int main() {
+  std::puts("#include <math.h>\n");
+  straightline::print_robot("iiwa14", robots::iiwa14, robots::iiwa14_names::tool);
+  straightline::print_robot("ur5", robots::ur5, robots::ur5_names::tool);
+}

@@ -1,0 +1,14 @@
+#!/bin/sh
+# Builds the examples for this machine, in build/examples, and runs two of them. No arguments; any directory.
+set -e
+cd "$(dirname "$0")/.."
+. .ci/packages.sh
+install_packages
+
+echo "Building the examples in build/examples"
+cmake --preset examples
+cmake --build --preset examples
+for example in pendulum arm; do
+  echo "Running $example"
+  build/examples/examples/$example
+done

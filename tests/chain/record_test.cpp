@@ -1,0 +1,105 @@
+#include "catch.hpp"
+#include "chain/models.hpp"
+#include "robots/iiwa14.hpp"
+
+#include <kte/chain/from_record.hpp>
+#include <kte/chain/registry.hpp>
+
+using namespace models;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a static chain survives its record, with other numbers too") {
+  CHECK(record_of(kte::from_record(tree, record_of(tree))) == record_of(tree));
+  CHECK(record_of(kte::from_record(robots::iiwa14, record_of(robots::iiwa14))) == record_of(robots::iiwa14));
+  auto heavier = record_of(pendulum);
+  heavier.elements[2].parameters[0].values = {3.0};
+  const auto c = kte::from_record(pendulum, heavier);
+  CHECK(kte::mass_matrix(c, std::array{0.7})(0, 0) == 0.75);  // what is derived from a parameter follows it
+}
+
+TEST_CASE("a record that does not fit a static chain says why") {
+  const auto good = record_of(pendulum);
+  auto bad = good;
+  SECTION("another element") {
+    bad.elements[1].type = "rigid_link_3D";
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("element 2 (rigid_link_3D)") && Contains("rigid_link_2D"));
+  }
+  SECTION("one too few") {
+    bad.elements.pop_back();
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("2 elements, the static chain 3"));
+  }
+  SECTION("another connection") {
+    bad.elements[1].connections[0].name = "base";
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("element 2") && Contains("base 'joint'"));
+  }
+  SECTION("a number where the type has a constant") {
+    bad.elements[1].parameters[0].values[1] = 0.25;
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("position") && Contains("0.25"));
+  }
+  SECTION("a rotation where the type has none") {
+    bad.elements[1].parameters[1].values = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("rotation"));
+  }
+  SECTION("too few and too many numbers") {
+    bad.elements[1].parameters[0].values.pop_back();
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("too few"));
+    bad = good;
+    bad.elements[1].parameters[0].values.push_back(0);
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("too many"));
+  }
+  SECTION("a bad number") {
+    bad.elements[2].parameters[0].values = {-1.0};
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("inertia_2D (frame 'tip')") && Contains("-1"));
+  }
+  SECTION("another version") {
+    bad.elements[0].version = 2;
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("version 2"));
+  }
+  SECTION("gravity") {
+    bad.gravity = {0, -9.81, 0};
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("gravity"));
+  }
+}
+
+TEST_CASE("the registry knows every element of the library") {
+  // Each element that a static chain can hold, made again from its record.
+  const auto again = kte::record_of(kte::to_chain(record_of(tree)));
+  CHECK(again == record_of(tree));
+  using namespace kte;
+  kte_map_chain flat;
+  flat << base_2D("b") << prismatic_joint_2D("x", "b", "cart", vec2{0.6, 0.8})
+       << rigid_link_2D("cart", "pivot", vec2{0.1, 0.2}, rotation_by(0.3)) << revolute_joint_2D("q", "pivot", "arm")
+       << inertia_2D("arm", planar_body(1.0, 0.2, along_x(0.4))) << base_3D("w") << base_gen("r");
+  CHECK(record_of(to_chain(record_of(flat))) == record_of(flat));
+}
+
+TEST_CASE("the registry refuses what it does not understand") {
+  const auto make = [](const kte::element_record& r) { return kte::element_registry::standard().make(r); };
+  kte::element_record link{"rigid_link_2D", 1, {{"base", "a"}, {"end", "b"}},
+                           {{"position", {1, 0, 0}}, {"rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1}}}};
+  CHECK_NOTHROW(make(link));
+  auto bad = link;
+  bad.type = "rigid_link_4D";
+  CHECK_THROWS_WITH(make(bad), Contains("no element type 'rigid_link_4D'"));
+  bad = link, bad.version = 7;
+  CHECK_THROWS_WITH(make(bad), Contains("version 7"));
+  bad = link, bad.connections.pop_back();
+  CHECK_THROWS_WITH(make(bad), Contains("no connection 'end'"));
+  bad = link, bad.connections.push_back({"side", "c"});
+  CHECK_THROWS_WITH(make(bad), Contains("no connection 'side'"));
+  bad = link, bad.parameters.pop_back();
+  CHECK_THROWS_WITH(make(bad), Contains("no parameter 'rotation'"));
+  bad = link, bad.parameters.push_back({"colour", {1}});
+  CHECK_THROWS_WITH(make(bad), Contains("no parameter 'colour'"));
+  bad = link, bad.parameters[0].values = {1, 0};
+  CHECK_THROWS_WITH(make(bad), Contains("2 numbers as 'position', not 3"));
+  bad = link, bad.parameters[0].values = {1, 0, 1};
+  CHECK_THROWS_WITH(make(bad), Contains("out of the plane"));
+  bad = link, bad.parameters[1].values = {2, 0, 0, 0, 1, 0, 0, 0, 1};
+  CHECK_THROWS_AS(make(bad), kte::error);
+
+  auto registry = kte::element_registry::standard();
+  CHECK_THROWS_AS(registry.add("spring_gen", [](const kte::record_reader& r) {
+    return kte::damper_gen(r.name("anchor1"), r.name("anchor2"), 1.0);
+  }), kte::bad_argument);
+}

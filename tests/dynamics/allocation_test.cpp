@@ -1,0 +1,80 @@
+#include "catch.hpp"
+#include "chain/models.hpp"
+#include "robots/iiwa14.hpp"
+
+#include <cstdlib>
+#include <new>
+
+// No pass and no algorithm may touch the heap.
+
+namespace {
+long allocations = 0;
+}
+
+[[gnu::noinline]] void* operator new(std::size_t n) {
+  ++allocations;
+  if (void* p = std::malloc(n)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t n, std::align_val_t a) {
+  ++allocations;
+  const auto size = (n + static_cast<std::size_t>(a) - 1) / static_cast<std::size_t>(a) * static_cast<std::size_t>(a);
+  if (void* p = std::aligned_alloc(static_cast<std::size_t>(a), size)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace {
+
+template <class F>
+long count(const F& f) {
+  const long before = allocations;
+  f();
+  return allocations - before;
+}
+
+}  // namespace
+
+TEST_CASE("the counter counts") {
+  CHECK(count([] { delete new int(1); }) == 1);
+}
+
+TEST_CASE("static chains allocate nothing") {
+  const auto& c = robots::iiwa14;
+  const std::array<double, 7> x{0.1, -0.2, 0.3, 0.4, -0.5, 0.6, 0.7};
+  auto s = kte::make_state(c);
+  CHECK(count([&] { s = kte::make_state(c); }) == 0);
+  CHECK(count([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
+  CHECK(count([&] { (void)kte::inverse_dynamics(c, x, x, x); }) == 0);
+  CHECK(count([&] { (void)kte::inverse_dynamics(c, s); }) == 0);
+  CHECK(count([&] { (void)kte::mass_matrix(c, x); }) == 0);
+  CHECK(count([&] { (void)kte::mass_matrix(c, s); }) == 0);
+  CHECK(count([&] { (void)kte::forward_dynamics(c, x, x, x); }) == 0);
+  CHECK(count([&] { (void)kte::forward_dynamics(c, s); }) == 0);
+  CHECK(count([&] { (void)kte::forward_kinematics(c, x, robots::iiwa14_names::tool); }) == 0);
+}
+
+TEST_CASE("runtime chains allocate nothing once their state is made") {
+  // Also at sizes where Eigen's factorisation works by blocks.
+  for (const int n : {7, 40, 150}) {
+    kte::kte_map_chain c;
+    std::string frame = "base";
+    for (int i = 0; i < n; ++i) {
+      const auto k = std::to_string(i);
+      c << kte::revolute_joint_3D("q" + k, frame, "a" + k, i % 2 == 0 ? kte::vec3{0.0, 0.0, 1.0} : kte::vec3{0.6, 0.8, 0.0})
+        << kte::rigid_link_3D("a" + k, "b" + k, kte::along_x(0.3))
+        << kte::inertia_3D("b" + k, kte::rigid_body{1.0, kte::vec3{0.1, 0.0, 0.0}, kte::diagonal(0.1, 0.1, 0.1)});
+      frame = "b" + k;
+    }
+    auto s = c.make_state();
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, 0.1, 0.9);
+    CHECK(count([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
+    CHECK(count([&] { (void)kte::inverse_dynamics(c, s, x, x, x); }) == 0);
+    CHECK(count([&] { (void)kte::mass_matrix(c, s, x); }) == 0);
+    CHECK(count([&] { (void)kte::forward_kinematics(c, s, frame); }) == 0);
+    CHECK(count([&] { (void)kte::forward_dynamics(c, s, x, x, x); }) == 0);
+  }
+}

@@ -1,0 +1,67 @@
+#include "catch.hpp"
+#include "chain/models.hpp"
+#include "robots/iiwa14.hpp"
+
+#include <limits>
+
+// What has no answer is an error, never NaN.
+
+using namespace models;
+
+TEST_CASE("a coordinate that moves no mass") {
+  using namespace kte;
+  // A point mass on the axis of its joint.
+  constexpr auto c = chain(revolute_joint_3D(hip, ground, trunk, axis::x), rigid_link_3D(trunk, left, along_y(0.5)),
+                           revolute_joint_3D(knee, left, thigh, axis::z), inertia_3D(thigh, point_mass(1.0)));
+  const std::array two{0.1, 0.2};
+  CHECK_THROWS_AS(forward_dynamics(c, two, two, two), singular_mass_matrix);
+  const auto model = element_by_element(c);
+  auto s = model.make_state();
+  CHECK_THROWS_AS(forward_dynamics(model, s, two, two, two), singular_mass_matrix);
+  CHECK_NOTHROW(inverse_dynamics(c, two, two, two));
+  constexpr auto none = chain(revolute_joint_3D(hip, ground, trunk, axis::x));
+  CHECK_THROWS_AS(forward_dynamics(none, std::array{0.1}, std::array{0.1}, std::array{0.1}), singular_mass_matrix);
+}
+
+TEST_CASE("arguments that are no numbers") {
+  const auto model = element_by_element(robots::iiwa14);
+  auto s = model.make_state();
+  const std::array<double, 7> good{0.1, -0.2, 0.3, 0.4, -0.5, 0.6, 0.7};
+  const auto& c = robots::iiwa14;
+  const auto& tool = robots::iiwa14_names::tool;
+  CHECK_NOTHROW(kte::forward_dynamics(c, good, good, good));
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -HUGE_VAL})
+    for (std::size_t i = 0; i < 7; ++i) {
+      auto bad = good;
+      bad[i] = x;
+      CHECK_THROWS_AS(kte::inverse_dynamics(c, good, bad, good), kte::bad_argument);
+      CHECK_THROWS_AS(kte::inverse_dynamics(c, good, good, bad), kte::bad_argument);
+      CHECK_THROWS_AS(kte::mass_matrix(c, bad), kte::bad_argument);
+      CHECK_THROWS_AS(kte::forward_kinematics(c, bad, tool), kte::bad_argument);
+      CHECK_THROWS_AS(kte::forward_dynamics(c, bad, good, good), kte::error);
+      CHECK_THROWS_AS(kte::forward_dynamics(c, good, bad, good), kte::error);
+      CHECK_THROWS_AS(kte::forward_dynamics(c, good, good, bad), kte::error);
+      CHECK_THROWS_AS(kte::inverse_dynamics(model, s, good, bad, good), kte::bad_argument);
+      CHECK_THROWS_AS(kte::mass_matrix(model, s, bad), kte::bad_argument);
+      CHECK_THROWS_AS(kte::forward_kinematics(model, s, bad, "tool"), kte::bad_argument);
+      CHECK_THROWS_AS(kte::forward_dynamics(model, s, good, good, bad), kte::error);
+      CHECK_THROWS_AS(kte::forward_dynamics(model, s, good, bad, good), kte::error);
+      if (i > 0) CHECK_THROWS_AS(kte::inverse_dynamics(c, bad, good, good), kte::bad_argument);
+    }
+}
+
+TEST_CASE("large angles keep their digits") {
+  // 1e5 is the largest angle of the vector sine, beyond it libm takes over: both sides of the limit.
+  const auto shifted = [](double turns) {
+    std::array<double, 7> q{};
+    for (std::size_t i = 0; i < 7; ++i) q[i] = turns + 0.1 * static_cast<double>(i);
+    return q;
+  };
+  for (const double size : {9.9e4, 1.1e5, 1e9}) {
+    const auto M = kte::mass_matrix(robots::iiwa14, shifted(size));
+    std::array<long double, 7> exact{};
+    for (std::size_t i = 0; i < 7; ++i) exact[i] = shifted(size)[i];
+    const auto L = kte::mass_matrix(robots::iiwa14, exact);
+    CHECK((M - L.cast<double>()).cwiseAbs().maxCoeff() < 1e-14);
+  }
+}

@@ -1,0 +1,88 @@
+#include "catch.hpp"
+#include "chain/models.hpp"
+#include "random.hpp"
+
+// Mechanisms with a formula.
+
+using namespace kte;
+using models::base, models::joint, models::tip;
+
+namespace {
+// clang-format off
+inline constexpr struct q1_    final : coord_key<"q1">       {} q1;
+inline constexpr struct q2_    final : coord_key<"q2">       {} q2;
+inline constexpr struct arm1_  final : frame_2D_key<"arm1">  {} arm1;
+inline constexpr struct arm2_  final : frame_2D_key<"arm2">  {} arm2;
+inline constexpr struct end1_  final : frame_2D_key<"end1">  {} end1;
+inline constexpr struct end2_  final : frame_2D_key<"end2">  {} end2;
+inline constexpr struct wall_  final : coord_key<"wall">     {} wall;
+inline constexpr struct motor_ final : input_key<"motor">    {} motor;
+// clang-format on
+}  // namespace
+
+TEST_CASE("double pendulum") {
+  constexpr double m1 = 1.3, m2 = 0.7, l1 = 0.9, l2 = 1.2, g = 9.81;
+  constexpr auto c = chain(revolute_joint_2D(q1, base, arm1), rigid_link_2D(arm1, end1, along_x(l1)),
+                           inertia_2D(end1, point_mass(m1)), revolute_joint_2D(q2, end1, arm2),
+                           rigid_link_2D(arm2, end2, along_x(l2)), inertia_2D(end2, point_mass(m2)))
+                         .gravity(along_y(-g));
+  random_numbers random(1);
+  for (int round = 0; round < 100; ++round) {
+    const double a = random(3), b = random(3), u = random(4), w = random(4);  // angles and rates, the second relative
+    const double t1 = random(5), t2 = random(5);
+    // Lagrange: M = [m1 l1^2 + m2 (l1^2 + l2^2 + 2 l1 l2 cos b), m2 (l2^2 + l1 l2 cos b); ., m2 l2^2]
+    const double m12 = m2 * (l2 * l2 + l1 * l2 * std::cos(b)), m22 = m2 * l2 * l2;
+    const double m11 = m1 * l1 * l1 + m2 * (l1 * l1 + l2 * l2 + 2 * l1 * l2 * std::cos(b));
+    const double h = m2 * l1 * l2 * std::sin(b);
+    const double b1 = -h * (2 * u * w + w * w) + (m1 + m2) * g * l1 * std::cos(a) + m2 * g * l2 * std::cos(a + b);
+    const double b2 = h * u * u + m2 * g * l2 * std::cos(a + b);
+    const double det = m11 * m22 - m12 * m12;
+    const double exact1 = (m22 * (t1 - b1) - m12 * (t2 - b2)) / det, exact2 = (m11 * (t2 - b2) - m12 * (t1 - b1)) / det;
+    const auto x = forward_dynamics(c, std::array{a, b}, std::array{u, w}, std::array{t1, t2});
+    // About 30 roundings of numbers up to 100, divided by det >= 0.5: 30 eps 100 / 0.5 is 1.3e-12.
+    CHECK(x[0] == Approx(exact1).margin(1.3e-12));
+    CHECK(x[1] == Approx(exact2).margin(1.3e-12));
+  }
+}
+
+TEST_CASE("masses and springs in a row, in one dimension") {
+  constexpr auto c = chain(base_gen(wall), inertia_gen(q1, 2.0), inertia_gen(q2, 3.0), spring_gen(wall, q1, 1.0, 10.0),
+                           spring_gen(q1, q2, 1.0, 20.0), damper_gen(q1, q2, 0.5), driving_actuator_gen(q2, motor));
+  STATIC_REQUIRE(decltype(c)::dofs == 2);
+  const auto x = forward_dynamics(c, std::array{1.5, 2.0}, std::array{1.0, 3.0}, std::array{0.0, 0.0});
+  CHECK(x[0] == Approx((-10 * 0.5 + 20 * (0.5 - 1) + 0.5 * 2) / 2));
+  CHECK(x[1] == Approx((-20 * (0.5 - 1) - 0.5 * 2) / 3));
+  auto s = make_state(c);  // the same with a moved wall and a motor
+  s[q1].q = 1.5, s[q2].q = 2.0, s[wall].q = 0.25, s[motor] = 6.0;
+  const auto y = forward_dynamics(c, s);
+  CHECK(y[0] == Approx((-10 * 0.25 + 20 * (0.5 - 1)) / 2));
+  CHECK(y[1] == Approx((-20 * (0.5 - 1) + 6) / 3));
+}
+
+TEST_CASE("a base that moves") {
+  // In an accelerated, turning base a body at rest in it needs a force of m (a + al x r + w x (w x r)).
+  constexpr auto c = chain(prismatic_joint_2D(q1, base, arm1, axis::x), inertia_2D(arm1, point_mass(2.0)));
+  auto s = make_state(c);
+  s[base].acceleration = {1.0, 5.0};
+  s[base].ang_velocity = 3.0;
+  s[base].ang_acceleration = 7.0;
+  s[q1].q = 0.5;
+  CHECK(inverse_dynamics(c, s)[0] == Approx(2 * (1.0 - 9.0 * 0.5)));
+  CHECK(forward_dynamics(c, s)[0] == Approx(-(1.0 - 9.0 * 0.5)));
+  s[base].position = {10.0, 20.0};
+  s[base].rotation = rotation_by(0.5);
+  const auto p = forward_kinematics(c, s, arm1);
+  CHECK(p.position.x == Approx(10 + 0.5 * std::cos(0.5)));
+  CHECK(p.position.y == Approx(20 + 0.5 * std::sin(0.5)));
+}
+
+TEST_CASE("two joints that share a coordinate") {
+  // A parallel gripper: both fingers by one coordinate, in opposite directions.
+  constexpr auto c = chain(prismatic_joint_2D(q1, base, arm1, axis::x), inertia_2D(arm1, point_mass(2.0)),
+                           prismatic_joint_2D(q1, base, arm2, axis::y), inertia_2D(arm2, point_mass(3.0)),
+                           prismatic_joint_2D(q1, arm1, end1, axis::x), inertia_2D(end1, point_mass(5.0)));
+  STATIC_REQUIRE(decltype(c)::dofs == 1);
+  // Speeds 1, 1 and 2 for a unit rate: 2 + 3 + 5 4
+  CHECK(mass_matrix(c, std::array{0.3})(0, 0) == 25.0);
+  CHECK(inverse_dynamics(c, std::array{0.3}, std::array{0.0}, std::array{1.0})[0] == 25.0);
+}

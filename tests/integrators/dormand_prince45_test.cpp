@@ -1,0 +1,137 @@
+#include <kte/integrators/dormand_prince45.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include "catch.hpp"
+
+using namespace kte;
+
+namespace {
+
+using real50 = boost::multiprecision::cpp_bin_float_50;
+template <class S>
+using state = Eigen::Matrix<S, 2, 1>;
+
+constexpr auto pendulum = []<class S>(const S&, const state<S>& x) {  // 0.5 m, 9.81 m/s^2
+  using std::sin;
+  return state<S>(x[1], S(-S(981) / S(50)) * sin(x[0]));
+};
+constexpr auto oscillator = []<class S>(const S&, const state<S>& x) { return state<S>(x[1], -x[0]); };
+template <class S>
+state<S> horizontal() {
+  using std::acos;
+  return {acos(S(0)), S(0)};
+}
+const real50 theta1("-1.31124604230103985440444713");
+constexpr double theta10 = 1.55012648485020447245734549, theta50 = 1.05858217161372911808916728;
+
+/// A solver whose tolerances never bind and whose first proposal is long: every `integrate` is one step.
+template <class F>
+auto one_step_solver(const F& f, const state<real50>& x0) {
+  dormand_prince45 solver(f, real50(0), x0, {.absolute = 1e30, .relative = 1e30});
+  solver.integrate(100);
+  solver.restart(0, x0);
+  return solver;
+}
+template <class F>
+real50 error_at_1(const F& f, const state<real50>& x0, const real50& exact, int n) {
+  auto solver = one_step_solver(f, x0);
+  const auto before = solver.statistics().steps;
+  for (int i = 1; i <= n; ++i) solver.integrate(real50(i) / n);
+  REQUIRE(solver.statistics().steps == before + n);
+  return abs(solver.state()[0] - exact);
+}
+double slope(const real50& coarse, const real50& fine) { return static_cast<double>(log(coarse / fine) / log(2)); }
+
+TEST_CASE("Dormand-Prince: the global error is of order 5") {
+  const state<real50> x0 = horizontal<real50>(), y0(1, 0);
+  for (int n : {128, 256}) {
+    CHECK(slope(error_at_1(pendulum, x0, theta1, n), error_at_1(pendulum, x0, theta1, 2 * n)) ==
+          Approx(5.0).margin(0.1));
+    const real50 c = cos(real50(1));
+    CHECK(slope(error_at_1(oscillator, y0, c, n), error_at_1(oscillator, y0, c, 2 * n)) == Approx(5.0).margin(0.1));
+  }
+}
+
+TEST_CASE("Dormand-Prince: the dense output is of order 4: its error in one step falls with h^5") {
+  const real50 start = 0.3;
+  const auto worst = [&](const real50& h) {  // the largest error of the oscillator within one step, both components
+    auto solver = one_step_solver(oscillator, state<real50>(cos(start), -sin(start)));
+    solver.integrate(h);
+    real50 most = 0;
+    for (int i = 1; i < 16; ++i) {
+      const real50 t = h * i / 16;
+      const state<real50> x = solver.interpolate(t);
+      most = std::max({most, real50(abs(x[0] - cos(start + t))), real50(abs(x[1] + sin(start + t)))});
+    }
+    return most;
+  };
+  CHECK(slope(worst(real50(1) / 64), worst(real50(1) / 128)) == Approx(5.0).margin(0.1));
+  CHECK(slope(worst(real50(1) / 128), worst(real50(1) / 256)) == Approx(5.0).margin(0.1));
+}
+
+TEST_CASE("Dormand-Prince: the pendulum in every scalar") {
+  dormand_prince45 f(pendulum, 0.0f, horizontal<float>(), {.absolute = 1e-5f, .relative = 1e-5f});
+  dormand_prince45 d(pendulum, 0.0, horizontal<double>(), {.absolute = 1e-12, .relative = 1e-12});
+  dormand_prince45 l(pendulum, 0.0l, horizontal<long double>(), {.absolute = 1e-15l, .relative = 1e-15l});
+  dormand_prince45 m(pendulum, real50(0), horizontal<real50>(), {.absolute = 1e-16, .relative = 1e-16});
+  f.integrate(1), d.integrate(1), l.integrate(1), m.integrate(1);
+  const double exact = static_cast<double>(theta1);
+  CHECK(static_cast<double>(f.state()[0]) == Approx(exact).margin(2e-4));
+  CHECK(d.state()[0] == Approx(exact).margin(1e-11));
+  CHECK(abs(real50(l.state()[0]) - theta1) < 1e-14);
+  CHECK(abs(m.state()[0] - theta1) < 1e-15);
+}
+
+TEST_CASE("Dormand-Prince: the error follows the tolerance, at a modest price") {
+  const auto solve = [](double tolerance) {
+    dormand_prince45 solver(pendulum, 0.0, horizontal<double>(), {.absolute = tolerance, .relative = tolerance});
+    solver.integrate(10);
+    const double error10 = std::abs(solver.state()[0] - theta10);
+    solver.integrate(50);
+    const double error50 = std::abs(solver.state()[0] - theta50);
+    UNSCOPED_INFO(tolerance << ": errors " << error10 << ' ' << error50 << ", evaluations "
+                            << solver.statistics().evaluations << ", steps " << solver.statistics().steps << " + "
+                            << solver.statistics().rejected);
+    CHECK(error10 < 10 * tolerance);    // near a turning point
+    CHECK(error50 < 4000 * tolerance);  // errors of the energy act on the phase with the square of the time
+    return solver.statistics().evaluations;
+  };
+  const auto evaluations = solve(1e-6);
+  CHECK(evaluations < 5000);
+  CHECK(solve(1e-9) == Approx(static_cast<double>(evaluations) * std::pow(1e3, 0.2)).epsilon(0.2));
+  CHECK(solve(1e-12) == Approx(static_cast<double>(evaluations) * std::pow(1e6, 0.2)).epsilon(0.2));
+}
+
+TEST_CASE("Dormand-Prince: a step costs six evaluations") {
+  long long calls = 0;
+  dormand_prince45 solver(
+      [&](double t, const state<double>& x) {
+        ++calls;
+        return pendulum(t, x);
+      },
+      0.0, horizontal<double>());
+  CHECK(calls == 0);
+  solver.integrate(3);
+  const auto first = solver.statistics();
+  CHECK(first.rejected > 0);
+  CHECK(first.evaluations == 2 + 6 * (first.steps + first.rejected));  // the start, the first step size
+  solver.integrate(5);
+  const auto second = solver.statistics();
+  CHECK(second.evaluations == 3 + 6 * (second.steps + second.rejected));  // the start of the second call
+  CHECK(second.evaluations == calls);
+}
+
+TEST_CASE("Dormand-Prince: tolerances hold for each component by its own size") {
+  const auto decay = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(-x[0], -2 * x[1]); };
+  dormand_prince45 solver(decay, 0.0, Eigen::Vector2d(1e9, 1e-9), {.absolute = 1e-30, .relative = 1e-9});
+  solver.integrate(3);
+  CHECK(solver.state()[0] == Approx(1e9 * std::exp(-3)).epsilon(2e-8).margin(0));
+  CHECK(solver.state()[1] == Approx(1e-9 * std::exp(-6)).epsilon(2e-8).margin(0));
+  dormand_prince45 loose(decay, 0.0, Eigen::Vector2d(1e9, 1e-9), {.absolute = 1e3, .relative = 1e-12});
+  loose.integrate(3);
+  CHECK(4 * loose.statistics().steps < solver.statistics().steps);
+}
+
+}  // namespace

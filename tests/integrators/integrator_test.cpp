@@ -1,0 +1,129 @@
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/euler.hpp>
+
+#include <vector>
+
+#include "catch.hpp"
+
+using namespace kte;
+using kte::test::contains_text;
+
+namespace {
+
+using scalar_state = Eigen::Matrix<double, 1, 1>;
+constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST_CASE("Integrators land exactly on the end, with no tiny last step") {
+  dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
+  for (int i = 1; i <= 500; ++i) {
+    std::vector<double> times;
+    const double end = 3 + i * 0.0137;
+    solver.restart(i / 900.0, Eigen::Vector2d(1, 0));
+    solver.integrate(end, [&](double t, const Eigen::Vector2d&) { times.push_back(t); });
+    CHECK(solver.time() == end);
+    const std::size_t n = times.size();
+    CHECK(times[n - 1] - times[n - 2] > 0.4 * (times[n - 2] - times[n - 3]));
+  }
+  solver.integrate(std::nextafter(solver.time(), 100.0));
+  CHECK(solver.time() == std::nextafter(3 + 500 * 0.0137, 100.0));
+}
+
+TEST_CASE("Integrators go back to where they came from") {
+  dormand_prince45 solver(oscillator, 5.0, Eigen::Vector2d(1, 0), {.absolute = 1e-11, .relative = 1e-11});
+  solver.integrate(-5);
+  CHECK(solver.time() == -5);
+  CHECK(solver.state()[0] == Approx(std::cos(10.0)).margin(1e-9));
+  CHECK(solver.state()[1] == Approx(std::sin(10.0)).margin(1e-9));
+  std::vector<double> times;
+  solver.integrate(5);
+  CHECK(solver.state()[0] == Approx(1.0).margin(1e-9));
+  solver.integrate(4.5, every(0.2), [&](double t, const auto& x) {
+    times.push_back(t);
+    CHECK(x[0] == Approx(std::cos(t - 5)).margin(1e-8));
+  });
+  CHECK(times == std::vector<double>{5, 5 - 0.2, 5 - 2 * 0.2, 4.5});
+}
+
+TEST_CASE("Samples are counted, not summed, and end exactly") {
+  std::vector<double> times;
+  dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0), {.absolute = 1e-9, .relative = 1e-9});
+  solver.integrate(20, every(0.001), [&](double t, const auto& x) {
+    times.push_back(t);
+    REQUIRE(x[0] == Approx(std::cos(t)).margin(2e-7));
+    REQUIRE(x[1] == Approx(-std::sin(t)).margin(2e-7));
+  });
+  REQUIRE(times.size() == 20001);
+  for (std::size_t i = 0; i < 20000; ++i) REQUIRE(times[i] == static_cast<double>(i) * 0.001);
+  CHECK(times.back() == 20.0);
+  CHECK(solver.statistics().steps < 1000);
+}
+
+TEST_CASE("Samples leave the steps as they are") {
+  dormand_prince45 plain(oscillator, 0.0, Eigen::Vector2d(1, 0)), sampled = plain;
+  plain.integrate(10);
+  sampled.integrate(10, every(0.01), [](double, const auto&) {});
+  CHECK(plain.state() == sampled.state());
+  CHECK(plain.statistics().evaluations == sampled.statistics().evaluations);
+}
+
+TEST_CASE("The dense output is continuous, with its slope, at the ends of steps") {
+  dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
+  CHECK(solver.interpolate(0) == Eigen::Vector2d(1, 0));
+  double before = 0;
+  Eigen::Vector2d x_before(1, 0);
+  solver.integrate(10, [&](double t, const Eigen::Vector2d& x) {
+    if (t == before) return;
+    CHECK(solver.interpolate(before) == x_before);
+    CHECK(solver.interpolate(t) == x);
+    const double d = (t - before) * 1e-6;
+    CHECK((solver.interpolate(before + d) - x_before - d * oscillator(before, x_before)).norm() < 1e-11);
+    CHECK((solver.interpolate(t - d) - x + d * oscillator(t, x)).norm() < 1e-11);
+    before = t, x_before = x;
+  });
+  CHECK_THROWS_WITH(solver.interpolate(10.5), contains_text("cannot interpolate at t = 10.5"));
+  CHECK_THROWS_AS(solver.interpolate(0.1), bad_argument);
+  CHECK_THROWS_AS(solver.interpolate(nan), bad_argument);
+}
+
+TEST_CASE("The right-hand side may change between calls, and the state by restart") {
+  double input = 1;
+  dormand_prince45 solver([&](double, const scalar_state&) { return scalar_state(input); }, 0.0, scalar_state(0.0));
+  solver.integrate(1);
+  input = -1;
+  solver.integrate(2);
+  CHECK(solver.state()[0] == Approx(0.0).margin(1e-14));
+  solver.restart(7, 2 * scalar_state(4.0));
+  CHECK(solver.time() == 7);
+  CHECK(solver.interpolate(7)[0] == 8);
+  solver.integrate(8);
+  CHECK(solver.state()[0] == Approx(7.0));
+}
+
+TEST_CASE("Large times, and nothing to do") {
+  dormand_prince45 late(oscillator, 1e12, Eigen::Vector2d(1, 0));
+  late.integrate(1e12 + 1);
+  CHECK(late.state()[0] == Approx(std::cos(1.0)).margin(1e-3));
+  dormand_prince45 still(oscillator, 3.0, Eigen::Vector2d(1, 0));
+  int calls = 0;
+  still.integrate(3, every(0.1), [&](double, const auto&) { ++calls; });
+  CHECK(calls == 1);
+  CHECK(still.statistics().evaluations == 0);
+  dormand_prince45 rest([](double, const scalar_state&) { return scalar_state(0.0); }, 0.0, scalar_state(0.0));
+  rest.integrate(1e6);
+  CHECK(rest.state()[0] == 0);
+  CHECK(rest.statistics().steps < 30);
+}
+
+TEST_CASE("Dynamic states, and sizes that do not fit") {
+  const auto f = [](double, const Eigen::VectorXd& x) -> Eigen::VectorXd { return -x; };
+  dormand_prince45 solver(f, 0.0, Eigen::VectorXd::Ones(5), {.absolute = 1e-9, .relative = 1e-9});
+  solver.integrate(1);
+  CHECK((solver.state().array() - std::exp(-1.0)).abs().maxCoeff() < 1e-8);
+  const auto g = [](double, const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::VectorXd::Zero(3); };
+  euler wrong(g, 0.0, Eigen::VectorXd::Ones(5), 0.1);
+  CHECK_THROWS_WITH(wrong.integrate(1), contains_text("gave 3 numbers for a state of 5"));
+  CHECK_THROWS_WITH(euler(f, 0.0, Eigen::VectorXd(), 0.1), contains_text("empty"));
+}
+
+}  // namespace
