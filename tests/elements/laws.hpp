@@ -27,4 +27,34 @@ const S rounding = 16 * eps<S>;
 template <class S>
 const S by_differences = 50 * pow(eps<S>, S(2) / S(3));
 
+/// An element with a random state of its own.
+template <class S = double, class Element>
+auto trial_of(const Element& e, unsigned seed) {
+  random_numbers draw(seed);
+  testing::detail::trial<S, typename Element::core_type> x(e.core, draw);
+  if constexpr (Element::core_type::ports.back().how == access::out) x.doMotion();
+  return x;
+}
+
+/// Whether two vectors agree to a tolerance; NaN agrees with nothing.
+template <class S, class A, class B>
+bool near(const A& a, const B& b, const S& tolerance) {
+  const auto d = as<S>(as<S>(a) - as<S>(b));
+  const auto small = [&tolerance](const S& x) { return x <= tolerance && x >= -tolerance; };
+  return small(d.x) && small(d.y) && small(d.z);
+}
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+
+/// The text of the bad_parameter that f throws, "" if it throws none.
+template <class F>
+std::string complaint(const F& f) {
+  try {
+    f();
+  } catch (const bad_parameter& e) {
+    return e.what();
+  }
+  return "";
+}
+
 }  // namespace kte::test

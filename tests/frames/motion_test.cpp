@@ -99,26 +99,30 @@ TEST_CASE("typed motions are exactly the dense ones", "[frames][motion]") {
   const auto spin = [&x](const auto& rotation) {
     return motion{zero3{}, rotation, zero3{}, axis::z * x(), zero3{}, axis::z * x()};
   };
-  const auto in_space = [&](const auto& b) {
-    same(motion{v(), d.exact<mat3<>>(), v(), v(), v(), v()}, b);
-    same(motion{zero3{}, no_rotation{}, zero3{}, zero3{}, along_z(x()), zero3{}}, b);
-    same(spin(no_rotation{}), b);
-    same(at_rest(half_turn_y, along_x(x())), b);
+  const auto general = [&] { return motion{v(), d.exact<mat3<>>(), v(), v(), v(), v()}; };
+  const auto planar = [&] {
+    const auto u = [&x] { return vec3{x(), x(), zero}; };
+    return motion{u(), rotation_2D{x(), x()}, u(), axis::z * x(), u(), axis::z * x()};
   };
-  const auto anywhere = [&](const auto& b) {
-    in_space(b);
-    same(motion{vec3{x(), x(), zero}, rotation_2D{x(), x()}, vec3{x(), x(), zero}, axis::z * x(),
-                vec3{x(), x(), zero}, axis::z * x()},
-         b);
-  };
+  const auto base_under_gravity = [&] { return motion{zero3{}, no_rotation{}, zero3{}, zero3{}, along_y(x()), zero3{}}; };
   for (int i = 0; i < 10; ++i) {
-    anywhere(at_rest(no_rotation{}, along_x(x())));
-    anywhere(motion{axis::x * x(), no_rotation{}, axis::x * x(), zero3{}, axis::x * x(), zero3{}});
-    anywhere(spin(rotation_2D{x(), x()}));
-    anywhere(at_rest(quarter_turn, vec3{x(), x(), zero}));
-    in_space(at_rest(quarter_turn_x, vec3{x(), zero, x()}));
-    in_space(spin(rotation_about(axis::minus_z, x(), x())));
-    in_space(motion{zero3{}, rotation_about(axis::y, x(), x()), zero3{}, axis::y * x(), zero3{}, axis::y * x()});
+    const auto link = at_rest(no_rotation{}, along_x(x()));
+    const auto slide = motion{axis::x * x(), no_rotation{}, axis::x * x(), zero3{}, axis::x * x(), zero3{}};
+    same(general(), link), same(planar(), link), same(base_under_gravity(), link), same(spin(no_rotation{}), link);
+    same(general(), slide), same(planar(), slide), same(base_under_gravity(), slide), same(spin(no_rotation{}), slide);
+
+    const auto turn = spin(rotation_2D{x(), x()});
+    const auto bend = at_rest(quarter_turn, vec3{x(), x(), zero});
+    same(planar(), turn), same(base_under_gravity(), turn), same(slide, turn), same(turn, bend);
+    same(planar(), bend), same(base_under_gravity(), bend), same(link, bend), same(bend, turn);
+
+    const auto solid = at_rest(quarter_turn_x, vec3{x(), zero, x()});
+    const auto about_y = motion{zero3{}, rotation_about(axis::y, x(), x()), zero3{}, axis::y * x(), zero3{},
+                                axis::y * x()};
+    const auto about_minus_z = spin(rotation_about(axis::minus_z, x(), x()));
+    same(general(), solid), same(base_under_gravity(), solid), same(solid, about_y), same(about_y, solid);
+    same(general(), about_y), same(base_under_gravity(), about_y), same(about_y, about_minus_z);
+    same(general(), about_minus_z), same(slide, about_minus_z), same(about_minus_z, link);
   }
 }
 

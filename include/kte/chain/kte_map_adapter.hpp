@@ -40,8 +40,8 @@ class kte_map_adapter final : public kte_element {
   }
 
   void carry(runtime_state& s) const override {
-    if constexpr (detail::has_mass<Core> && Core::ports[0].what != kind::gen) {
-      add(carried<0>(s), core_.mass());
+    if constexpr (detail::has_mass<Core, double> && Core::ports[0].what != kind::gen) {
+      add(carried<0>(s), core_.template mass<double>());
     } else if constexpr (detail::is_transmission<Core>) {
       const auto x = pose(s);
       add(carried<base_port>(s), transported(x.rotation, x.position, carried<base_port + 1>(s)));
@@ -64,8 +64,8 @@ class kte_map_adapter final : public kte_element {
   }
   void coordinate_mass(runtime_state& s) const override {
     auto& m = s.work.all;
-    if constexpr (Core::ports[0].what == kind::gen && detail::has_mass<Core>) {
-      m(index_[0], index_[0]) += as<double>(core_.mass());
+    if constexpr (Core::ports[0].what == kind::gen && detail::has_mass<Core, double>) {
+      m(index_[0], index_[0]) += as<double>(core_.template mass<double>());
     } else if constexpr (Core::ports[0].what == kind::gen && Core::ports.back().what == kind::gen &&
                          Core::ports.back().how == access::out) {
       const double ratio = as<double>(core_.doMotion(detail::unit_rate(coordinate(s))).q_dot);

@@ -4,6 +4,7 @@
 #include <kte/errors.hpp>
 #include <kte/math/rigid_body.hpp>
 
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -42,12 +43,13 @@ struct parameter_check {
   template <class X, class Y, class Z>
   constexpr void unit(const vec3<X, Y, Z>& v, const char* rule) const {
     finite(v, rule);
-    const auto n = as<double>(dot(as<double>(v), as<double>(v)));
-    require(n > 1 - 2e-9 && n < 1 + 2e-9, rule, n);
+    unit_length(dot(as<double>(v), as<double>(v)), rule);
   }
-  /// Orthonormal with determinant 1, each to 1e-9.
+  constexpr void rotation(no_rotation, const char*) const {}
+  /// Orthonormal with determinant 1, each to 1e-9. A quaternion of any length could give such a matrix.
   template <class R>
   constexpr void rotation(const R& r, const char* rule) const {
+    if constexpr (requires { r.w; }) unit_length(as<double>(dot(r, r)), rule);
     const auto m = as<double>(matrix(r));
     unit(m.x, rule), unit(m.y, rule), unit(m.z, rule);
     const double det = dot(m.x, cross(m.y, m.z));
@@ -72,6 +74,10 @@ struct parameter_check {
     physical_if(det >= -slack * t * t, det);
   }
 
+  constexpr void unit_length(double squared, const char* rule) const {
+    if (!(squared > 1 - 2e-9 && squared < 1 + 2e-9)) reject_length(rule, squared);
+  }
+  [[noreturn]] void reject_length(const char* rule, double squared) const { reject(rule, std::sqrt(squared)); }
   constexpr void physical_if(bool ok, double value) const {
     require(ok, "inertia must be physical: not negative, each principal moment at most the sum of the others", value);
   }

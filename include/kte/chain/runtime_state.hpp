@@ -6,7 +6,6 @@
 #include <kte/frames/gen_coord.hpp>
 #include <kte/math/rigid_body.hpp>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <memory>
@@ -88,13 +87,11 @@ class runtime_state {
         : carried{std::vector<composite_3D>(in_plane), std::vector<composite_3D>(in_space)},
           all(Eigen::MatrixXd::Zero(Eigen::Index(coordinates), Eigen::Index(coordinates))),
           mass(Eigen::MatrixXd::Zero(Eigen::Index(dofs), Eigen::Index(dofs))),
-          factors(Eigen::Index(dofs)),
           forces(Eigen::VectorXd::Zero(Eigen::Index(dofs))) {}
 
     std::vector<composite_3D> carried[2];  ///< inertia carried by each frame, in the plane and in space
     Eigen::MatrixXd all;                   ///< mass matrix over all coordinates
     Eigen::MatrixXd mass;                  ///< over the degrees of freedom
-    Eigen::LLT<Eigen::MatrixXd> factors;
     Eigen::VectorXd forces;
   } work;
 };

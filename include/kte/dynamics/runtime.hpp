@@ -109,8 +109,7 @@ const Eigen::VectorXd& accelerate(const kte_map_chain& c, runtime_state& s, cons
   auto& a = s.work.forces;
   for (int i = 0; i < s.dofs(); ++i) a[i] = s.coordinate(i).f + tau(i);
   mass_matrix(c, s);
-  factorise(s.work.mass, s.work.factors);
-  solve_in_place(s.work.factors, a);
+  solve_in_place(s.work.mass, a);
   for (int i = 0; i < s.dofs(); ++i) s.coordinate(i).q_ddot = a[i];
   return a;
 }

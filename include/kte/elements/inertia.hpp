@@ -30,8 +30,15 @@ struct inertia {
     const auto f = (-m) * a_c;                                                 // (2)
     return make_loads(wrench{f, cross(c, f) - (J * al + cross(w, J * w))});    // (3)
   }
-  /// For the composite-rigid-body algorithm.
-  KTE_INLINE constexpr const auto& mass() const { return at_origin; }
+  /// For the composite-rigid-body algorithm in scalars S; in more than double precision, from the parameters again.
+  template <class S>
+  KTE_INLINE constexpr auto mass() const {
+    if constexpr (std::is_same_v<S, double> || std::is_same_v<S, float>) {
+      return at_origin;
+    } else {
+      return to_composite(lifted<S>(body));
+    }
+  }
 
   constexpr void check(const parameter_check& where) const {
     where.not_negative(body.mass, "mass must be finite and not negative");
@@ -63,7 +70,10 @@ struct inertia_gen {
   KTE_INLINE constexpr auto doForce(const C& c) const {
     return make_loads((-m) * c.q_ddot);
   }
-  KTE_INLINE constexpr auto mass() const { return m; }
+  template <class S>
+  KTE_INLINE constexpr auto mass() const {
+    return m;
+  }
 
   constexpr void check(const parameter_check& where) const {
     where.not_negative(m, "mass must be finite and not negative");

@@ -61,6 +61,16 @@ KTE_INLINE constexpr S as(const T& x) {
   return S(x);
 }
 
+/// The same entry, with numbers as scalars of type S and typed constants left as they are.
+template <class S, int N>
+KTE_INLINE constexpr constant<N> lifted(constant<N> c) {
+  return c;
+}
+template <class S, variable T>
+KTE_INLINE constexpr S lifted(const T& x) {
+  return S(x);
+}
+
 /// A parameter as its user wrote it; whole numbers become double, so that `along_x(1)` means 1.0 m.
 template <entry T>
 KTE_INLINE constexpr auto real(const T& x) {

@@ -34,6 +34,16 @@ constexpr auto planar_body(T mass, U inertia, const vec3<X, Y, zero_t>& com = {}
   return rigid_body{real(mass), com, diagonal(zero, zero, real(inertia))};
 }
 
+/// The same body with numbers as scalars of type S.
+template <class S, class M, class C, class J>
+constexpr auto lifted(const rigid_body<M, C, J>& b) {
+  const auto& c = b.com;
+  const auto& i = b.inertia;
+  return rigid_body{lifted<S>(b.mass), vec3{lifted<S>(c.x), lifted<S>(c.y), lifted<S>(c.z)},
+                    sym3{lifted<S>(i.xx), lifted<S>(i.xy), lifted<S>(i.xz), lifted<S>(i.yy), lifted<S>(i.yz),
+                         lifted<S>(i.zz)}};
+}
+
 /// The inertia of one or more bodies, about the origin of a frame and in its axes:
 ///   mass m, first moment h = m c, inertia I = I_c + m (|c|^2 1 - c c^T).
 /// Acceleration a of the origin and al of the axes need the force and torque

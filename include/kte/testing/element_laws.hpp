@@ -117,7 +117,7 @@ S loads_are_opposite(const Element& e, Draw&& draw) {
   });
 }
 
-/// For elements with a `mass()`: it is the mass by which they resist in doForce, so that mass matrix and inverse
+/// For elements with a `mass<S>()`: it is the mass by which they resist in doForce, so that mass matrix and inverse
 /// dynamics agree.
 template <class S, class Element, class Draw>
 S mass_is_that_of_force(const Element& e, Draw&& draw) {
@@ -125,7 +125,7 @@ S mass_is_that_of_force(const Element& e, Draw&& draw) {
     auto& thing = x.template at<0>();
     detail::stop(thing);
     x.doForce();
-    return detail::resistance_off(thing, e.core.mass());
+    return detail::resistance_off(thing, e.core.template mass<S>());
   });
 }
 

@@ -19,6 +19,11 @@ class local_mass {
  public:
   static constexpr int coordinates = wiring::count(kind::gen);
   using matrix_type = joint_matrix<S, coordinates>;
+  /// Unrolled code grows with the square of the number of joints. Beyond this size every element has a function of its
+  /// own instead, called for all columns (docs/decisions/02-compile-time.md).
+  static constexpr bool unrolled = Chain::size <= 48;
+  using dense_wrench = wrench<vec3<S>, vec3<S>>;
+  using dense_composite = composite<S, vec3<S>, sym3<S>>;
 
   KTE_INLINE local_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
     M.setZero();
@@ -68,8 +73,21 @@ class local_mass {
   /// The part of it that comes through element I.
   template <std::size_t I>
   KTE_INLINE constexpr auto part() {
-    if constexpr (has_mass<core_t<I>>) {
-      return chain_.template core<I>().mass();
+    if constexpr (unrolled) {
+      return part_here<I>();
+    } else {
+      return part_apart<I>();
+    }
+  }
+  template <std::size_t I>
+  [[gnu::noinline]] dense_composite part_apart() {
+    const auto c = part_here<I>();
+    return {as<S>(c.mass), as<S>(c.moment), as<S>(c.inertia)};
+  }
+  template <std::size_t I>
+  KTE_INLINE constexpr auto part_here() {
+    if constexpr (has_mass<core_t<I>, S>) {
+      return chain_.template core<I>().template mass<S>();
     } else if constexpr (is_transmission<core_t<I>>) {
       constexpr kind k = types::template output_kind<I>;
       constexpr int end = types::template output_slot<I>;
@@ -91,33 +109,41 @@ class local_mass {
     const auto w = accelerating_wrench(composite_inertia, s);
     auto& diagonal = M(coordinate_of<J>, coordinate_of<J>);
     diagonal = written_once ? as<S>(power(s, w)) : as<S>(diagonal + power(s, w));
-    down<J, coordinate_of<J>>(w);
+    down<J>(w, coordinate_of<J>);
   }
-  template <std::size_t I, int Column, class W>
-  KTE_INLINE constexpr void down(const W& at_end) {
+  template <std::size_t I, class W>
+  KTE_INLINE constexpr void down(const W& at_end, int column) {
     constexpr std::size_t base_port = coordinates_of<core_t<I>>;
     constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, base_port));
     if constexpr (below >= 0) {
       const auto w = transmit(pose<I>(), at_end);
       if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
-        put<coordinate_of<std::size_t{below}>, Column>(power(axis<std::size_t{below}>(), w));
-      down<std::size_t{below}, Column>(w);
+        put(coordinate_of<std::size_t{below}>, column, power(axis<std::size_t{below}>(), w));
+      if constexpr (unrolled) {
+        down<std::size_t{below}>(w, column);
+      } else {
+        down_apart<std::size_t{below}>({as<S>(w.force), as<S>(w.torque)}, column);
+      }
     }
   }
+  template <std::size_t I>
+  [[gnu::noinline]] void down_apart(const dense_wrench& at_end, int column) {
+    down<I>(at_end, column);
+  }
   /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
-  template <int Row, int Column, class T>
-  KTE_INLINE constexpr void put(const T& x) {
+  template <class T>
+  KTE_INLINE constexpr void put(int row, int column, const T& x) {
     if constexpr (written_once) {
-      M(Row, Column) = M(Column, Row) = as<S>(x);
+      M(row, column) = M(column, row) = as<S>(x);
     } else {
-      M(Row, Column) = as<S>(M(Row, Column) + x);
-      M(Column, Row) = as<S>(M(Column, Row) + x);
+      M(row, column) = as<S>(M(row, column) + x);
+      M(column, row) = as<S>(M(column, row) + x);
     }
   }
   static constexpr bool written_once = [] {
     bool once = coordinates == wiring::dofs;
     const auto look = [&]<class Core>(std::type_identity<Core>) {
-      if (Core::ports[0].what == kind::gen && has_mass<Core>) once = false;
+      if (Core::ports[0].what == kind::gen && has_mass<Core, S>) once = false;
       return 0;
     };
     const auto all = [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -146,8 +172,8 @@ class local_mass {
     constexpr int b = coordinate_of<I>;
     if constexpr (core_t<I>::ports[0].what != kind::gen) {
       return;
-    } else if constexpr (has_mass<core_t<I>>) {
-      M(b, b) = as<S>(M(b, b) + chain_.template core<I>().mass());
+    } else if constexpr (has_mass<core_t<I>, S>) {
+      M(b, b) = as<S>(M(b, b) + chain_.template core<I>().template mass<S>());
     } else if constexpr (has_output<core_t<I>> && types::template output_kind<I> == kind::gen) {
       constexpr int e = types::template output_slot<I>;  // q_e' = ratio q_b': its row and column count for b too
       const auto ratio = chain_.template core<I>().doMotion(unit_rate(motion_.template get<kind::gen, b>())).q_dot;

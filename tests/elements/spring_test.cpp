@@ -1,0 +1,87 @@
+#include <kte/elements/spring.hpp>
+
+#include "catch.hpp"
+#include "elements/laws.hpp"
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+
+template <class S>
+void check_laws() {
+  random_numbers draw(1);
+  const S k = S(50) / 3, rest = S(1) / 7, most = S(5);
+  const auto stretch = [&](const auto& a, const auto& b) { return S(b.q - a.q - rest); };
+  const auto spring = spring_gen("a", "b", rest, k);
+  CHECK(testing::loads_are_opposite<S>(spring, draw) == 0);
+  // The force grows with k: so does its error.
+  CHECK(testing::force_is_gradient<S>(spring, draw, [&](const auto& a, const auto& b) {
+          const S e = stretch(a, b);
+          return S(k / 2 * e * e);
+        }) <= k * by_differences<S>);
+  const auto limited = spring_gen("a", "b", rest, k, most);
+  CHECK(testing::loads_are_opposite<S>(limited, draw) == 0);
+  if constexpr (!std::is_same_v<S, double>)  // by differences in double some tries would reach across the kink
+    CHECK(testing::force_is_gradient<S>(limited, draw, [&](const auto& a, const auto& b) {
+            const S e = stretch(a, b), size = e < 0 ? S(-e) : e, kink = most / k;
+            return size < kink ? S(k / 2 * e * e) : S(most * (size - kink / 2));
+          }) <= k * by_differences<S>);
+}
+
+/// The force of a spring on its first anchor, which stands at 0, with the second at q.
+template <class Element>
+double pull(const Element& e, double q) {
+  auto x = trial_of(e, 1);
+  x.template at<0>() = {.q = 0.0};
+  x.template at<1>() = {.q = q};
+  x.doForce();
+  if (!std::isnan(q)) CHECK(x.template at<1>().f == -x.template at<0>().f);
+  return x.template at<0>().f;
+}
+
+}  // namespace
+
+TEST_CASE("springs obey the laws", "[elements][spring]") {
+  check_laws<double>();
+  check_laws<digits50>();
+}
+
+TEST_CASE("a spring has no jump where its anchors cross", "[elements][spring]") {
+  const auto spring = spring_gen("a", "b", 0.25, 8.0);
+  for (int i = -32; i <= 32; ++i) CHECK(pull(spring, i / 16.0) == 8.0 * (i / 16.0 - 0.25));
+  CHECK(pull(spring, 0.0) == -2.0);
+  CHECK(pull(spring, 1e-300) == -2.0);
+  CHECK(pull(spring, -1e-300) == -2.0);
+}
+
+TEST_CASE("a spring saturates", "[elements][spring]") {
+  const auto spring = spring_gen("a", "b", 0.25, 8.0, 3.0);
+  CHECK(pull(spring, 0.5) == 2.0);
+  CHECK(pull(spring, 0.625) == 3.0);
+  CHECK(pull(spring, 7.0) == 3.0);
+  CHECK(pull(spring, infinity) == 3.0);
+  CHECK(pull(spring, -0.125) == -3.0);
+  CHECK(pull(spring, -7.0) == -3.0);
+  CHECK(pull(spring, -infinity) == -3.0);
+  CHECK(pull(spring_gen("a", "b", 0.25, 8.0, 0.0), 100.0) == 798.0);  // no saturation
+}
+
+TEST_CASE("a spring keeps NaN", "[elements][spring]") {
+  CHECK(std::isnan(pull(spring_gen("a", "b", 0.25, 8.0), not_a_number)));
+  CHECK(std::isnan(pull(spring_gen("a", "b", 0.25, 8.0, 3.0), not_a_number)));
+}
+
+TEST_CASE("a spring wants finite numbers, and none negative", "[elements][spring]") {
+  const std::string where = "kte: spring_gen (anchor1 'wall', anchor2 'cart'): ";
+  const auto what = [](auto... numbers) { return complaint([&] { spring_gen("wall", "cart", numbers...); }); };
+  CHECK(what(not_a_number, 1.0) == where + "rest length must be finite, got nan");
+  CHECK(what(infinity, 1.0) == where + "rest length must be finite, got inf");
+  CHECK(what(0.1, -2.0) == where + "stiffness must be finite and not negative, got -2");
+  CHECK(what(0.1, not_a_number) == where + "stiffness must be finite and not negative, got nan");
+  CHECK(what(0.1, infinity) == where + "stiffness must be finite and not negative, got inf");
+  CHECK(what(0.1, 1.0, -3.0) == where + "saturation must be finite and not negative, got -3");
+  CHECK(what(0.1, 1.0, not_a_number) == where + "saturation must be finite and not negative, got nan");
+  CHECK(what(-0.1, 0.0, 0.0) == "");
+  CHECK(what(zero, 1) == "");
+}
