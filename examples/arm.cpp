@@ -5,6 +5,8 @@
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 
+#include <kte/chain/registry.hpp>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>

@@ -67,10 +67,10 @@ inline constexpr struct tip_   final : kte::frame_3D_key<"tip">   {} tip;
 
 constexpr double length = 0.5, mass = 1.0, gravity = 9.81, damping = 0.8;  // m, kg, m/s^2, N s/m
 
-constexpr auto pendulum =
-    kte::chain(kte::revolute_joint_3D(q, base, joint, kte::axis::y), kte::rigid_link_3D(joint, tip, kte::along_x(length)),
-               kte::inertia_3D(tip, kte::point_mass(mass)), air::drag_3D(tip, damping))
-        .gravity(kte::along_z(-gravity));
+constexpr auto pendulum = kte::chain(kte::revolute_joint_3D(q, base, joint, kte::axis::y),
+                                     kte::rigid_link_3D(joint, tip, kte::along_x(length)),
+                                     kte::inertia_3D(tip, kte::point_mass(mass)), air::drag_3D(tip, damping))
+                              .gravity(kte::along_z(-gravity));
 
 int failures = 0;
 void expect(bool ok, const char* what) {
@@ -96,10 +96,10 @@ kte::kte_map_chain by_file() {
 
 void check_chains() {
   kte::kte_map_chain built;
-  built.gravity(kte::along_z(-gravity))
-      << kte::revolute_joint_3D("q", "base", "joint", kte::axis::y)
-      << kte::rigid_link_3D("joint", "tip", kte::along_x(length)) << kte::inertia_3D("tip", kte::point_mass(mass))
-      << air::drag_3D("tip", damping);
+  built.gravity(kte::along_z(-gravity)) << kte::revolute_joint_3D("q", "base", "joint", kte::axis::y)
+                                        << kte::rigid_link_3D("joint", "tip", kte::along_x(length))
+                                        << kte::inertia_3D("tip", kte::point_mass(mass))
+                                        << air::drag_3D("tip", damping);
   const auto loaded = by_file();
   expect(kte::record_of(built) == kte::record_of(pendulum), "built at run time: the same model");
   expect(kte::record_of(loaded) == kte::record_of(pendulum), "written to a file and read: the same model");
@@ -111,6 +111,15 @@ void check_chains() {
   expect(std::abs(a - exact) < 1e-14 * gravity / length, "acceleration: g/L cos q - c/m q_dot");
   expect(std::abs(kte::forward_dynamics(built, s, x, v, tau)[0] - a) < 1e-14 * std::abs(a), "at run time: the same");
   expect(std::abs(kte::forward_dynamics(loaded, t, x, v, tau)[0] - a) < 1e-14 * std::abs(a), "from the file: the same");
+
+  kte::kte_map_chain flat;  // the same in the plane, q upwards
+  flat.gravity(kte::along_y(-gravity)) << kte::revolute_joint_2D("q", "base", "joint")
+                                       << kte::rigid_link_2D("joint", "tip", kte::along_x(length))
+                                       << kte::inertia_2D("tip", kte::point_mass(mass)) << air::drag_2D("tip", damping);
+  auto u = flat.make_state();
+  const std::array minus_x{-x[0]}, minus_v{-v[0]};
+  expect(std::abs(kte::forward_dynamics(flat, u, minus_x, minus_v, tau)[0] + a) < 1e-14 * std::abs(a),
+         "in the plane: the same, the other way round");
 
   try {
     air::drag_3D("wing", -1.0);

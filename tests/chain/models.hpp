@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/chain/from_record.hpp>
+#include <kte/chain/registry.hpp>
 #include <kte/kte.hpp>
 
 /// Small chains that several tests use.

@@ -18,10 +18,11 @@ inline constexpr struct on_b_ final : frame_2D_key<"on b">  {} on_b;
 inline constexpr struct on_c_ final : frame_3D_key<"on c">  {} on_c;
 // clang-format on
 
-constexpr auto masses = chain(base_gen(wall), prismatic_joint_2D(x, a, on_a, axis::x), inertia_2D(on_a, point_mass(2.0)),
-                              base_2D(b), prismatic_joint_2D(y, b, on_b, axis::y), inertia_2D(on_b, point_mass(3.0)),
-                              base_3D(c), rigid_link_3D(c, on_c, along_z(0.5)), spring_gen(wall, x, 1.0, 10.0))
-                            .gravity(vec3{-1.0, -9.5, 0.25});
+constexpr auto masses =
+    chain(base_gen(wall), prismatic_joint_2D(x, a, on_a, axis::x), inertia_2D(on_a, point_mass(2.0)), base_2D(b),
+          prismatic_joint_2D(y, b, on_b, axis::y), inertia_2D(on_b, point_mass(3.0)), base_3D(c),
+          rigid_link_3D(c, on_c, along_z(0.5)), spring_gen(wall, x, 1.0, 10.0))
+        .gravity(vec3{-1.0, -9.5, 0.25});
 }  // namespace
 
 TEST_CASE("a coordinate given from outside is no degree of freedom", "[elements][base]") {

@@ -115,7 +115,7 @@ TEST_CASE("a mass off the axis pulls outwards", "[elements][inertia]") {
   auto x = trial_of(inertia_3D("frame", point_mass(3.0, vec3{0.5, zero, 0.25})), 1);
   x.at<0>() = {.ang_velocity = {0.0, 0.0, 4.0}};
   x.doForce();
-  CHECK(x.at<0>().force == vec3{24.0, 0.0, 0.0});      // m w^2 r
+  CHECK(x.at<0>().force == vec3{24.0, 0.0, 0.0});        // m w^2 r
   CHECK(x.at<0>().torque == vec3{0.0, 0.25 * 24, 0.0});  // c x F
   x.at<0>() = {.acceleration = {0.0, 9.5, 0.0}};
   x.doForce();
@@ -160,8 +160,8 @@ TEST_CASE("an inertia wants a physical body", "[elements][inertia]") {
   CHECK(diagonal_of(not_a_number, 1, 1) == where + "inertia must be finite, got nan");
   CHECK(diagonal_of(1, 1, infinity) == where + "inertia must be finite, got inf");
   CHECK(with({1, 0, not_a_number, 1, 0, 1}) == where + "inertia must be finite, got nan");
-  CHECK(diagonal_of(0, 1, 1) == "");   // a rod
-  CHECK(diagonal_of(1, 1, 2) == "");   // a plate
+  CHECK(diagonal_of(0, 1, 1) == "");  // a rod
+  CHECK(diagonal_of(1, 1, 2) == "");  // a plate
   CHECK(diagonal_of(1.234, 1.111, 2.345) == "");
   CHECK(diagonal_of(0, 0, 0) == "");
 

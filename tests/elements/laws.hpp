@@ -44,7 +44,8 @@ bool near(const A& a, const B& b, const S& tolerance) {
   return small(d.x) && small(d.y) && small(d.z);
 }
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
 /// The text of the bad_parameter that f throws, "" if it throws none.
 template <class F>

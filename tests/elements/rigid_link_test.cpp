@@ -98,8 +98,9 @@ TEST_CASE("a rigid link wants a finite position and a rotation", "[elements][rig
   CHECK(what(zero3{}, unit_quaternion<>{0.5, 0.0, 0.0, 0.8}).starts_with(rotation));
   CHECK(what(zero3{}, unit_quaternion<>{2.0, 0.0, 0.0, 0.0}).starts_with(rotation));
   CHECK(what(zero3{}, unit_quaternion<>{0.0, 0.0, 0.0, 0.0}).starts_with(rotation));
-  CHECK(complaint([] { rigid_link_2D("a", "b", zero3{}, rotation_2D{0.9, 0.9}); })
-            .starts_with("kte: rigid_link_2D (base 'a', end 'b'): rotation must be orthonormal and right-handed"));
+  CHECK(complaint([] {
+          rigid_link_2D("a", "b", zero3{}, rotation_2D{0.9, 0.9});
+        }).starts_with("kte: rigid_link_2D (base 'a', end 'b'): rotation must be orthonormal and right-handed"));
   CHECK(complaint([] { rigid_link_gen("a", "b", not_a_number); }) ==
         "kte: rigid_link_gen (base 'a', end 'b'): offset must be finite, got nan");
 }

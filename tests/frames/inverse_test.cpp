@@ -6,7 +6,6 @@ using namespace kte::test;
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 const digits50 eps50 = std::numeric_limits<digits50>::epsilon();
 const digits50 by_differences = 1000 * pow(eps50, digits50(2) / 3);  // as for compose
 

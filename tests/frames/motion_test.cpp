@@ -70,7 +70,9 @@ TEST_CASE("steady rotation: centripetal and Coriolis accelerations", "[frames][m
 
 TEST_CASE("a wrench is transmitted so that its power is kept", "[frames][motion]") {
   random_numbers draw(6);
-  const auto power = [](const auto& m, const auto& w) { return dot(m.velocity, w.force) + dot(m.ang_velocity, w.torque); };
+  const auto power = [](const auto& m, const auto& w) {
+    return dot(m.velocity, w.force) + dot(m.ang_velocity, w.torque);
+  };
   for (int i = 0; i < 50; ++i) {
     const auto a = random_motion<double>(draw);
     const auto x = random_motion<double>(draw);
@@ -104,7 +106,9 @@ TEST_CASE("typed motions are exactly the dense ones", "[frames][motion]") {
     const auto u = [&x] { return vec3{x(), x(), zero}; };
     return motion{u(), rotation_2D{x(), x()}, u(), axis::z * x(), u(), axis::z * x()};
   };
-  const auto base_under_gravity = [&] { return motion{zero3{}, no_rotation{}, zero3{}, zero3{}, along_y(x()), zero3{}}; };
+  const auto base_under_gravity = [&] {
+    return motion{zero3{}, no_rotation{}, zero3{}, zero3{}, along_y(x()), zero3{}};
+  };
   for (int i = 0; i < 10; ++i) {
     const auto link = at_rest(no_rotation{}, along_x(x()));
     const auto slide = motion{axis::x * x(), no_rotation{}, axis::x * x(), zero3{}, axis::x * x(), zero3{}};
@@ -117,8 +121,8 @@ TEST_CASE("typed motions are exactly the dense ones", "[frames][motion]") {
     same(planar(), bend), same(base_under_gravity(), bend), same(link, bend), same(bend, turn);
 
     const auto solid = at_rest(quarter_turn_x, vec3{x(), zero, x()});
-    const auto about_y = motion{zero3{}, rotation_about(axis::y, x(), x()), zero3{}, axis::y * x(), zero3{},
-                                axis::y * x()};
+    const auto about_y =
+        motion{zero3{}, rotation_about(axis::y, x(), x()), zero3{}, axis::y * x(), zero3{}, axis::y * x()};
     const auto about_minus_z = spin(rotation_about(axis::minus_z, x(), x()));
     same(general(), solid), same(base_under_gravity(), solid), same(solid, about_y), same(about_y, solid);
     same(general(), about_y), same(base_under_gravity(), about_y), same(about_y, about_minus_z);

@@ -8,21 +8,22 @@
 /// (This header comes first in kte.hpp, so that little stands above the sentence.)
 namespace kte::detail {
 
-template <bool Ok>
-struct rule {
-  static constexpr bool kept = Ok;
-};
+/// A rule, about an element and a name; compilers print all three when it is broken.
+template <class Element, class Name, bool Kept>
+inline constexpr bool rule = Kept;
 
 /// Port `Port` of an element, connected to `Key`.
 template <class Core, std::size_t Port, class Key>
 struct check_kind {
   static constexpr kind wanted = Core::ports[Port].what;
-  template <kind K>
-  using takes = rule<wanted != K || Key::what == K>;
-  static_assert(takes<kind::gen>::kept, "kte: this port of the element takes a coordinate (coord_key)");
-  static_assert(takes<kind::frame_2D>::kept, "kte: this port of the element takes a 2D frame (frame_2D_key)");
-  static_assert(takes<kind::frame_3D>::kept, "kte: this port of the element takes a 3D frame (frame_3D_key)");
-  static_assert(takes<kind::input>::kept, "kte: this port of the element takes an input (input_key)");
+  static_assert(rule < Core, Key, wanted != kind::gen || Key::what == wanted >,
+                "kte: this port of the element takes a coordinate (coord_key)");
+  static_assert(rule < Core, Key, wanted != kind::frame_2D || Key::what == wanted >,
+                "kte: this port of the element takes a 2D frame (frame_2D_key)");
+  static_assert(rule < Core, Key, wanted != kind::frame_3D || Key::what == wanted >,
+                "kte: this port of the element takes a 3D frame (frame_3D_key)");
+  static_assert(rule < Core, Key, wanted != kind::input || Key::what == wanted >,
+                "kte: this port of the element takes an input (input_key)");
 };
 template <class Core, class Ports, class... Keys>
 struct check_kinds;
@@ -41,18 +42,15 @@ enum class problem : unsigned char {
 /// An element of a chain, what is wrong with it, and the name in question.
 template <class Element, problem P, class Name>
 struct check_wiring {
-  template <problem Q>
-  using without = rule<P != Q>;
-  static_assert(without<problem::same_text>::kept,
+  static_assert(rule<Element, Name, P != problem::same_text>,
                 "kte: this element names something by a text that another key has already");
-  static_assert(without<problem::written_twice>::kept,
+  static_assert(rule<Element, Name, P != problem::written_twice>,
                 "kte: this element writes a name that an earlier element has written: give every end a key of its own");
-  static_assert(without<problem::read_before_written>::kept,
+  static_assert(rule<Element, Name, P != problem::read_before_written>,
                 "kte: this element reads a name that only a later element writes: move it behind that element");
-  static_assert(without<problem::unknown>::kept,
+  static_assert(rule<Element, Name, P != problem::unknown>,
                 "kte: this element reads a name that no element of the chain writes: misspelt, or another base? "
                 "Declare a further base by kte::base_gen, base_2D or base_3D");
-  static constexpr bool done = true;
 };
 
 }  // namespace kte::detail

@@ -15,7 +15,9 @@ template <class Core>
 inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
 /// A core with a mass, on its first port.
 template <class Core, class S>
-inline constexpr bool has_mass = requires(const Core& c) { c.template mass<S>(); };
+inline constexpr bool has_mass = requires(const Core& c) {
+  c.template mass<S>();
+};
 
 /// Force and torque for accelerating a composite inertia by the velocity of `m` each second.
 template <class M, class H, class J, class Motion>

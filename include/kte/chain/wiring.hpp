@@ -194,7 +194,7 @@ constexpr bool check_chain() {
   constexpr std::size_t bad = Wiring::table.bad_element;
   if constexpr (bad < sizeof...(E)) {
     using element_type = std::tuple_element_t<bad, std::tuple<E...>>;
-    return check_wiring<element_type, Wiring::table.error, key_of<element_type, Wiring::table.bad_port>>::done;
+    return sizeof(check_wiring<element_type, Wiring::table.error, key_of<element_type, Wiring::table.bad_port>>) > 0;
   } else {
     return true;
   }

@@ -72,7 +72,8 @@ S power_is_kept(const Element& e, Draw&& draw) {
   });
 }
 
-/// For springs and the like, of the given energy(things it reads...): the power of their loads is the energy's decrease.
+/// For springs and the like, of the given energy(things it reads...): the power of their loads is the energy's
+/// decrease.
 template <class S, class Element, class Draw, class Energy>
 S force_is_gradient(const Element& e, Draw&& draw, const Energy& energy) {
   return detail::worst_of_many<S>(e.core, draw, [&energy](auto& x) {

@@ -69,8 +69,8 @@ S difference(const std::array<S, N>& x, const std::array<S, N>& y) {
   }
   return d / most;
 }
-/// How far rates are from the derivatives of position and rotation: w from R^T R' = [w]x, al from the antimetric part of
-/// R^T R'' = [al]x + [w]x [w]x.
+/// How far rates are from the derivatives of position and rotation: w from R^T R' = [w]x, al from the antimetric part
+/// of R^T R'' = [al]x + [w]x [w]x.
 template <class S>
 S off(const gen_coord<S>& c, const std::array<S, 1>& first, const std::array<S, 1>& second) {
   return difference<S, 2>({first[0], second[0]}, {c.q_dot, c.q_ddot});
@@ -100,10 +100,11 @@ auto power(const Frame& x) {
   const auto& m = spatial(x);
   const auto w = load_of(x);
   const auto v = as<S>(m.velocity), f = as<S>(w.force), o = as<S>(m.ang_velocity), t = as<S>(w.torque);
-  const auto sizes = [](const vec3<S>& a, const vec3<S>& b) { return magnitude(S(a.x * b.x)) + magnitude(S(a.y * b.y)) + magnitude(S(a.z * b.z)); };
+  const auto sizes = [](const vec3<S>& a, const vec3<S>& b) {
+    return magnitude(S(a.x * b.x)) + magnitude(S(a.y * b.y)) + magnitude(S(a.z * b.z));
+  };
   return std::pair<S, S>{dot(v, f) + dot(o, t), sizes(v, f) + sizes(o, t)};
 }
-
 
 /// The load on a thing: on a coordinate one number, on a frame force and torque about the origin, in axes of the world.
 template <class S>
@@ -152,7 +153,8 @@ template <frame Frame, class Mass>
 auto resistance_off(const Frame& frame, const Mass& b) {
   using S = std::remove_cvref_t<decltype(frame.position.x)>;
   const auto& x = spatial(frame);
-  const auto &a = x.acceleration, &al = x.ang_acceleration;
+  const auto& a = x.acceleration;
+  const auto& al = x.ang_acceleration;
   const auto load = load_of(frame);
   const auto f = as<S>(load.force), t = as<S>(load.torque);
   const auto g = as<S>(-(b.mass * a + cross(al, b.moment))), u = as<S>(-(b.inertia * al + cross(b.moment, a)));

@@ -39,10 +39,15 @@ class trial {
     const auto vector = [&]() -> vec3<S> { return {number(), number(), number()}; };
     for (auto& c : coordinates_) c = {number(), number(), number(), S(0), S(1), S(0)};
     for (auto& x : in_plane_)
-      x = {{number(), number()}, rotation_by(S(3 * number())), {number(), number()}, number(), {number(), number()},
-           number(), {}, S(0)};
-    for (auto& x : in_space_)
-      x = {vector(), matrix(S(2) * vector()), vector(), vector(), vector(), vector(), {}, {}};
+      x = {{number(), number()},
+           rotation_by(S(3 * number())),
+           {number(), number()},
+           number(),
+           {number(), number()},
+           number(),
+           {},
+           S(0)};
+    for (auto& x : in_space_) x = {vector(), matrix(S(2) * vector()), vector(), vector(), vector(), vector(), {}, {}};
     for (auto& u : inputs_) u = number();
   }
 
