@@ -29,7 +29,7 @@ KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
 ///
 /// where Q are the forces of the chain's own springs, dampers and the like, gravity is the chain's `gravity()`, bases
 /// rest and inputs are zero. q, v, a: positions (rad, m), velocities, accelerations of the degrees of freedom in the
-/// order of `dof_names`; anything with operator[]. Returns tau in Nm and N. No heap, no state.
+/// order of first appearance in the chain; anything with operator[]. Returns tau in Nm and N. No heap, no state.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
