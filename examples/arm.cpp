@@ -1,15 +1,15 @@
 /// Real arms: the KUKA iiwa14 and the UR5 as static and as runtime chains. Inverse dynamics, mass matrix, forward
 /// dynamics and tool pose at random states, with the time of a call and the error against 31-digit values.
-#include "data/iiwa14.hpp"
-#include "data/ur5.hpp"
-#include "robots/iiwa14.hpp"
-#include "robots/ur5.hpp"
-
 #include <kte/chain/registry.hpp>
 
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+
+#include "data/iiwa14.hpp"
+#include "data/ur5.hpp"
+#include "robots/iiwa14.hpp"
+#include "robots/ur5.hpp"
 
 /// max |x - reference| / max |reference|
 template <class X>
@@ -60,25 +60,41 @@ void report(const char* name, const Chain& arm, const kte::reference::state<n> (
   using state = kte::reference::state<n>;
   const auto id = [](const auto& x, const state& s) { return relative_error(x, s.inverse_dynamics, n); };
   const auto fd = [](const auto& x, const state& s) { return relative_error(x, s.forward_dynamics, n); };
-  const auto mass = [](const auto& x, const state& s) { return relative_error(upper(x), s.mass_matrix, n * (n + 1) / 2); };
+  const auto mass = [](const auto& x, const state& s) {
+    return relative_error(upper(x), s.mass_matrix, n * (n + 1) / 2);
+  };
   const auto pose = [](const auto& x, const state& s) {
     const auto p = numbers(x);
     return std::max(relative_error(p.data(), s.tool_rotation, 9), relative_error(p.data() + 9, s.tool_position, 3));
   };
 
   std::printf("%s, %zu random states:\n  %-18s %-8s %8s %12s\n", name, N, "operation", "chain", "ns", "error");
-  line("inverse_dynamics", "static", states, [&](const state& s) { return kte::inverse_dynamics(arm, s.q, s.v, s.a); }, id);
-  line("mass_matrix", "static", states, [&](const state& s) { return kte::mass_matrix(arm, s.q); }, mass);
-  line("forward_dynamics", "static", states, [&](const state& s) { return kte::forward_dynamics(arm, s.q, s.v, s.tau); }, fd);
-  line("tool pose", "static", states, [&](const state& s) { return kte::forward_kinematics(arm, s.q, tool); }, pose);
+  line(
+      "inverse_dynamics", "static", states, [&](const state& s) { return kte::inverse_dynamics(arm, s.q, s.v, s.a); },
+      id);
+  line(
+      "mass_matrix", "static", states, [&](const state& s) { return kte::mass_matrix(arm, s.q); }, mass);
+  line(
+      "forward_dynamics", "static", states, [&](const state& s) { return kte::forward_dynamics(arm, s.q, s.v, s.tau); },
+      fd);
+  line(
+      "tool pose", "static", states, [&](const state& s) { return kte::forward_kinematics(arm, s.q, tool); }, pose);
 
   const auto model = kte::to_chain(kte::record_of(arm));  // the same arm as a list of elements, as from a file
   auto x = model.make_state();
   using result = const Eigen::VectorXd&;
-  line("inverse_dynamics", "runtime", states, [&](const state& s) -> result { return kte::inverse_dynamics(model, x, s.q, s.v, s.a); }, id);
-  line("mass_matrix", "runtime", states, [&](const state& s) -> const Eigen::MatrixXd& { return kte::mass_matrix(model, x, s.q); }, mass);
-  line("forward_dynamics", "runtime", states, [&](const state& s) -> result { return kte::forward_dynamics(model, x, s.q, s.v, s.tau); }, fd);
-  line("tool pose", "runtime", states, [&](const state& s) { return kte::forward_kinematics(model, x, s.q, tool.name); }, pose);
+  line(
+      "inverse_dynamics", "runtime", states,
+      [&](const state& s) -> result { return kte::inverse_dynamics(model, x, s.q, s.v, s.a); }, id);
+  line(
+      "mass_matrix", "runtime", states,
+      [&](const state& s) -> const Eigen::MatrixXd& { return kte::mass_matrix(model, x, s.q); }, mass);
+  line(
+      "forward_dynamics", "runtime", states,
+      [&](const state& s) -> result { return kte::forward_dynamics(model, x, s.q, s.v, s.tau); }, fd);
+  line(
+      "tool pose", "runtime", states, [&](const state& s) { return kte::forward_kinematics(model, x, s.q, tool.name); },
+      pose);
 }
 
 int main() {

@@ -1,6 +1,5 @@
 #pragma once
 
 /// All of kte but files: static chains, runtime chains, dynamics, integrators. Files need `kte/io.hpp`.
-#include <kte/static.hpp>
-
 #include <kte/dynamics/runtime.hpp>
+#include <kte/static.hpp>

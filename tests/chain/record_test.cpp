@@ -1,9 +1,9 @@
+#include <kte/chain/from_record.hpp>
+#include <kte/chain/registry.hpp>
+
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
-
-#include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
 
 using namespace models;
 using Catch::Matchers::Contains;
@@ -22,7 +22,8 @@ TEST_CASE("a record that does not fit a static chain says why") {
   auto bad = good;
   SECTION("another element") {
     bad.elements[1].type = "rigid_link_3D";
-    CHECK_THROWS_WITH(kte::from_record(pendulum, bad), Contains("element 2 (rigid_link_3D)") && Contains("rigid_link_2D"));
+    CHECK_THROWS_WITH(kte::from_record(pendulum, bad),
+                      Contains("element 2 (rigid_link_3D)") && Contains("rigid_link_2D"));
   }
   SECTION("one too few") {
     bad.elements.pop_back();
@@ -75,7 +76,9 @@ TEST_CASE("the registry knows every element of the library") {
 
 TEST_CASE("the registry refuses what it does not understand") {
   const auto make = [](const kte::element_record& r) { return kte::element_registry::standard().make(r); };
-  kte::element_record link{"rigid_link_2D", 1, {{"base", "a"}, {"end", "b"}},
+  kte::element_record link{"rigid_link_2D",
+                           1,
+                           {{"base", "a"}, {"end", "b"}},
                            {{"position", {1, 0, 0}}, {"rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1}}}};
   CHECK_NOTHROW(make(link));
   auto bad = link;
@@ -99,7 +102,9 @@ TEST_CASE("the registry refuses what it does not understand") {
   CHECK_THROWS_AS(make(bad), kte::error);
 
   auto registry = kte::element_registry::standard();
-  CHECK_THROWS_AS(registry.add("spring_gen", [](const kte::record_reader& r) {
-    return kte::damper_gen(r.name("anchor1"), r.name("anchor2"), 1.0);
-  }), kte::bad_argument);
+  CHECK_THROWS_AS(registry.add("spring_gen",
+                               [](const kte::record_reader& r) {
+                                 return kte::damper_gen(r.name("anchor1"), r.name("anchor2"), 1.0);
+                               }),
+                  kte::bad_argument);
 }

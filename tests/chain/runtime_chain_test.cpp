@@ -1,10 +1,10 @@
+#include <cstring>
+
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "random.hpp"
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
-
-#include <cstring>
 
 using namespace models;
 
@@ -15,7 +15,8 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-/// Runs all passes on both chains from the same random coordinates, bases and inputs; compares every bit of both states.
+/// Runs all passes on both chains from the same random coordinates, bases and inputs; compares every bit of both
+/// states.
 template <class Static>
 void compare_bits(const Static& fixed, const kte::kte_map_chain& loose, unsigned seed) {
   auto s = kte::make_state(fixed);
@@ -30,7 +31,8 @@ void compare_bits(const Static& fixed, const kte::kte_map_chain& loose, unsigned
       std::memcpy(&b, numbers, static_cast<std::size_t>(count) * sizeof(double));
     };
     for (int i = 0; i < Static::dofs; ++i) fill(s.coordinate(i), r.coordinate(i), 3);
-    boost::hana::for_each(boost::hana::make_tuple(&fixed), [&](const auto* c) { c->doMotion(s), c->clearForce(s), c->doForce(s); });
+    boost::hana::for_each(boost::hana::make_tuple(&fixed),
+                          [&](const auto* c) { c->doMotion(s), c->clearForce(s), c->doForce(s); });
     loose.doMotion(r), loose.clearForce(r), loose.doForce(r);
     for (std::size_t i = 0; i < t.names[1].size(); ++i)
       CHECK(same_bits(s.template get<kte::kind::frame_2D>(static_cast<int>(i)), r.frame_2D(t.names[1][i])));
@@ -117,11 +119,13 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
                       Contains("rigid_link_3D (base 'base', end 'tip')") && Contains("written twice"));
   }
   SECTION("read before written") {
-    CHECK_THROWS_WITH(c << rigid_link_3D("tip", "base", along_z(1)), Contains("'base'") && Contains("read before it is written"));
+    CHECK_THROWS_WITH(c << rigid_link_3D("tip", "base", along_z(1)),
+                      Contains("'base'") && Contains("read before it is written"));
     CHECK_THROWS_WITH(c << rigid_link_3D("a", "a", along_z(1)), Contains("'a'"));
   }
   SECTION("unknown") {
-    CHECK_THROWS_WITH(c << inertia_3D("tpi", point_mass(1.0)), Contains("inertia_3D (frame 'tpi')") && Contains("misspelt"));
+    CHECK_THROWS_WITH(c << inertia_3D("tpi", point_mass(1.0)),
+                      Contains("inertia_3D (frame 'tpi')") && Contains("misspelt"));
   }
   SECTION("wrong kind") {
     CHECK_THROWS_WITH(c << inertia_2D("tip", point_mass(1.0)), Contains("'tip' is a 3D frame, not a 2D frame"));

@@ -26,8 +26,8 @@ TEST_CASE("all frames of the pendulum are there to be looked at") {
   CHECK(s[base].acceleration == kte::vec2{0.0, 9.81});
   s[q].q = 0.0, s[q].q_dot = 2.0, s[q].q_ddot = 3.0;
   pendulum.doMotion(s);
-  CHECK(s[tip].velocity == kte::vec2{0.0, 1.0});                  // w L, along the path
-  CHECK(s[tip].acceleration == kte::vec2{-2.0, 1.5 + 9.81});      // -w^2 L, and al L besides gravity
+  CHECK(s[tip].velocity == kte::vec2{0.0, 1.0});              // w L, along the path
+  CHECK(s[tip].acceleration == kte::vec2{-2.0, 1.5 + 9.81});  // -w^2 L, and al L besides gravity
   CHECK(s[tip].ang_velocity == 2.0);
   pendulum.clearForce(s);
   pendulum.doForce(s);
@@ -49,8 +49,8 @@ TEST_CASE("a static chain is a constexpr value without overhead") {
   STATIC_REQUIRE(decltype(pendulum)::size == 3);
   // The passes themselves run at compile time where no sine is needed.
   constexpr double f = [] {
-    constexpr auto c = kte::chain(kte::prismatic_joint_2D(q, base, joint, kte::axis::x),
-                                  kte::inertia_2D(joint, kte::point_mass(2.0)));
+    constexpr auto c =
+        kte::chain(kte::prismatic_joint_2D(q, base, joint, kte::axis::x), kte::inertia_2D(joint, kte::point_mass(2.0)));
     auto s = kte::make_state(c);
     s[q].q_ddot = 3.0;
     c.doMotion(s);
@@ -63,19 +63,21 @@ TEST_CASE("a static chain is a constexpr value without overhead") {
 
 TEST_CASE("chains nest, and the order of degrees of freedom is that of first appearance") {
   using namespace kte;
-  constexpr auto leg = chain(revolute_joint_3D(hip, left, thigh, axis::y), inertia_3D(thigh, point_mass(1.0, along_z(-0.3))));
-  constexpr auto body = chain(prismatic_joint_3D(slide, ground, trunk, axis::z), rigid_link_3D(trunk, left, along_y(0.2)));
+  constexpr auto leg =
+      chain(revolute_joint_3D(hip, left, thigh, axis::y), inertia_3D(thigh, point_mass(1.0, along_z(-0.3))));
+  constexpr auto body =
+      chain(prismatic_joint_3D(slide, ground, trunk, axis::z), rigid_link_3D(trunk, left, along_y(0.2)));
   constexpr auto nested = chain(body, leg, inertia_3D(trunk, point_mass(5.0)));
-  constexpr auto flat = chain(prismatic_joint_3D(slide, ground, trunk, axis::z), rigid_link_3D(trunk, left, along_y(0.2)),
-                              revolute_joint_3D(hip, left, thigh, axis::y),
+  constexpr auto flat = chain(prismatic_joint_3D(slide, ground, trunk, axis::z),
+                              rigid_link_3D(trunk, left, along_y(0.2)), revolute_joint_3D(hip, left, thigh, axis::y),
                               inertia_3D(thigh, point_mass(1.0, along_z(-0.3))), inertia_3D(trunk, point_mass(5.0)));
   STATIC_REQUIRE(std::is_same_v<decltype(nested), decltype(flat)>);
   STATIC_REQUIRE(decltype(nested)::dofs == 2);
   CHECK(record_of(nested) == record_of(flat));
   const auto M = mass_matrix(nested, std::array{0.1, 0.0});
-  CHECK(M(0, 0) == 6.0);            // slide first: both masses
-  CHECK(M(1, 1) == Approx(0.09));   // then hip: 1 kg at 0.3 m
-  CHECK(M(0, 1) == 0.0);            // a pendulum hanging straight down does not feel up and down
+  CHECK(M(0, 0) == 6.0);           // slide first: both masses
+  CHECK(M(1, 1) == Approx(0.09));  // then hip: 1 kg at 0.3 m
+  CHECK(M(0, 1) == 0.0);           // a pendulum hanging straight down does not feel up and down
 }
 
 TEST_CASE("degrees of freedom of a tree: followers, fixed coordinates and inputs are none") {

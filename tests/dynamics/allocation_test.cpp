@@ -1,9 +1,9 @@
+#include <cstdlib>
+#include <new>
+
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
-
-#include <cstdlib>
-#include <new>
 
 // No pass and no algorithm may touch the heap.
 
@@ -64,7 +64,8 @@ TEST_CASE("runtime chains allocate nothing once their state is made") {
     std::string frame = "base";
     for (int i = 0; i < n; ++i) {
       const auto k = std::to_string(i);
-      c << kte::revolute_joint_3D("q" + k, frame, "a" + k, i % 2 == 0 ? kte::vec3{0.0, 0.0, 1.0} : kte::vec3{0.6, 0.8, 0.0})
+      c << kte::revolute_joint_3D("q" + k, frame, "a" + k,
+                                  i % 2 == 0 ? kte::vec3{0.0, 0.0, 1.0} : kte::vec3{0.6, 0.8, 0.0})
         << kte::rigid_link_3D("a" + k, "b" + k, kte::along_x(0.3))
         << kte::inertia_3D("b" + k, kte::rigid_body{1.0, kte::vec3{0.1, 0.0, 0.0}, kte::diagonal(0.1, 0.1, 0.1)});
       frame = "b" + k;

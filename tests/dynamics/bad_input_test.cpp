@@ -1,8 +1,8 @@
+#include <limits>
+
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
-
-#include <limits>
 
 // What has no answer is an error, never NaN.
 

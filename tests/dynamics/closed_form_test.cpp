@@ -22,10 +22,10 @@ inline constexpr struct motor_ final : input_key<"motor">    {} motor;
 
 TEST_CASE("double pendulum") {
   constexpr double m1 = 1.3, m2 = 0.7, l1 = 0.9, l2 = 1.2, g = 9.81;
-  constexpr auto c = chain(revolute_joint_2D(q1, base, arm1), rigid_link_2D(arm1, end1, along_x(l1)),
-                           inertia_2D(end1, point_mass(m1)), revolute_joint_2D(q2, end1, arm2),
-                           rigid_link_2D(arm2, end2, along_x(l2)), inertia_2D(end2, point_mass(m2)))
-                         .gravity(along_y(-g));
+  constexpr auto c =
+      chain(revolute_joint_2D(q1, base, arm1), rigid_link_2D(arm1, end1, along_x(l1)), inertia_2D(end1, point_mass(m1)),
+            revolute_joint_2D(q2, end1, arm2), rigid_link_2D(arm2, end2, along_x(l2)), inertia_2D(end2, point_mass(m2)))
+          .gravity(along_y(-g));
   random_numbers random(1);
   for (int round = 0; round < 100; ++round) {
     const double a = random(3), b = random(3), u = random(4), w = random(4);  // angles and rates, the second relative

@@ -1,10 +1,10 @@
+#include <Eigen/Eigenvalues>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "random.hpp"
 #include "robots/iiwa14.hpp"
-
-#include <Eigen/Eigenvalues>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 // The algorithms against each other.
 
@@ -61,7 +61,8 @@ TEST_CASE("static and runtime algorithms agree") {
   auto s = model.make_state();
   random_numbers random(4);
   for (int round = 0; round < 100; ++round) {
-    const auto q = random_vector<double, 3>(random, 3), v = random_vector<double, 3>(random, 2), x = random_vector<double, 3>(random, 9);
+    const auto q = random_vector<double, 3>(random, 3), v = random_vector<double, 3>(random, 2),
+               x = random_vector<double, 3>(random, 9);
     const auto close = [](const auto& a, const auto& b) { return (a - b).norm() <= 20 * 2.2e-16 * (1 + a.norm()); };
     CHECK(close(kte::inverse_dynamics(tree, q, v, x), kte::inverse_dynamics(model, s, q, v, x)));
     CHECK(close(kte::mass_matrix(tree, q), kte::mass_matrix(model, s, q)));
@@ -80,7 +81,8 @@ template <class Chain, class Damping>
 double power_gap(const Chain& c, random_numbers& random, const Damping& damping) {
   constexpr int n = Chain::dofs;
   using V = kte::joint_vector<big, n>;
-  const V q = random_vector<big, n>(random, 3), v = random_vector<big, n>(random, 2), a = random_vector<big, n>(random, 5);
+  const V q = random_vector<big, n>(random, 3), v = random_vector<big, n>(random, 2),
+          a = random_vector<big, n>(random, 5);
   const V zeros = V::Zero();
   const auto kinetic = [&](const big& t) {
     const V qt = q + v * t + a * (t * t / 2), vt = v + a * t;
@@ -106,7 +108,8 @@ TEST_CASE("power balance at 50 digits") {
 TEST_CASE("double precision against the same templates at 50 digits") {
   random_numbers random(6);
   for (int round = 0; round < 20; ++round) {
-    const auto q = random_vector<double, 7>(random, 3), v = random_vector<double, 7>(random, 2), a = random_vector<double, 7>(random, 5);
+    const auto q = random_vector<double, 7>(random, 3), v = random_vector<double, 7>(random, 2),
+               a = random_vector<double, 7>(random, 5);
     const auto up = [](const auto& x) { return kte::joint_vector<big, 7>(x.template cast<big>()); };
     const auto error = [](const auto& x, const auto& exact) {
       big difference = 0, size = 0;
@@ -119,6 +122,7 @@ TEST_CASE("double precision against the same templates at 50 digits") {
     const auto& c = robots::iiwa14;
     CHECK(error(kte::inverse_dynamics(c, q, v, a), kte::inverse_dynamics(c, up(q), up(v), up(a))) < 1e-15);
     CHECK(error(kte::mass_matrix(c, q), kte::mass_matrix(c, up(q))) < 1e-15);
-    CHECK(error(kte::forward_dynamics(c, q, v, a), kte::forward_dynamics(c, up(q), up(v), up(a))) < 1e-13);  // any state
+    CHECK(error(kte::forward_dynamics(c, q, v, a), kte::forward_dynamics(c, up(q), up(v), up(a))) <
+          1e-13);  // any state
   }
 }

@@ -1,3 +1,4 @@
+#include <kte/io/table_reader.hpp>
 #include <kte/io/table_writer.hpp>
 
 #include <cmath>

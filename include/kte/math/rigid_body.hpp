@@ -39,9 +39,9 @@ template <class S, class M, class C, class J>
 constexpr auto lifted(const rigid_body<M, C, J>& b) {
   const auto& c = b.com;
   const auto& i = b.inertia;
-  return rigid_body{lifted<S>(b.mass), vec3{lifted<S>(c.x), lifted<S>(c.y), lifted<S>(c.z)},
-                    sym3{lifted<S>(i.xx), lifted<S>(i.xy), lifted<S>(i.xz), lifted<S>(i.yy), lifted<S>(i.yz),
-                         lifted<S>(i.zz)}};
+  return rigid_body{
+      lifted<S>(b.mass), vec3{lifted<S>(c.x), lifted<S>(c.y), lifted<S>(c.z)},
+      sym3{lifted<S>(i.xx), lifted<S>(i.xy), lifted<S>(i.xz), lifted<S>(i.yy), lifted<S>(i.yz), lifted<S>(i.zz)}};
 }
 
 /// The inertia of one or more bodies, about the origin of a frame and in its axes:

@@ -40,6 +40,13 @@ struct no_rotation {
   friend constexpr bool operator==(no_rotation, no_rotation) { return true; }
 };
 
+namespace detail {
+template <class R>
+inline constexpr bool is_planar_rotation = std::is_same_v<R, no_rotation>;
+template <class C, class S>
+inline constexpr bool is_planar_rotation<rotation_2D<C, S>> = true;
+}  // namespace detail
+
 template <class S, class A, class B>
 KTE_INLINE constexpr rotation_2D<S> as(const rotation_2D<A, B>& r) {
   return {as<S>(r.cos), as<S>(r.sin)};

@@ -1,0 +1,9 @@
+// expect: error: .*kte: a link in space takes a matrix or a quaternion
+#include <kte/kte.hpp>
+
+// clang-format off
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
+// clang-format on
+
+const auto link = kte::rigid_link_3D(base, hand, kte::along_z(0.5), kte::rotation_by(0.3));
