@@ -1,60 +1,29 @@
-#include <cstdlib>
-#include <new>
-
+#include "allocations.hpp"
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
 
 // No pass and no algorithm may touch the heap.
 
-namespace {
-long allocations = 0;
-}
-
-[[gnu::noinline]] void* operator new(std::size_t n) {
-  ++allocations;
-  if (void* p = std::malloc(n)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t n, std::align_val_t a) {
-  ++allocations;
-  const auto size = (n + static_cast<std::size_t>(a) - 1) / static_cast<std::size_t>(a) * static_cast<std::size_t>(a);
-  if (void* p = std::aligned_alloc(static_cast<std::size_t>(a), size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
-
-namespace {
-
-template <class F>
-long count(const F& f) {
-  const long before = allocations;
-  f();
-  return allocations - before;
-}
-
-}  // namespace
+using allocations::during;
 
 TEST_CASE("the counter counts") {
-  CHECK(count([] { delete new int(1); }) == 1);
+  CHECK(during([] { delete new int(1); }) == 1);
 }
 
 TEST_CASE("static chains allocate nothing") {
   const auto& c = robots::iiwa14;
   const std::array<double, 7> x{0.1, -0.2, 0.3, 0.4, -0.5, 0.6, 0.7};
   auto s = kte::make_state(c);
-  CHECK(count([&] { s = kte::make_state(c); }) == 0);
-  CHECK(count([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
-  CHECK(count([&] { (void)kte::inverse_dynamics(c, x, x, x); }) == 0);
-  CHECK(count([&] { (void)kte::inverse_dynamics(c, s); }) == 0);
-  CHECK(count([&] { (void)kte::mass_matrix(c, x); }) == 0);
-  CHECK(count([&] { (void)kte::mass_matrix(c, s); }) == 0);
-  CHECK(count([&] { (void)kte::forward_dynamics(c, x, x, x); }) == 0);
-  CHECK(count([&] { (void)kte::forward_dynamics(c, s); }) == 0);
-  CHECK(count([&] { (void)kte::forward_kinematics(c, x, robots::iiwa14_names::tool); }) == 0);
+  CHECK(during([&] { s = kte::make_state(c); }) == 0);
+  CHECK(during([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
+  CHECK(during([&] { (void)kte::inverse_dynamics(c, x, x, x); }) == 0);
+  CHECK(during([&] { (void)kte::inverse_dynamics(c, s); }) == 0);
+  CHECK(during([&] { (void)kte::mass_matrix(c, x); }) == 0);
+  CHECK(during([&] { (void)kte::mass_matrix(c, s); }) == 0);
+  CHECK(during([&] { (void)kte::forward_dynamics(c, x, x, x); }) == 0);
+  CHECK(during([&] { (void)kte::forward_dynamics(c, s); }) == 0);
+  CHECK(during([&] { (void)kte::forward_kinematics(c, x, robots::iiwa14_names::tool); }) == 0);
 }
 
 TEST_CASE("runtime chains allocate nothing once their state is made") {
@@ -72,10 +41,10 @@ TEST_CASE("runtime chains allocate nothing once their state is made") {
     }
     auto s = c.make_state();
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, 0.1, 0.9);
-    CHECK(count([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
-    CHECK(count([&] { (void)kte::inverse_dynamics(c, s, x, x, x); }) == 0);
-    CHECK(count([&] { (void)kte::mass_matrix(c, s, x); }) == 0);
-    CHECK(count([&] { (void)kte::forward_kinematics(c, s, frame); }) == 0);
-    CHECK(count([&] { (void)kte::forward_dynamics(c, s, x, x, x); }) == 0);
+    CHECK(during([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
+    CHECK(during([&] { (void)kte::inverse_dynamics(c, s, x, x, x); }) == 0);
+    CHECK(during([&] { (void)kte::mass_matrix(c, s, x); }) == 0);
+    CHECK(during([&] { (void)kte::forward_kinematics(c, s, frame); }) == 0);
+    CHECK(during([&] { (void)kte::forward_dynamics(c, s, x, x, x); }) == 0);
   }
 }
