@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the examples for this machine, in build/examples, and runs two of them. No arguments; any directory.
+# Builds the examples for this machine, in build/examples, and runs them. No arguments; any directory.
 set -e
 cd "$(dirname "$0")/.."
 . .ci/packages.sh
@@ -8,7 +8,7 @@ install_packages
 echo "Building the examples in build/examples"
 cmake --preset examples
 cmake --build --preset examples
-for example in pendulum arm; do
+for example in pendulum arm own_element; do
   echo "Running $example"
-  build/examples/examples/$example
+  (cd build/examples/examples && ./$example)
 done

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/chain/state.hpp>
 #include <kte/chain/topology.hpp>
 #include <kte/frames/frame_2D.hpp>
 #include <kte/frames/frame_3D.hpp>
@@ -63,15 +64,7 @@ class runtime_state {
   int dof(int i) const { return topology_->dofs[static_cast<std::size_t>(i)]; }
   template <kind K, class Self>
   static auto& get(Self& s, std::size_t i) {
-    if constexpr (K == kind::gen) {
-      return s.coordinates_[i];
-    } else if constexpr (K == kind::frame_2D) {
-      return s.frames_2D_[i];
-    } else if constexpr (K == kind::frame_3D) {
-      return s.frames_3D_[i];
-    } else {
-      return s.inputs_[i];
-    }
+    return detail::of_kind<K>(s.coordinates_, s.frames_2D_, s.frames_3D_, s.inputs_)[i];
   }
 
   std::shared_ptr<const topology> topology_;

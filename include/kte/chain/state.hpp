@@ -9,6 +9,22 @@
 
 namespace kte {
 
+namespace detail {
+/// Of four lists, that of kind K.
+template <kind K, class C, class P, class S, class I>
+constexpr auto& of_kind(C& coordinates, P& in_plane, S& in_space, I& inputs) {
+  if constexpr (K == kind::gen) {
+    return coordinates;
+  } else if constexpr (K == kind::frame_2D) {
+    return in_plane;
+  } else if constexpr (K == kind::frame_3D) {
+    return in_space;
+  } else {
+    return inputs;
+  }
+}
+}  // namespace detail
+
 /// The state of a static chain: every coordinate, frame and input by name, for the passes to work on and for users to
 /// look at. A value; the chain itself never changes.
 ///
@@ -44,15 +60,7 @@ class chain_state {
  private:
   template <kind K, class Self>
   static constexpr auto& get(Self& s, std::size_t i) {
-    if constexpr (K == kind::gen) {
-      return s.coordinates_[i];
-    } else if constexpr (K == kind::frame_2D) {
-      return s.frames_2D_[i];
-    } else if constexpr (K == kind::frame_3D) {
-      return s.frames_3D_[i];
-    } else {
-      return s.inputs_[i];
-    }
+    return detail::of_kind<K>(s.coordinates_, s.frames_2D_, s.frames_3D_, s.inputs_)[i];
   }
   template <class Self, class Key>
   static constexpr auto& at(Self& s, Key) {

@@ -142,7 +142,12 @@ inline constexpr auto make_chain = [](const auto&... e) {
 /// error that names the element (docs/errors.md).
 template <class... E>
 constexpr auto chain(const E&... e) {
-  if constexpr ((detail::is_element<E> && ...)) {
+  constexpr bool flat = [] {
+    for (const bool single : {detail::is_element<E>..., true})  // no fold: clang limits those to 256
+      if (!single) return false;
+    return true;
+  }();
+  if constexpr (flat) {
     return detail::make_chain(e...);
   } else {
     return boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::as_elements(e)...)),

@@ -3,6 +3,7 @@
 #include <kte/chain/element.hpp>
 
 #include <array>
+#include <bit>
 #include <tuple>
 
 /// Who is connected to what, worked out once per chain at compile time. The one file of this library with bookkeeping
@@ -55,14 +56,15 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
   };
   for (std::size_t e = 0; e < E; ++e)
     for (int p = first[e]; p < first[e + 1]; ++p) element[p] = static_cast<int>(e);
+  // Equal texts find each other in a hash table: comparing all with all is too much for compilers beyond 200 elements.
+  constexpr std::size_t buckets = std::bit_ceil(2 * P + 2);
+  std::array<int, buckets> bucket{};  // a first port plus one, or 0
   for (int p = 0; p < n; ++p) {
-    name[p] = p;
-    for (int o = 0; o < p; ++o)
-      if (use[o].text == use[p].text) {
-        name[p] = name[o];
-        if (use[o].key != use[p].key || use[o].what != use[p].what) report(p, problem::same_text);
-        break;
-      }
+    std::size_t b = use[p].text % buckets;
+    while (bucket[b] != 0 && use[bucket[b] - 1].text != use[p].text) b = (b + 1) % buckets;
+    if (bucket[b] == 0) bucket[b] = p + 1;
+    name[p] = bucket[b] - 1;
+    if (use[name[p]].key != use[p].key || use[name[p]].what != use[p].what) report(p, problem::same_text);
   }
   // writers; a name is known by its first port
   for (int p = 0; p < n; ++p) writer[p] = -1;

@@ -245,9 +245,9 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
     return (no_load<K>() + ... + boost::hana::at_c<places[N].index>(boost::hana::at_c<places[N].element>(loads_)));
   }
 
-  // The types from the last element to the first, so that none has to wait for a long row of others.
-  static constexpr std::size_t from_the_back =
-      sizeof(std::type_identity<void (*)(typename types::template loads<Chain::size - 1 - E>::type*...)>);
+  // Asks for the types from the last element to the first, so that none has to wait for a long row of others: compilers
+  // limit the depth of templates.
+  static_assert(sizeof(void (*)(typename types::template loads<Chain::size - 1 - E>::type*...)) > 0);
   boost::hana::tuple<typename types::template loads<E>::type...> loads_;
 };
 
