@@ -21,6 +21,7 @@ class kte_map_chain final : public kte_map {
   kte_map_chain() = default;
   kte_map_chain(const kte_map_chain& o) : kte_map(o), gravity_(o.gravity_) {
     for (const auto& e : o.elements_) append(e->clone());
+    if (o.topology_) topology_->layout = o.topology_->layout;
   }
   kte_map_chain(kte_map_chain&&) = default;
   kte_map_chain& operator=(kte_map_chain o) noexcept {
@@ -102,7 +103,7 @@ class kte_map_chain final : public kte_map {
   /// Throws `bad_argument` unless the state was made for this chain as it is now. (As part of another chain it has no
   /// states of its own.)
   void check(const runtime_state& s) const {
-    if (topology_ && s.made_for() != topology_) [[unlikely]]
+    if (topology_ && s.made_for()->layout != topology_->layout) [[unlikely]]
       throw bad_argument("kte: this state was made for another chain, or before the last element was appended");
   }
 

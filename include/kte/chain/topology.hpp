@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ class topology {
   std::vector<connection> elements;               ///< in order
   std::array<std::vector<int>, 4> writers;        ///< of all things, by kind: an element, or -1
 
+  /// Equal for chains with the same things in the same order: a new one for every element, the same for copies.
+  std::shared_ptr<const char> layout = std::make_shared<char>();
+
   /// Connects one more element. Throws `bad_wiring`, and then nothing has changed.
   void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
                std::span<const std::string> to) {
@@ -45,6 +49,7 @@ class topology {
     c.element = e;
     for (std::size_t p = 0; p < ports.size(); ++p) c.index.push_back(add(ports[p], to[p]));
     elements.push_back(std::move(c));
+    layout = std::make_shared<char>();
   }
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
   void check_complete() const {
