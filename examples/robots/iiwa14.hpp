@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/kte.hpp>
+#include <kte/static.hpp>
 
 /// The KUKA LBR iiwa14, from its published parameters: seven revolute joints about z. m, kg, kg m^2.
 /// Joint frames are turned against each other by quarter turns, which are typed constants and cost nothing.

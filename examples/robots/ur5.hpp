@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/kte.hpp>
+#include <kte/static.hpp>
 
 /// The Universal Robots UR5, from its published parameters: six revolute joints about z and y. m, kg, kg m^2.
 namespace robots {

@@ -6,7 +6,7 @@
 
 // What has no answer is an error, never NaN.
 
-using namespace models;
+using models::element_by_element, models::ground, models::hip, models::knee, models::left, models::thigh, models::trunk;
 
 TEST_CASE("a coordinate that moves no mass") {
   using namespace kte;

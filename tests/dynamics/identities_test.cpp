@@ -8,7 +8,7 @@
 
 // The algorithms against each other.
 
-using namespace models;
+using models::element_by_element, models::hand, models::pendulum, models::tree;
 using big = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
