@@ -11,18 +11,19 @@
 #include <ctime>
 #include <numbers>
 
+// clang-format off
 inline constexpr struct q_     final : kte::coord_key<"q">        {} q;
 inline constexpr struct base_  final : kte::frame_2D_key<"base">  {} base;
 inline constexpr struct joint_ final : kte::frame_2D_key<"joint"> {} joint;
 inline constexpr struct tip_   final : kte::frame_2D_key<"tip">   {} tip;
+// clang-format on
 
 constexpr double length = 0.5, gravity = 9.81, end = 50;
 
-constexpr auto pendulum = kte::chain(
-    kte::revolute_joint_2D(q, base, joint),
-    kte::rigid_link_2D(joint, tip, kte::along_x(length)),  // m
-    kte::inertia_2D(tip, kte::point_mass(1.0)))            // kg
-    .gravity(kte::along_y(-gravity));
+constexpr auto pendulum =
+    kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rigid_link_2D(joint, tip, kte::along_x(length)),  // m
+               kte::inertia_2D(tip, kte::point_mass(1.0)))                                                    // kg
+        .gravity(kte::along_y(-gravity));
 
 /// The exact angle at time t after release from the horizontal, rad; q is 0 there and -pi/2 when hanging:
 ///   q = 2 asin(k sn(K - w t)) - pi/2,   k = sin(pi/4),  w = sqrt(g/L)
@@ -68,27 +69,33 @@ void simulate(const Chain& chain, State s, const char* how) {
                 std::abs(recorded.state()[0] - exact(end)), largest);
   };
   line("euler_1ms", [&] { return kte::euler(rhs, 0.0, x0, 0.001); });
-  line("dormand_prince45_1e-6", [&] { return kte::dormand_prince45(rhs, 0.0, x0, {.absolute = 1e-6, .relative = 1e-6}); });
-  line("dormand_prince45_1e-9", [&] { return kte::dormand_prince45(rhs, 0.0, x0, {.absolute = 1e-9, .relative = 1e-9}); });
-  line("dormand_prince45_1e-12", [&] { return kte::dormand_prince45(rhs, 0.0, x0, {.absolute = 1e-12, .relative = 1e-12}); });
+  line("dormand_prince45_1e-6",
+       [&] { return kte::dormand_prince45(rhs, 0.0, x0, {.absolute = 1e-6, .relative = 1e-6}); });
+  line("dormand_prince45_1e-9",
+       [&] { return kte::dormand_prince45(rhs, 0.0, x0, {.absolute = 1e-9, .relative = 1e-9}); });
+  line("dormand_prince45_1e-12",
+       [&] { return kte::dormand_prince45(rhs, 0.0, x0, {.absolute = 1e-12, .relative = 1e-12}); });
 }
 
 int main() {
   kte::kte_map_chain built;  // the same pendulum, put together at run time
-  built.gravity(kte::along_y(-gravity))
-      << kte::revolute_joint_2D("q", "base", "joint")
-      << kte::rigid_link_2D("joint", "tip", kte::along_x(length))
-      << kte::inertia_2D("tip", kte::point_mass(1.0));
+  built.gravity(kte::along_y(-gravity)) << kte::revolute_joint_2D("q", "base", "joint")
+                                        << kte::rigid_link_2D("joint", "tip", kte::along_x(length))
+                                        << kte::inertia_2D("tip", kte::point_mass(1.0));
 
   kte::save_model("pendulum.xml", pendulum);
   kte::save_model("pendulum.json", built);
   const auto loaded = kte::to_chain(kte::load_model("pendulum.xml"));
   const auto same_type = kte::from_record(pendulum, kte::load_model("pendulum.json"));
-  const bool same = kte::record_of(loaded) == kte::record_of(pendulum) && kte::record_of(same_type) == kte::record_of(built);
-  std::printf("Saved pendulum.xml and pendulum.json, loaded both: %s.\n\n", same ? "the same models" : "DIFFERENT MODELS");
+  const bool same =
+      kte::record_of(loaded) == kte::record_of(pendulum) && kte::record_of(same_type) == kte::record_of(built);
+  std::printf("Saved pendulum.xml and pendulum.json, loaded both: %s.\n\n",
+              same ? "the same models" : "DIFFERENT MODELS");
 
-  std::printf("A pendulum of %.1f m released from the horizontal, %.0f s. Exact: q(50 s) = %.15f rad.\n", length, end, exact(end));
-  std::printf("  %-8s %-22s %12s %10s %16s %16s\n", "chain", "integrator", "evaluations", "CPU ms", "error at 50 s", "largest error");
+  std::printf("A pendulum of %.1f m released from the horizontal, %.0f s. Exact: q(50 s) = %.15f rad.\n", length, end,
+              exact(end));
+  std::printf("  %-8s %-22s %12s %10s %16s %16s\n", "chain", "integrator", "evaluations", "CPU ms", "error at 50 s",
+              "largest error");
   simulate(pendulum, kte::make_state(pendulum), "static");
   simulate(same_type, kte::make_state(same_type), "loaded");
   simulate(built, built.make_state(), "runtime");

@@ -7,51 +7,30 @@
 namespace robots {
 
 namespace iiwa14_names {
-inline constexpr struct q1_ final : kte::coord_key<"q1"> {
-} q1;
-inline constexpr struct q2_ final : kte::coord_key<"q2"> {
-} q2;
-inline constexpr struct q3_ final : kte::coord_key<"q3"> {
-} q3;
-inline constexpr struct q4_ final : kte::coord_key<"q4"> {
-} q4;
-inline constexpr struct q5_ final : kte::coord_key<"q5"> {
-} q5;
-inline constexpr struct q6_ final : kte::coord_key<"q6"> {
-} q6;
-inline constexpr struct q7_ final : kte::coord_key<"q7"> {
-} q7;
-inline constexpr struct base_ final : kte::frame_3D_key<"base"> {
-} base;
-inline constexpr struct seat1_ final : kte::frame_3D_key<"seat1"> {
-} seat1;
-inline constexpr struct seat2_ final : kte::frame_3D_key<"seat2"> {
-} seat2;
-inline constexpr struct seat3_ final : kte::frame_3D_key<"seat3"> {
-} seat3;
-inline constexpr struct seat4_ final : kte::frame_3D_key<"seat4"> {
-} seat4;
-inline constexpr struct seat5_ final : kte::frame_3D_key<"seat5"> {
-} seat5;
-inline constexpr struct seat6_ final : kte::frame_3D_key<"seat6"> {
-} seat6;
-inline constexpr struct seat7_ final : kte::frame_3D_key<"seat7"> {
-} seat7;
-inline constexpr struct link1_ final : kte::frame_3D_key<"link1"> {
-} link1;
-inline constexpr struct link2_ final : kte::frame_3D_key<"link2"> {
-} link2;
-inline constexpr struct link3_ final : kte::frame_3D_key<"link3"> {
-} link3;
-inline constexpr struct link4_ final : kte::frame_3D_key<"link4"> {
-} link4;
-inline constexpr struct link5_ final : kte::frame_3D_key<"link5"> {
-} link5;
-inline constexpr struct link6_ final : kte::frame_3D_key<"link6"> {
-} link6;
-inline constexpr struct link7_ final : kte::frame_3D_key<"link7"> {
-} link7;
-inline constexpr struct tool_ final : kte::frame_3D_key<"tool"> { } tool; }  // namespace iiwa14_names
+// clang-format off
+inline constexpr struct q1_ final : kte::coord_key<"q1"> {} q1;
+inline constexpr struct q2_ final : kte::coord_key<"q2"> {} q2;
+inline constexpr struct q3_ final : kte::coord_key<"q3"> {} q3;
+inline constexpr struct q4_ final : kte::coord_key<"q4"> {} q4;
+inline constexpr struct q5_ final : kte::coord_key<"q5"> {} q5;
+inline constexpr struct q6_ final : kte::coord_key<"q6"> {} q6;
+inline constexpr struct q7_ final : kte::coord_key<"q7"> {} q7;
+inline constexpr struct base_ final : kte::frame_3D_key<"base"> {} base;
+inline constexpr struct seat1_ final : kte::frame_3D_key<"seat1"> {} seat1;
+inline constexpr struct seat2_ final : kte::frame_3D_key<"seat2"> {} seat2;
+inline constexpr struct seat3_ final : kte::frame_3D_key<"seat3"> {} seat3;
+inline constexpr struct seat4_ final : kte::frame_3D_key<"seat4"> {} seat4;
+inline constexpr struct seat5_ final : kte::frame_3D_key<"seat5"> {} seat5;
+inline constexpr struct seat6_ final : kte::frame_3D_key<"seat6"> {} seat6;
+inline constexpr struct seat7_ final : kte::frame_3D_key<"seat7"> {} seat7;
+inline constexpr struct link1_ final : kte::frame_3D_key<"link1"> {} link1;
+inline constexpr struct link2_ final : kte::frame_3D_key<"link2"> {} link2;
+inline constexpr struct link3_ final : kte::frame_3D_key<"link3"> {} link3;
+inline constexpr struct link4_ final : kte::frame_3D_key<"link4"> {} link4;
+inline constexpr struct link5_ final : kte::frame_3D_key<"link5"> {} link5;
+inline constexpr struct link6_ final : kte::frame_3D_key<"link6"> {} link6;
+inline constexpr struct link7_ final : kte::frame_3D_key<"link7"> {} link7;
+inline constexpr struct tool_ final : kte::frame_3D_key<"tool"> {} tool; }  // namespace iiwa14_names
 
 inline constexpr auto iiwa14 = [] {
   using namespace iiwa14_names;

@@ -6,45 +6,27 @@
 namespace robots {
 
 namespace ur5_names {
-inline constexpr struct q1_ final : kte::coord_key<"shoulder_pan"> {
-} q1;
-inline constexpr struct q2_ final : kte::coord_key<"shoulder_lift"> {
-} q2;
-inline constexpr struct q3_ final : kte::coord_key<"elbow"> {
-} q3;
-inline constexpr struct q4_ final : kte::coord_key<"wrist_1"> {
-} q4;
-inline constexpr struct q5_ final : kte::coord_key<"wrist_2"> {
-} q5;
-inline constexpr struct q6_ final : kte::coord_key<"wrist_3"> {
-} q6;
-inline constexpr struct base_ final : kte::frame_3D_key<"base"> {
-} base;
-inline constexpr struct seat1_ final : kte::frame_3D_key<"seat1"> {
-} seat1;
-inline constexpr struct seat2_ final : kte::frame_3D_key<"seat2"> {
-} seat2;
-inline constexpr struct seat3_ final : kte::frame_3D_key<"seat3"> {
-} seat3;
-inline constexpr struct seat4_ final : kte::frame_3D_key<"seat4"> {
-} seat4;
-inline constexpr struct seat5_ final : kte::frame_3D_key<"seat5"> {
-} seat5;
-inline constexpr struct seat6_ final : kte::frame_3D_key<"seat6"> {
-} seat6;
-inline constexpr struct link1_ final : kte::frame_3D_key<"shoulder_link"> {
-} link1;
-inline constexpr struct link2_ final : kte::frame_3D_key<"upper_arm_link"> {
-} link2;
-inline constexpr struct link3_ final : kte::frame_3D_key<"forearm_link"> {
-} link3;
-inline constexpr struct link4_ final : kte::frame_3D_key<"wrist_1_link"> {
-} link4;
-inline constexpr struct link5_ final : kte::frame_3D_key<"wrist_2_link"> {
-} link5;
-inline constexpr struct link6_ final : kte::frame_3D_key<"wrist_3_link"> {
-} link6;
-inline constexpr struct tool_ final : kte::frame_3D_key<"tool"> { } tool; }  // namespace ur5_names
+// clang-format off
+inline constexpr struct q1_ final : kte::coord_key<"shoulder_pan"> {} q1;
+inline constexpr struct q2_ final : kte::coord_key<"shoulder_lift"> {} q2;
+inline constexpr struct q3_ final : kte::coord_key<"elbow"> {} q3;
+inline constexpr struct q4_ final : kte::coord_key<"wrist_1"> {} q4;
+inline constexpr struct q5_ final : kte::coord_key<"wrist_2"> {} q5;
+inline constexpr struct q6_ final : kte::coord_key<"wrist_3"> {} q6;
+inline constexpr struct base_ final : kte::frame_3D_key<"base"> {} base;
+inline constexpr struct seat1_ final : kte::frame_3D_key<"seat1"> {} seat1;
+inline constexpr struct seat2_ final : kte::frame_3D_key<"seat2"> {} seat2;
+inline constexpr struct seat3_ final : kte::frame_3D_key<"seat3"> {} seat3;
+inline constexpr struct seat4_ final : kte::frame_3D_key<"seat4"> {} seat4;
+inline constexpr struct seat5_ final : kte::frame_3D_key<"seat5"> {} seat5;
+inline constexpr struct seat6_ final : kte::frame_3D_key<"seat6"> {} seat6;
+inline constexpr struct link1_ final : kte::frame_3D_key<"shoulder_link"> {} link1;
+inline constexpr struct link2_ final : kte::frame_3D_key<"upper_arm_link"> {} link2;
+inline constexpr struct link3_ final : kte::frame_3D_key<"forearm_link"> {} link3;
+inline constexpr struct link4_ final : kte::frame_3D_key<"wrist_1_link"> {} link4;
+inline constexpr struct link5_ final : kte::frame_3D_key<"wrist_2_link"> {} link5;
+inline constexpr struct link6_ final : kte::frame_3D_key<"wrist_3_link"> {} link6;
+inline constexpr struct tool_ final : kte::frame_3D_key<"tool"> {} tool; }  // namespace ur5_names
 
 inline constexpr auto ur5 = [] {
   using namespace ur5_names;

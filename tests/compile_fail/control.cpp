@@ -9,6 +9,6 @@ inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
 inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 // clang-format on
 
-constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
-                                kte::rigid_link_3D(elbow, hand, kte::along_z(0.5)),
-                                kte::inertia_3D(hand, kte::point_mass(1.0)));
+constexpr auto arm =
+    kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::rigid_link_3D(elbow, hand, kte::along_z(0.5)),
+               kte::inertia_3D(hand, kte::point_mass(1.0)));

@@ -11,5 +11,4 @@ inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 inline constexpr struct wall_  final : kte::coord_key<"wall">      {} wall;
 // clang-format on
 
-constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
-                                kte::spring_gen(q, wall, 0.0, 10.0));
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::spring_gen(q, wall, 0.0, 10.0));

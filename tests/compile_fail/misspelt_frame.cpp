@@ -11,5 +11,5 @@ inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 inline constexpr struct elbwo_ final : kte::frame_3D_key<"elbwo">  {} elbwo;
 // clang-format on
 
-constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
-                                kte::rigid_link_3D(elbwo, hand, kte::along_z(0.5)));
+constexpr auto arm =
+    kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::rigid_link_3D(elbwo, hand, kte::along_z(0.5)));

@@ -1,4 +1,4 @@
-// expect: error: 
+// expect: error:
 
 #include <kte/kte.hpp>
 
@@ -9,5 +9,5 @@ inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
 inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 // clang-format on
 
-constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
-                                kte::inertia_3D(elbow, kte::point_mass(__builtin_nan(""))));
+constexpr auto arm =
+    kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::inertia_3D(elbow, kte::point_mass(__builtin_nan(""))));

@@ -1,4 +1,4 @@
-// expect: error: 
+// expect: error:
 // expect: mass must be finite and not negative
 // expect: -1.0e\+0|-1
 #include <kte/kte.hpp>
@@ -10,5 +10,4 @@ inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
 inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 // clang-format on
 
-constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
-                                kte::inertia_3D(elbow, kte::point_mass(-1.0)));
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::inertia_3D(elbow, kte::point_mass(-1.0)));

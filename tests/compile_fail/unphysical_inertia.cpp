@@ -1,4 +1,4 @@
-// expect: error: 
+// expect: error:
 // expect: inertia must be physical
 #include <kte/kte.hpp>
 
@@ -9,6 +9,6 @@ inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
 inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 // clang-format on
 
-constexpr auto arm = kte::chain(
-    kte::revolute_joint_3D(q, base, elbow),
-    kte::inertia_3D(elbow, kte::rigid_body{1.0, kte::zero3{}, kte::diagonal(1.0, 1.0, 3.0)}));
+constexpr auto arm =
+    kte::chain(kte::revolute_joint_3D(q, base, elbow),
+               kte::inertia_3D(elbow, kte::rigid_body{1.0, kte::zero3{}, kte::diagonal(1.0, 1.0, 3.0)}));

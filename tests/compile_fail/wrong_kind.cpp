@@ -11,5 +11,5 @@ inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 inline constexpr struct flat_  final : kte::frame_2D_key<"flat">   {} flat;
 // clang-format on
 
-constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow),
-                                kte::rigid_link_3D(elbow, flat, kte::along_z(0.5)));
+constexpr auto arm =
+    kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::rigid_link_3D(elbow, flat, kte::along_z(0.5)));

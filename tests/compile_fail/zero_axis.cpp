@@ -1,4 +1,4 @@
-// expect: error: 
+// expect: error:
 // expect: axis must have length 1
 #include <kte/kte.hpp>
 

@@ -6,12 +6,11 @@
 
 #include <cmath>
 
-inline constexpr struct q_ final : kte::coord_key<"q"> {
-} q;
-inline constexpr struct base_ final : kte::frame_3D_key<"base"> {
-} base;
-inline constexpr struct arm_ final : kte::frame_3D_key<"arm"> {
-} arm;
+// clang-format off
+inline constexpr struct q_ final : kte::coord_key<"q"> {} q;
+inline constexpr struct base_ final : kte::frame_3D_key<"base"> {} base;
+inline constexpr struct arm_ final : kte::frame_3D_key<"arm"> {} arm;
+// clang-format on
 
 constexpr auto pendulum =
     kte::chain(kte::revolute_joint_3D(q, base, arm),

@@ -4,7 +4,8 @@
 namespace kte::reference {
 
 /// A random state of a robot with N degrees of freedom, and what it gives to 31 digits under gravity (0, 0, -9.81).
-template <int N> struct state {
+template <int N>
+struct state {
   double q[N], v[N], a[N], tau[N];
   long double inverse_dynamics[N];           ///< tau for the accelerations a
   long double bias[N];                       ///< tau for no acceleration
