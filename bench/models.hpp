@@ -13,8 +13,9 @@ namespace pendulum_names {
 inline constexpr struct q_ final : kte::coord_key<"q"> {} q;
 inline constexpr struct base_ final : kte::frame_2D_key<"base"> {} base;
 inline constexpr struct arm_ final : kte::frame_2D_key<"arm"> {} arm;
+inline constexpr struct tool_ final : kte::frame_2D_key<"tool"> {} tool;
 // clang-format on
-inline constexpr struct tool_ final : kte::frame_2D_key<"tool"> { } tool; }  // namespace pendulum_names
+}  // namespace pendulum_names
 
 /// A mass point on a massless rod, in the plane: kg, m, m/s^2.
 struct pendulum {
