@@ -102,7 +102,7 @@ class element_registry {
     if (r.version != 1)
       throw bad_file(r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
     auto e = f->second(record_reader(r));
-    check_complete(static_cast<const kte_element&>(*e).record(), r);
+    if (const auto* single = dynamic_cast<const kte_element*>(e.get())) check_complete(single->record(), r);
     return e;
   }
 
