@@ -18,7 +18,7 @@ inline constexpr struct joint_ final : kte::frame_2D_key<"joint"> {} joint;
 inline constexpr struct tip_   final : kte::frame_2D_key<"tip">   {} tip;
 // clang-format on
 
-constexpr double length = 0.5, gravity = 9.81, end = 50;
+constexpr double length = 0.5, gravity = 9.81, duration = 50;
 
 constexpr auto pendulum =
     kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rigid_link_2D(joint, tip, kte::along_x(length)),  // m
@@ -51,7 +51,7 @@ void simulate(const Chain& chain, State s, const char* how) {
     const std::string file = std::string("pendulum_") + how + "_" + name + ".ssv";
     kte::table_writer out(file, {"t", "q", "qd", "qdd", "f"});
     double largest = 0;
-    solver.integrate(end, kte::every(0.001), [&](double t, const Eigen::Vector2d& x) {
+    solver.integrate(duration, kte::every(0.001), [&](double t, const Eigen::Vector2d& x) {
       const double a = acceleration(chain, s, x);
       out.row(t, x[0], x[1], a, s.coordinate(0).f);
       largest = std::max(largest, std::abs(x[0] - exact(t)));
@@ -63,10 +63,10 @@ void simulate(const Chain& chain, State s, const char* how) {
     const auto [recorded, largest] = run(name, make());
     auto timed = make();  // again without recording, for the time
     const std::clock_t start = std::clock();
-    timed.integrate(end);
+    timed.integrate(duration);
     const double ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     std::printf("  %-8s %-22s %12lld %10.2f %16.1e %16.1e\n", how, name, timed.statistics().evaluations, ms,
-                std::abs(recorded.state()[0] - exact(end)), largest);
+                std::abs(recorded.state()[0] - exact(duration)), largest);
   };
   line("euler_1ms", [&] { return kte::euler(rhs, 0.0, x0, 0.001); });
   line("dormand_prince45_1e-6",
@@ -92,8 +92,8 @@ int main() {
   std::printf("Saved pendulum.xml and pendulum.json, loaded both: %s.\n\n",
               same ? "the same models" : "DIFFERENT MODELS");
 
-  std::printf("A pendulum of %.1f m released from the horizontal, %.0f s. Exact: q(50 s) = %.15f rad.\n", length, end,
-              exact(end));
+  std::printf("A pendulum of %.1f m released from the horizontal, %.0f s. Exact: q(50 s) = %.15f rad.\n", length,
+              duration, exact(duration));
   std::printf("  %-8s %-22s %12s %10s %16s %16s\n", "chain", "integrator", "evaluations", "CPU ms", "error at 50 s",
               "largest error");
   simulate(pendulum, kte::make_state(pendulum), "static");

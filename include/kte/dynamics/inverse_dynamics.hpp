@@ -17,7 +17,7 @@ KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
     (void)done;
   };
   read(std::make_integer_sequence<int, Chain::dofs>{});
-  check_finite(f, std::size_t{Chain::dofs}, "a force is no finite number: an argument is none, or is too large");
+  check_finite(f, std::size_t{Chain::dofs}, "kte: a force is no finite number: an argument is none, or is too large");
   return f;
 }
 }  // namespace detail

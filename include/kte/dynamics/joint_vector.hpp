@@ -46,7 +46,7 @@ KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* wh
   S zero_or_nan(0);
   for (std::size_t i = 0; i < n; ++i) zero_or_nan += x[i] - x[i];
   if (!(zero_or_nan == S(0))) [[unlikely]]
-    raise<bad_argument>(std::string("kte: ") + what);
+    raise<bad_argument>(what);
 }
 }  // namespace detail
 

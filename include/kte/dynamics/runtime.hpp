@@ -70,7 +70,7 @@ inline const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_s
   detail::evaluate(c, s);
   for (int i = 0; i < s.dofs(); ++i) s.work.forces[i] = -s.coordinate(i).f;
   detail::check_finite(s.work.forces, static_cast<std::size_t>(s.dofs()),
-                       "a force is no finite number: an argument is none, or is too large");
+                       "kte: a force is no finite number: an argument is none, or is too large");
   return s.work.forces;
 }
 /// The same at q, v, a, which are put into the state.

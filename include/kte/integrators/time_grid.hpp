@@ -52,18 +52,19 @@ class time_grid {
  public:
   time_grid() = default;
   /// Throws `bad_argument` for a spacing that is not positive, or too small for times of this size.
-  time_grid(const S& start, const S& end, const S& spacing, const char* name) : start_(start), end_(end) {
+  time_grid(const S& t_start, const S& t_end, const S& spacing, const char* name) : start_(t_start), end_(t_end) {
     using std::abs;
     using std::ceil;
     detail::check_positive(spacing, name);
-    if (end == start) return;
-    step_ = end < start ? S(-spacing) : spacing;
-    const S slack = 4 * std::numeric_limits<S>::epsilon() * (abs(start) < abs(end) ? abs(end) : abs(start));  // (3)
-    const S count = ceil(S((abs(S(end - start)) - slack) / spacing));                                         // (2)
+    if (t_end == t_start) return;
+    step_ = t_end < t_start ? S(-spacing) : spacing;
+    const S slack =
+        4 * std::numeric_limits<S>::epsilon() * (abs(t_start) < abs(t_end) ? abs(t_end) : abs(t_start));  // (3)
+    const S count = ceil(S((abs(S(t_end - t_start)) - slack) / spacing));                                 // (2)
     if (spacing <= slack || !(count < S(1e15))) [[unlikely]]
       detail::raise<bad_argument>(std::string("kte: ") + name + " " + detail::number(static_cast<double>(spacing)) +
-                                  " is too small to go from " + detail::number(static_cast<double>(start)) + " to " +
-                                  detail::number(static_cast<double>(end)));
+                                  " is too small to go from " + detail::number(static_cast<double>(t_start)) + " to " +
+                                  detail::number(static_cast<double>(t_end)));
     intervals_ = count < S(1) ? 1 : static_cast<long long>(count);
   }
 

@@ -85,7 +85,7 @@ struct positions {
   template <int... I>
   KTE_INLINE void check(std::integer_sequence<int, I...>) const {
     const std::array<S, sizeof...(I) + 1> x{q.template at<I>()...};
-    check_finite(x, sizeof...(I), "a coordinate is no finite number");
+    check_finite(x, sizeof...(I), "kte: a coordinate is no finite number");
   }
   template <std::size_t... N>
   KTE_INLINE static auto gather(const Q& q, std::index_sequence<N...>) {

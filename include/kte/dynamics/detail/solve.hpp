@@ -41,7 +41,7 @@ KTE_INLINE void solve_in_place(Matrix& m, Vector& b) {
     b[i] /= m(i, i);
     for (Eigen::Index k = i + 1; k < n; ++k) b[i] -= m(k, i) * b[k];
   }
-  check_finite(b, static_cast<std::size_t>(n), "an acceleration is no finite number: an argument is none");
+  check_finite(b, static_cast<std::size_t>(n), "kte: an acceleration is no finite number: an argument is none");
 }
 
 }  // namespace kte::detail
