@@ -8,7 +8,7 @@
 using allocations::during;
 
 TEST_CASE("the counter counts") {
-  CHECK(during([] { delete new int(1); }) == 1);
+  CHECK(during([] { ::operator delete(::operator new(1)); }) == 1);
 }
 
 TEST_CASE("static chains allocate nothing") {
