@@ -31,8 +31,15 @@ void compare_bits(const Static& fixed, const kte::kte_map_chain& loose, unsigned
       std::memcpy(&b, numbers, static_cast<std::size_t>(count) * sizeof(double));
     };
     for (int i = 0; i < Static::dofs; ++i) fill(s.coordinate(i), r.coordinate(i), 3);
-    boost::hana::for_each(boost::hana::make_tuple(&fixed),
-                          [&](const auto* c) { c->doMotion(s), c->clearForce(s), c->doForce(s); });
+    for (std::size_t i = 0; i < t.names[1].size(); ++i)
+      if (t.writers[1][i] < 0)
+        fill(s.template get<kte::kind::frame_2D>(static_cast<int>(i)), r.frame_2D(t.names[1][i]), 10);
+    for (std::size_t i = 0; i < t.names[2].size(); ++i)
+      if (t.writers[2][i] < 0)
+        fill(s.template get<kte::kind::frame_3D>(static_cast<int>(i)), r.frame_3D(t.names[2][i]), 24);
+    for (std::size_t i = 0; i < t.names[3].size(); ++i)
+      fill(s.template get<kte::kind::input>(static_cast<int>(i)), r.input(t.names[3][i]), 1);
+    fixed.doMotion(s), fixed.clearForce(s), fixed.doForce(s);
     loose.doMotion(r), loose.clearForce(r), loose.doForce(r);
     for (std::size_t i = 0; i < t.names[1].size(); ++i)
       CHECK(same_bits(s.template get<kte::kind::frame_2D>(static_cast<int>(i)), r.frame_2D(t.names[1][i])));

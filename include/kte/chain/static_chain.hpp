@@ -39,8 +39,6 @@ class static_chain {
       if (b) return true;
     return false;
   }();
-  template <class Scalar>
-  using state = chain_state<Scalar, wiring>;
 
   constexpr static_chain(const boost::hana::tuple<E...>& elements, const Gravity& g)
       : elements_(elements), gravity_(g) {}
