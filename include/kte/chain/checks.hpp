@@ -24,6 +24,12 @@ struct check_kind {
                 "kte: this port of the element takes a 3D frame (frame_3D_key)");
   static_assert(rule < Core, Key, wanted != kind::input || Key::what == wanted >,
                 "kte: this port of the element takes an input (input_key)");
+  static_assert(rule < Core, Key, wanted != kind::rotation_3D || Key::what == wanted >,
+                "kte: this port of the element takes a rotation in space (rotation_3D_key)");
+  static_assert(rule < Core, Key, wanted != kind::pose_2D || Key::what == wanted >,
+                "kte: this port of the element takes a pose in the plane (pose_2D_key)");
+  static_assert(rule < Core, Key, wanted != kind::pose_3D || Key::what == wanted >,
+                "kte: this port of the element takes a pose in space (pose_3D_key)");
 };
 template <class Core, class Ports, class... Keys>
 struct check_kinds;

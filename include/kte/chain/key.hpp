@@ -16,11 +16,27 @@ namespace kte {
 
 /// What can flow between elements.
 enum class kind : unsigned char {
-  gen,       ///< a generalized coordinate: q and its rates, and a generalized force
-  frame_2D,  ///< a frame in the plane
-  frame_3D,  ///< a frame in space
-  input      ///< a signal from outside, for instance the force of a motor
+  gen,          ///< a generalized coordinate: q and its rates, and a generalized force
+  frame_2D,     ///< a frame in the plane
+  frame_3D,     ///< a frame in space
+  input,        ///< a signal from outside, for instance the force of a motor
+  rotation_3D,  ///< a coordinate that is a rotation in space: a unit quaternion and an angular velocity
+  pose_2D,      ///< a coordinate that is a pose in the plane
+  pose_3D       ///< a coordinate that is a pose in space
 };
+inline constexpr std::size_t kinds = 7;
+
+constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
+/// Whether joints move by it: a number, a rotation or a pose.
+constexpr bool is_coordinate(kind k) { return !is_frame(k) && k != kind::input; }
+/// How many numbers of a configuration q it has: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
+constexpr int nq_of(kind k) {
+  return k == kind::gen ? 1 : k == kind::rotation_3D ? 4 : k == kind::pose_2D ? 3 : k == kind::pose_3D ? 7 : 0;
+}
+/// How many degrees of freedom: numbers of v, a and tau, linear before angular.
+constexpr int nv_of(kind k) {
+  return k == kind::gen ? 1 : k == kind::rotation_3D || k == kind::pose_2D ? 3 : k == kind::pose_3D ? 6 : 0;
+}
 
 constexpr std::string_view to_string(kind k) {
   switch (k) {
@@ -32,6 +48,12 @@ constexpr std::string_view to_string(kind k) {
       return "3D frame";
     case kind::input:
       return "input";
+    case kind::rotation_3D:
+      return "rotation";
+    case kind::pose_2D:
+      return "2D pose";
+    case kind::pose_3D:
+      return "3D pose";
   }
   return "";
 }
@@ -59,6 +81,12 @@ template <fixed_string Text>
 struct frame_3D_key : key<kind::frame_3D, Text> {};
 template <fixed_string Text>
 struct input_key : key<kind::input, Text> {};
+template <fixed_string Text>
+struct rotation_3D_key : key<kind::rotation_3D, Text> {};
+template <fixed_string Text>
+struct pose_2D_key : key<kind::pose_2D, Text> {};
+template <fixed_string Text>
+struct pose_3D_key : key<kind::pose_3D, Text> {};
 
 /// A declared name.
 template <class T>

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <kte/chain/port.hpp>
 #include <kte/chain/record.hpp>
-#include <kte/chain/runtime_state.hpp>
 
 #include <functional>
 #include <memory>
+#include <span>
 
 namespace kte {
 
 class kte_element;
+class runtime_state;
+class topology;
 
 /// A kinetostatic transmission element of a runtime chain: a type-erased element, a static chain, or a chain of such.
 class kte_map {
@@ -41,18 +44,24 @@ class kte_element : public kte_map {
   virtual element_record record() const = 0;
 
   virtual std::span<const port> ports() const = 0;
-  /// Brings sines, cosines and followers up to date with the coordinates.
+  /// Brings followers, and their sines and cosines, up to date with what they follow.
   virtual void update_coordinates(runtime_state&) const = 0;
 
-  /// For the composite-rigid-body algorithm: adds its mass, and what its end carries, to what its base carries.
+  /// Whether its forces depend on positions or linear velocities of frames.
+  virtual bool reads_positions() const = 0;
+
+  // The algorithms, on the working memory of a state; what they do is said in dynamics/runtime.hpp.
+  /// Inverse dynamics: motion without positions, forces in it.
+  virtual void move(runtime_state&) const = 0;
+  virtual void push(runtime_state&) const = 0;
+  /// Mass matrix: what is carried, and the columns of all joints further out, one element further in.
   virtual void carry(runtime_state&) const = 0;
-  /// Joint: the wrench at its end that accelerates what the end carries by a unit rate of its coordinate each second;
-  /// returns its projection on the coordinate.
-  virtual double start_column(const runtime_state&, wrench_3D& at_end) const = 0;
-  /// Replaces a wrench at its end by that at its base; returns its projection on the coordinate, 0 for a link.
-  virtual double carry_wrench(const runtime_state&, wrench_3D&) const = 0;
-  /// Coordinates: adds a mass, and for followers their rows and columns to those of what they follow.
-  virtual void coordinate_mass(runtime_state&) const = 0;
+  /// Masses of coordinates, and followers: their rows and columns to those of what they follow.
+  virtual void carry_coordinate(runtime_state&) const = 0;
+  /// Forward dynamics: motion by rates alone; articulated inertia one element further in; accelerations further out.
+  virtual void move_by_rates(runtime_state&) const = 0;
+  virtual void articulate(runtime_state&) const = 0;
+  virtual void accelerate(runtime_state&) const = 0;
 };
 
 }  // namespace kte

@@ -99,7 +99,9 @@ class kte_map_chain final : public kte_map {
   }
 
   const topology& wiring() const { return *topology_; }
-  int dofs() const { return static_cast<int>(topology_->dofs.size()); }
+  /// Degrees of freedom, and numbers of a configuration.
+  int dofs() const { return topology_->nv; }
+  int nq() const { return topology_->nq; }
   /// Throws `bad_argument` unless the state was made for this chain as it is now. (As part of another chain it has no
   /// states of its own.)
   void check(const runtime_state& s) const {

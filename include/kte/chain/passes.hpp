@@ -11,6 +11,14 @@
 /// The passes of one element on frames held in a state, for static and runtime chains alike.
 namespace kte::detail {
 
+/// The place of port P among the loads of an element, which belong to the ports that are no inputs.
+template <class Core, std::size_t P>
+inline constexpr std::size_t load_index = [] {
+  std::size_t i = 0;
+  for (std::size_t p = 0; p < P; ++p) i += Core::ports[p].what != kind::input;
+  return i;
+}();
+
 /// Connects the ports of an element to a state: Where::at<port>() gives the index of what port is connected to.
 template <class Core, class State, class Where>
 struct stored_element {
@@ -30,10 +38,10 @@ struct stored_element {
   /// The same as the kernels see it.
   template <std::size_t P>
   KTE_INLINE constexpr decltype(auto) input() const {
-    if constexpr (at<P>.what == kind::frame_2D || at<P>.what == kind::frame_3D) {
-      return spatial(stored<P>());
-    } else {
+    if constexpr (at<P>.what == kind::gen || at<P>.what == kind::input) {
       return std::as_const(stored<P>());
+    } else {
+      return spatial(stored<P>());
     }
   }
   template <std::size_t P>
@@ -52,10 +60,10 @@ struct stored_element {
     update_angles(std::index_sequence<P...>{});
     if constexpr (has_output) write(core.doMotion(input<P>()...));
   }
-  /// Sines and cosines of the coordinates that it reads as angles.
+  /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>
   KTE_INLINE constexpr void update_angles(std::index_sequence<P...>) const {
-    const int done[]{(update_angle<P>(), 0)..., 0};
+    const int done[]{(update_one<P>(), 0)..., 0};
     (void)done;
   }
   template <std::size_t... P>
@@ -74,8 +82,8 @@ struct stored_element {
 
  private:
   template <std::size_t P>
-  KTE_INLINE constexpr void update_angle() const {
-    if constexpr (at<P>.how == access::angle) sincos(stored<P>().q, stored<P>().sin, stored<P>().cos);
+  KTE_INLINE constexpr void update_one() const {
+    if constexpr (at<P>.how == access::angle) update_angle(stored<P>());
   }
   template <class M>
   KTE_INLINE constexpr void write(const M& m) const {
@@ -87,25 +95,18 @@ struct stored_element {
       set_motion(x, m);
     }
   }
-  /// Loads belong to the ports that are no inputs, in order.
   template <std::size_t... P, class Loads>
   KTE_INLINE constexpr void spread(const Loads& l) const {
     const int done[]{(add<P>(l), 0)..., 0};
     (void)done;
   }
-  template <std::size_t P>
-  static constexpr std::size_t load_index() {
-    std::size_t i = 0;
-    for (std::size_t p = 0; p < P; ++p) i += Core::ports[p].what != kind::input;
-    return i;
-  }
   template <std::size_t P, class Loads>
   KTE_INLINE constexpr void add(const Loads& l) const {
     if constexpr (at<P>.what == kind::gen) {
       auto& x = stored<P>();
-      x.f = x.f + boost::hana::at_c<load_index<P>()>(l);
+      x.f = x.f + boost::hana::at_c<load_index<Core, P>>(l);
     } else if constexpr (at<P>.what != kind::input) {
-      add_load(stored<P>(), boost::hana::at_c<load_index<P>()>(l));
+      add_load(stored<P>(), boost::hana::at_c<load_index<Core, P>>(l));
     }
   }
   template <std::size_t P>

@@ -11,7 +11,7 @@ namespace kte {
 /// How an element uses what is connected to a port.
 enum class access : unsigned char {
   in,     ///< reads it. A coordinate that no element writes becomes a degree of freedom of the chain
-  angle,  ///< reads a coordinate as an angle: its cosine and sine are wanted too
+  angle,  ///< the same, and wants cosine and sine of an angle, or the matrix of a rotation
   on,     ///< acts on it by a force. It must come from elsewhere: a spring alone makes no degree of freedom
   out,    ///< writes it
   base    ///< declares it: its motion is given from outside
@@ -32,6 +32,16 @@ inline constexpr std::size_t port_count = Core::ports.size();
 /// How many of them it reads; what it writes comes last.
 template <class Core>
 inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
+
+namespace detail {
+/// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
+/// so by `static constexpr bool reads_positions = true`.
+template <class Core>
+inline constexpr bool reads_positions = false;
+template <class Core>
+requires requires { Core::reads_positions; }
+inline constexpr bool reads_positions<Core> = Core::reads_positions;
+}  // namespace detail
 
 /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
 inline std::string describe_element(std::string_view type, std::span<const port> ports,

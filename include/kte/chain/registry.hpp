@@ -9,6 +9,8 @@
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
 #include <kte/elements/spring.hpp>
+#include <kte/elements/torsion_damper.hpp>
+#include <kte/elements/torsion_spring.hpp>
 
 #include <functional>
 #include <map>
@@ -114,6 +116,8 @@ class element_registry {
     r.add("base_2D", [](in x) { return base_2D(x.name("base")); });
     r.add("base_3D", [](in x) { return base_3D(x.name("base")); });
     r.add("damper_gen", [](in x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("damper_2D", [](in x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("damper_3D", [](in x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
     r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
     r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
     r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
@@ -145,6 +149,25 @@ class element_registry {
     r.add("spring_gen", [](in x) {
       return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
                         x.number("saturation"));
+    });
+    r.add("spring_2D", [](in x) {
+      return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                       x.number("saturation"));
+    });
+    r.add("spring_3D", [](in x) {
+      return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                       x.number("saturation"));
+    });
+    r.add("torsion_damper_2D",
+          [](in x) { return torsion_damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("torsion_damper_3D",
+          [](in x) { return torsion_damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("torsion_spring_2D", [](in x) {
+      return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
+                               x.number("rest_angle"));
+    });
+    r.add("torsion_spring_3D", [](in x) {
+      return torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"));
     });
     return r;
   }

@@ -1,92 +1,85 @@
 #pragma once
 
 #include <kte/chain/state.hpp>
-#include <kte/chain/topology.hpp>
-#include <kte/frames/frame_2D.hpp>
-#include <kte/frames/frame_3D.hpp>
-#include <kte/frames/gen_coord.hpp>
-#include <kte/math/rigid_body.hpp>
-
-#include <Eigen/Core>
+#include <kte/chain/workspace.hpp>
 
 #include <memory>
-#include <vector>
 
 namespace kte {
 
-using wrench_3D = wrench<vec3<>, vec3<>>;
-using composite_3D = composite<double, vec3<>, sym3<>>;
-
-/// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms,
-/// so that they allocate nothing.
+/// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 class runtime_state {
  public:
-  explicit runtime_state(std::shared_ptr<const topology> t)
-      : topology_(std::move(t)),
-        coordinates_(count(kind::gen)),
-        frames_2D_(count(kind::frame_2D)),
-        frames_3D_(count(kind::frame_3D)),
-        inputs_(count(kind::input)),
-        work(count(kind::gen), topology_->dofs.size(), count(kind::frame_2D), count(kind::frame_3D)) {}
-
-  /// By name; throws `unknown_name`.
-  gen_coord<>& coordinate(std::string_view name) { return coordinates_[find(name, kind::gen)]; }
-  const gen_coord<>& coordinate(std::string_view name) const { return coordinates_[find(name, kind::gen)]; }
-  kte::frame_2D<>& frame_2D(std::string_view name) { return frames_2D_[find(name, kind::frame_2D)]; }
-  const kte::frame_2D<>& frame_2D(std::string_view name) const { return frames_2D_[find(name, kind::frame_2D)]; }
-  kte::frame_3D<>& frame_3D(std::string_view name) { return frames_3D_[find(name, kind::frame_3D)]; }
-  const kte::frame_3D<>& frame_3D(std::string_view name) const { return frames_3D_[find(name, kind::frame_3D)]; }
-  double& input(std::string_view name) { return inputs_[find(name, kind::input)]; }
-  double input(std::string_view name) const { return inputs_[find(name, kind::input)]; }
-
-  /// Degree of freedom i.
-  gen_coord<>& coordinate(int i) { return coordinates_[static_cast<std::size_t>(dof(i))]; }
-  const gen_coord<>& coordinate(int i) const { return coordinates_[static_cast<std::size_t>(dof(i))]; }
-  int dofs() const { return static_cast<int>(topology_->dofs.size()); }
+  explicit runtime_state(std::shared_ptr<const topology> t) : topology_(std::move(t)), work(*topology_) {
+    resize(std::make_index_sequence<kinds>{});
+    for (const auto& f : topology_->free)
+      if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
+  }
 
   /// Thing i of kind K, for the passes.
   template <kind K>
   auto& get(int i) {
-    return get<K>(*this, static_cast<std::size_t>(i));
+    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
   }
   template <kind K>
   const auto& get(int i) const {
-    return get<K>(*this, static_cast<std::size_t>(i));
+    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
   }
+
+ private:
+  template <kind K, class Self>
+  static auto& at(Self& s, std::string_view name) {
+    return detail::of_kind<K>(s.things_)[static_cast<std::size_t>(s.topology_->find(name, K))];
+  }
+
+ public:
+  /// By name; throws `unknown_name`.
+  gen_coord<>& coordinate(std::string_view name) { return at<kind::gen>(*this, name); }
+  const gen_coord<>& coordinate(std::string_view name) const { return at<kind::gen>(*this, name); }
+  kte::frame_2D<>& frame_2D(std::string_view name) { return at<kind::frame_2D>(*this, name); }
+  const kte::frame_2D<>& frame_2D(std::string_view name) const { return at<kind::frame_2D>(*this, name); }
+  kte::frame_3D<>& frame_3D(std::string_view name) { return at<kind::frame_3D>(*this, name); }
+  const kte::frame_3D<>& frame_3D(std::string_view name) const { return at<kind::frame_3D>(*this, name); }
+  double& input(std::string_view name) { return at<kind::input>(*this, name); }
+  double input(std::string_view name) const { return at<kind::input>(*this, name); }
+  rotation_coord_3D<>& rotation_3D(std::string_view name) { return at<kind::rotation_3D>(*this, name); }
+  const rotation_coord_3D<>& rotation_3D(std::string_view name) const { return at<kind::rotation_3D>(*this, name); }
+  pose_coord_2D<>& pose_2D(std::string_view name) { return at<kind::pose_2D>(*this, name); }
+  const pose_coord_2D<>& pose_2D(std::string_view name) const { return at<kind::pose_2D>(*this, name); }
+  pose_coord_3D<>& pose_3D(std::string_view name) { return at<kind::pose_3D>(*this, name); }
+  const pose_coord_3D<>& pose_3D(std::string_view name) const { return at<kind::pose_3D>(*this, name); }
+
+  /// Number i of the generalized coordinates that are degrees of freedom.
+  gen_coord<>& coordinate(int i) { return get<kind::gen>(free_coordinates_[static_cast<std::size_t>(i)]); }
+  const gen_coord<>& coordinate(int i) const { return get<kind::gen>(free_coordinates_[static_cast<std::size_t>(i)]); }
+  /// Degrees of freedom, and numbers of a configuration.
+  int dofs() const { return topology_->nv; }
+  int nq() const { return topology_->nq; }
+
   /// What this state was made for.
   const std::shared_ptr<const topology>& made_for() const { return topology_; }
 
  private:
-  std::size_t count(kind k) const { return topology_->names[static_cast<std::size_t>(k)].size(); }
-  std::size_t find(std::string_view name, kind k) const { return static_cast<std::size_t>(topology_->find(name, k)); }
-  int dof(int i) const { return topology_->dofs[static_cast<std::size_t>(i)]; }
-  template <kind K, class Self>
-  static auto& get(Self& s, std::size_t i) {
-    return detail::of_kind<K>(s.coordinates_, s.frames_2D_, s.frames_3D_, s.inputs_)[i];
+  template <std::size_t... K>
+  void resize(std::index_sequence<K...>) {
+    (std::get<K>(things_).resize(topology_->names[K].size()), ...);
   }
+  template <class Kinds>
+  struct lists;
+  template <std::size_t... K>
+  struct lists<std::index_sequence<K...>> {
+    using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), double>>...>;
+  };
 
   std::shared_ptr<const topology> topology_;
-  std::vector<gen_coord<>> coordinates_;
-  std::vector<kte::frame_2D<>> frames_2D_;
-  std::vector<kte::frame_3D<>> frames_3D_;
-  std::vector<double> inputs_;
+  typename lists<std::make_index_sequence<kinds>>::type things_;
+  std::vector<int> free_coordinates_;
 
  public:
   /// Working memory of the algorithms; nothing in it needs to be read or kept.
-  struct workspace {
-    workspace(std::size_t coordinates, std::size_t dofs, std::size_t in_plane, std::size_t in_space)
-        : carried{std::vector<composite_3D>(in_plane), std::vector<composite_3D>(in_space)},
-          all(Eigen::MatrixXd::Zero(Eigen::Index(coordinates), Eigen::Index(coordinates))),
-          mass(Eigen::MatrixXd::Zero(Eigen::Index(dofs), Eigen::Index(dofs))),
-          forces(Eigen::VectorXd::Zero(Eigen::Index(dofs))) {}
-
-    std::vector<composite_3D> carried[2];  ///< inertia carried by each frame, in the plane and in space
-    Eigen::MatrixXd all;                   ///< mass matrix over all coordinates
-    Eigen::MatrixXd mass;                  ///< over the degrees of freedom
-    Eigen::VectorXd forces;
-  } work;
+  detail::workspace work;
 };
 
 }  // namespace kte

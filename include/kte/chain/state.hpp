@@ -1,29 +1,11 @@
 #pragma once
 
+#include <kte/chain/thing.hpp>
 #include <kte/chain/wiring.hpp>
-#include <kte/frames/frame_2D.hpp>
-#include <kte/frames/frame_3D.hpp>
-#include <kte/frames/gen_coord.hpp>
 
 #include <array>
 
 namespace kte {
-
-namespace detail {
-/// Of four lists, that of kind K.
-template <kind K, class C, class P, class S, class I>
-constexpr auto& of_kind(C& coordinates, P& in_plane, S& in_space, I& inputs) {
-  if constexpr (K == kind::gen) {
-    return coordinates;
-  } else if constexpr (K == kind::frame_2D) {
-    return in_plane;
-  } else if constexpr (K == kind::frame_3D) {
-    return in_space;
-  } else {
-    return inputs;
-  }
-}
-}  // namespace detail
 
 /// The state of a static chain: every coordinate, frame and input by name, for the passes to work on and for users to
 /// look at. A value; the chain itself never changes.
@@ -35,6 +17,7 @@ class chain_state {
   using scalar = Scalar;
   using wiring = Wiring;
   static constexpr int dofs = Wiring::dofs;
+  static constexpr int nq = Wiring::nq;
 
   template <key_type Key>
   constexpr auto& operator[](const Key&) {
@@ -45,35 +28,33 @@ class chain_state {
     return at(*this, Key{});
   }
 
-  // By index, for the passes: coordinates 0 .. dofs-1 are the degrees of freedom.
-  constexpr auto& coordinate(int i) { return coordinates_[static_cast<std::size_t>(i)]; }
-  constexpr const auto& coordinate(int i) const { return coordinates_[static_cast<std::size_t>(i)]; }
+  // By index among things of a kind, for the passes: first come those that are degrees of freedom.
+  constexpr auto& coordinate(int i) { return get<kind::gen>(i); }
+  constexpr const auto& coordinate(int i) const { return get<kind::gen>(i); }
   template <kind K>
   constexpr auto& get(int i) {
-    return get<K>(*this, static_cast<std::size_t>(i));
+    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
   }
   template <kind K>
   constexpr const auto& get(int i) const {
-    return get<K>(*this, static_cast<std::size_t>(i));
+    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
   }
 
  private:
-  template <kind K, class Self>
-  static constexpr auto& get(Self& s, std::size_t i) {
-    return detail::of_kind<K>(s.coordinates_, s.frames_2D_, s.frames_3D_, s.inputs_)[i];
-  }
   template <class Self, class Key>
   static constexpr auto& at(Self& s, Key) {
     constexpr int i = Wiring::template find<Key>();
     static_assert(i >= 0, "kte: this chain has nothing of this name");
-    return get<Key::what>(s, static_cast<std::size_t>(i < 0 ? 0 : i));
+    return s.template get<Key::what>(i < 0 ? 0 : i);
   }
-  static constexpr std::size_t count(kind k) { return static_cast<std::size_t>(Wiring::count(k)); }
-
-  std::array<gen_coord<Scalar>, count(kind::gen)> coordinates_{};
-  std::array<frame_2D<Scalar>, count(kind::frame_2D)> frames_2D_{};
-  std::array<frame_3D<Scalar>, count(kind::frame_3D)> frames_3D_{};
-  std::array<Scalar, count(kind::input)> inputs_{};
+  template <class Kinds>
+  struct lists;
+  template <std::size_t... K>
+  struct lists<std::index_sequence<K...>> {
+    using type = std::tuple<std::array<detail::thing_of<static_cast<kind>(K), Scalar>,
+                                       static_cast<std::size_t>(Wiring::count(static_cast<kind>(K)))>...>;
+  };
+  typename lists<std::make_index_sequence<kinds>>::type things_{};
 };
 
 template <class T>

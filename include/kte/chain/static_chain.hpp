@@ -9,14 +9,6 @@
 
 namespace kte {
 
-namespace detail {
-template <class Core>
-inline constexpr bool reads_positions = false;
-template <class Core>
-requires requires { Core::reads_positions; }
-inline constexpr bool reads_positions<Core> = Core::reads_positions;
-}  // namespace detail
-
 /// A mechanism as a type: elements in order, connected by their keys, with a gravity. Build it with `kte::chain`.
 /// Immutable and without pointers: constexpr where its numbers are, free to copy, safe to share between threads.
 ///
@@ -29,8 +21,10 @@ class static_chain {
  public:
   using wiring = detail::wiring<E...>;
   static constexpr std::size_t size = sizeof...(E);
-  /// Degrees of freedom.
+  /// Degrees of freedom: numbers of v, a, tau. (Where they stand: chain/layout.hpp.)
   static constexpr int dofs = wiring::dofs;
+  /// Numbers of a configuration q: more than that where a coordinate is a rotation in space.
+  static constexpr int nq = wiring::nq;
   /// Whether an element reads positions, rotations or linear velocities of frames by its forces; it says so by
   /// `static constexpr bool reads_positions = true`. Only then do the fused algorithms compute them.
   static constexpr bool reads_positions = [] {
@@ -69,6 +63,9 @@ class static_chain {
   constexpr const Gravity& gravity() const { return gravity_; }
 
   constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }
+  template <std::size_t I>
+  using core_type = typename std::remove_cvref_t<decltype(boost::hana::at_c<I>(
+      std::declval<const boost::hana::tuple<E...>&>()))>::core_type;
   template <std::size_t I>
   KTE_INLINE constexpr const auto& core() const {
     return boost::hana::at_c<I>(elements_).core;

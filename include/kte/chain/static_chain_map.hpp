@@ -77,7 +77,7 @@ class static_chain_map final : public kte_map {
   /// The state of the runtime chain under the indices of the static one.
   struct mapped_state {
     runtime_state& s;
-    const std::array<std::vector<int>, 4>& index;
+    const std::array<std::vector<int>, kinds>& index;
     template <kind K>
     auto& get(int i) const {
       return s.get<K>(index[static_cast<std::size_t>(K)][static_cast<std::size_t>(i)]);
@@ -86,7 +86,7 @@ class static_chain_map final : public kte_map {
 
   Chain chain_;
   std::vector<std::unique_ptr<kte_element>> elements_;
-  std::array<std::vector<int>, 4> index_;  ///< by kind: index in the runtime chain of each thing of the static one
+  std::array<std::vector<int>, kinds> index_;  ///< by kind: index in the runtime chain of each thing of the static one
 };
 
 }  // namespace kte

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/port.hpp>
+#include <kte/chain/wiring.hpp>
 #include <kte/errors.hpp>
 
 #include <array>
@@ -24,19 +24,20 @@ class topology {
     int writer;     ///< the element that writes it, or -1: given from outside
     bool declared;  ///< written by an element, or declared by base_gen, base_2D, base_3D
     bool moves;     ///< for coordinates: an element moves by it, or it is given
+    bool angle;     ///< for coordinates: an element wants its cosine and sine
   };
   struct connection {
     const kte_element* element = nullptr;
-    std::vector<int> index;  ///< of what each port is connected to
-    int coordinate = -1;     ///< of a joint
-    bool stiff = false;      ///< whether it is a joint or a link
-    int below = -1;          ///< the element that writes the base of a joint or link, -1 for a base of the chain
+    std::vector<int> index;       ///< of what each port is connected to
+    std::span<const port> ports;  ///< of the element
+    bool stiff = false;           ///< whether it is a joint or a link
   };
 
-  std::array<std::vector<std::string>, 4> names;  ///< of all things, by kind
-  std::vector<int> dofs;                          ///< the coordinates that are degrees of freedom
-  std::vector<connection> elements;               ///< in order
-  std::array<std::vector<int>, 4> writers;        ///< of all things, by kind: an element, or -1
+  std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
+  std::vector<detail::freedom> free;                  ///< the coordinates that are degrees of freedom, in order
+  int nq = 0, nv = 0;                                 ///< numbers of a configuration; degrees of freedom
+  std::vector<connection> elements;                   ///< in order
+  std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 
   /// Equal for chains with the same things in the same order: a new one for every element, the same for copies.
   std::shared_ptr<const char> layout = std::make_shared<char>();
@@ -47,6 +48,7 @@ class topology {
     check(type, ports, to);
     connection c;
     c.element = e;
+    c.ports = ports;
     for (std::size_t p = 0; p < ports.size(); ++p) c.index.push_back(add(ports[p], to[p]));
     elements.push_back(std::move(c));
     layout = std::make_shared<char>();
@@ -54,9 +56,12 @@ class topology {
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
   void check_complete() const {
     for (const auto& [name, t] : things_)
-      if (t.what == kind::gen && !t.moves)
-        throw bad_wiring("kte: a force acts on coordinate '" + name + "', which no element moves by: is it misspelt?");
+      if (is_coordinate(t.what) && !t.moves)
+        throw bad_wiring("kte: a force acts on " + std::string(to_string(t.what)) + " '" + name +
+                         "', which no element moves by: is it misspelt?");
   }
+  /// Whether an element wants the cosine and sine of generalized coordinate i.
+  bool is_angle(int i) const { return things_.find(names[0][static_cast<std::size_t>(i)])->second.angle; }
   /// What a name is; throws `unknown_name`.
   kind kind_of(std::string_view name) const {
     const auto it = things_.find(name);
@@ -102,8 +107,7 @@ class topology {
         continue;
       }
       fresh.emplace(to[p], &x);
-      const bool frame = x.what == kind::frame_2D || x.what == kind::frame_3D;
-      if (frame && !x.writes()) {
+      if (is_frame(x.what) && !x.writes()) {
         if (base_taken)
           fail(type, ports, to,
                "it reads " + quoted +
@@ -118,13 +122,17 @@ class topology {
     const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
     const bool moves = x.how != access::on;
     const auto [it, fresh] =
-        things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.writes(), moves});
+        things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.writes(), moves, false});
     it->second.moves |= moves;
+    it->second.angle |= x.how == access::angle;
     if (fresh) {
       names[k].push_back(name);
       writers[k].push_back(writer);
-      if (x.what == kind::gen && !x.writes()) dofs.push_back(it->second.index);
-      if ((x.what == kind::frame_2D || x.what == kind::frame_3D) && !x.writes()) base_known_ = true;
+      if (is_coordinate(x.what) && !x.writes()) {
+        free.push_back({x.what, it->second.index, nq, nv});
+        nq += nq_of(x.what), nv += nv_of(x.what);
+      }
+      if (is_frame(x.what) && !x.writes()) base_known_ = true;
     }
     return it->second.index;
   }

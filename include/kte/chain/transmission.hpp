@@ -18,32 +18,86 @@ KTE_INLINE constexpr auto make_loads(const L&... l) {
 }
 
 namespace detail {
-/// A coordinate of which only the rate moves, by one: the motion it makes is the axis of the joint.
-template <class C>
+/// The N-th vector of unit length along the axes, or none of them.
+template <int N>
+KTE_INLINE constexpr auto unit_vector() {
+  return vec3<constant<N == 0>, constant<N == 1>, constant<N == 2>>{};
+}
+/// A coordinate of kind K of which only rate number N moves, by one: the motion it makes is axis N of the joint.
+template <kind K, int N, class C>
 KTE_INLINE constexpr auto unit_rate(const C& c) {
-  return coordinate{c.q, one, zero, c.cos, c.sin};
+  if constexpr (K == kind::gen) {
+    return coordinate{c.q, one, zero, c.cos, c.sin};
+  } else {
+    constexpr int first_angular = K == kind::rotation_3D ? 0 : K == kind::pose_2D ? 2 : 3;
+    constexpr int angular = N < first_angular ? -1 : K == kind::pose_2D ? 2 : N - first_angular;
+    const auto turning = unit_vector<angular>();
+    const auto moving = unit_vector<(N < first_angular ? N : -1)>();
+    return motion{c.position, c.rotation, moving, turning, zero3{}, zero3{}};
+  }
 }
 /// A coordinate without rates.
 template <class C>
 KTE_INLINE constexpr auto position_only(const C& c) {
-  return coordinate{c.q, skip{}, skip{}, c.cos, c.sin};
+  if constexpr (requires { c.q; }) {
+    return coordinate{c.q, skip{}, skip{}, c.cos, c.sin};
+  } else {
+    constexpr vec3<skip> none{};
+    return motion{c.position, c.rotation, none, none, none, none};
+  }
+}
+/// A coordinate without accelerations.
+template <class C>
+KTE_INLINE constexpr auto unaccelerated(const C& c) {
+  if constexpr (requires { c.q; }) {
+    return coordinate{c.q, c.q_dot, zero, c.cos, c.sin};
+  } else {
+    return motion{c.position, c.rotation, c.velocity, c.ang_velocity, zero3{}, zero3{}};
+  }
 }
 /// The power of a wrench on a velocity.
 template <class Motion, class F, class T>
 KTE_INLINE constexpr auto power(const Motion& m, const wrench<F, T>& w) {
   return dot(m.velocity, w.force) + dot(m.ang_velocity, w.torque);
 }
+/// The forces of virtual power on a coordinate of kind K: f(N) for each of its degrees of freedom, as a load.
+template <kind K, class F>
+KTE_INLINE constexpr auto load_on(const F& f) {
+  if constexpr (K == kind::gen) {
+    return f.template operator()<0>();
+  } else if constexpr (K == kind::rotation_3D) {
+    return wrench{zero3{}, vec3{f.template operator()<0>(), f.template operator()<1>(), f.template operator()<2>()}};
+  } else if constexpr (K == kind::pose_2D) {
+    return wrench{vec3{f.template operator()<0>(), f.template operator()<1>(), zero},
+                  vec3{zero, zero, f.template operator()<2>()}};
+  } else {
+    return wrench{vec3{f.template operator()<0>(), f.template operator()<1>(), f.template operator()<2>()},
+                  vec3{f.template operator()<3>(), f.template operator()<4>(), f.template operator()<5>()}};
+  }
+}
+/// Number N of such a load.
+template <kind K, int N, class L>
+KTE_INLINE constexpr auto number_of(const L& load) {
+  if constexpr (K == kind::gen) {
+    return load;
+  } else {  // its power on the rate of one
+    constexpr motion<zero3, no_rotation, zero3, zero3, zero3, zero3> none{};
+    return power(unit_rate<K, N>(none), load);
+  }
+}
 }  // namespace detail
 
 /// A stiff connection between two frames: a link, a joint. A core that derives from it gives one function,
 ///
-///   relative(coordinates...)   the motion of the end frame in the base frame                    (1)
+///   relative(coordinate)   the motion of the end frame in the base frame, of a link relative()     (1)
 ///
 /// and the passes follow from it:
 ///   doMotion   X_end = X_base * relative                     (compose, frames/motion.hpp)        (2)
 ///   doForce    the full wrench of the end goes to the base   (transmit, the same)                (3)
 ///              f = s . wrench, s the velocity that a unit rate of the coordinate makes           (4)
-/// so that f is the force of virtual power on the coordinate, in any chain.
+/// so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and the
+/// accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
+/// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end.
 template <class Core>
 struct transmission {
   /// A link.
@@ -51,19 +105,21 @@ struct transmission {
   KTE_INLINE constexpr auto doMotion(const Base& base) const {
     return compose(base, core().relative());  // (2)
   }
-  template <class Base, class Wrench>
-  KTE_INLINE constexpr auto doForce(const Base&, const Wrench& end) const {
+  template <class Base, class F, class T>
+  KTE_INLINE constexpr auto doForce(const Base&, const wrench<F, T>& end) const {
     return make_loads(transmit(core().relative(), end));  // (3)
   }
-  /// A joint of one coordinate.
+  /// A joint.
   template <class C, class Base>
-  requires requires(const C& c) { c.q_dot; }
   KTE_INLINE constexpr auto doMotion(const C& c, const Base& base) const {
     return compose(base, core().relative(c));  // (2)
   }
   template <class C, class Base, class Wrench>
   KTE_INLINE constexpr auto doForce(const C& c, const Base&, const Wrench& end) const {
-    return make_loads(detail::power(core().relative(detail::unit_rate(c)), end),  // (4)
+    constexpr kind k = Core::ports[0].what;
+    const auto f = [&]<int N>()
+                       KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
+    return make_loads(detail::load_on<k>(f),                                      // (4)
                       transmit(core().relative(detail::position_only(c)), end));  // (3)
   }
 

@@ -18,24 +18,35 @@ struct port_use {
   std::uint64_t text{};  ///< the same number is the same text
 };
 
+/// A coordinate that is a degree of freedom, or several: thing `slot` of its kind, whose numbers begin at place `q` of
+/// a configuration and at place `v` of velocities, accelerations and forces.
+struct freedom {
+  kind what{};
+  int slot{};
+  int q{};
+  int v{};
+};
+
 /// The result. P ports and E elements are counted over the whole chain.
 ///   slot[p]       index of what port p is connected to, among things of its kind
 ///   count[k]      how many things of kind k there are
 ///   writer[k][s]  the element that writes thing s of kind k, or -1 if it is given from outside
-///   dofs          coordinates 0 .. dofs-1 are the degrees of freedom, in order of first appearance
+///   free          the coordinates that are degrees of freedom, in order of first appearance; of each kind they are
+///                 the first things. nq and nv numbers altogether
 ///   reader[k][s]  the last port through which a load comes on thing s of kind k, or -1; previous[p] is the one before
 ///   element[p], load[p]   the element of port p, and the place of its load among the loads of that element
 template <std::size_t P, std::size_t E>
 struct wiring_table {
   std::array<int, P + 1> slot{};
   std::array<kind, P + 1> what{};
-  std::array<int, 4> count{};
-  std::array<std::array<int, P + 1>, 4> writer{};
-  std::array<std::array<std::uint64_t, P + 1>, 4> key{};
-  std::array<std::array<int, P + 1>, 4> reader{};
+  std::array<int, kinds> count{};
+  std::array<std::array<int, P + 1>, kinds> writer{};
+  std::array<std::array<std::uint64_t, P + 1>, kinds> key{};
+  std::array<std::array<int, P + 1>, kinds> reader{};
   std::array<int, P + 1> previous{}, element{}, load{};
-  std::array<bool, P + 1> angle{};  ///< by coordinate: an element wants its sine and cosine
-  int dofs{};
+  std::array<bool, P + 1> angle{};  ///< by generalized coordinate: an element wants its sine and cosine
+  std::array<freedom, P + 1> free{};
+  int freedoms{}, nq{}, nv{};
   problem error = problem::none;  ///< the first one; of element bad_element, about its port bad_port
   std::size_t bad_element = E;
   std::size_t bad_port{};
@@ -78,9 +89,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
   // the first frame that is read is the base of the chain
   int base = -1;
   for (int p = 0; p < n && base < 0; ++p)
-    if ((use[p].what == kind::frame_2D || use[p].what == kind::frame_3D) &&
-        (use[p].how == access::in || use[p].how == access::on))
-      base = name[p];
+    if (is_frame(use[p].what) && (use[p].how == access::in || use[p].how == access::on)) base = name[p];
   // coordinates that move something
   std::array<bool, P + 1> moves{};
   for (int p = 0; p < n; ++p)
@@ -89,29 +98,31 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     if (use[p].how == access::out || use[p].how == access::base) continue;
     const int w = writer[name[p]];
     if (w >= 0 && element[w] >= element[p]) report(p, problem::read_before_written);
-    if (w < 0 && use[p].what == kind::gen && !moves[name[p]]) report(p, problem::unknown);
-    if (w < 0 && (use[p].what == kind::frame_2D || use[p].what == kind::frame_3D) && name[p] != base)
-      report(p, problem::unknown);
+    if (w < 0 && is_coordinate(use[p].what) && !moves[name[p]]) report(p, problem::unknown);
+    if (w < 0 && is_frame(use[p].what) && name[p] != base) report(p, problem::unknown);
   }
   // slots: coordinates that are degrees of freedom first, the rest in order of appearance
   for (int round = 0; round < 2; ++round)
     for (int p = 0; p < n; ++p) {
       if (name[p] != p) continue;
-      const bool free_coordinate = use[p].what == kind::gen && writer[p] < 0;
+      const bool free_coordinate = is_coordinate(use[p].what) && writer[p] < 0;
       if (free_coordinate != (round == 0)) continue;
       const auto k = static_cast<std::size_t>(use[p].what);
       rank[p] = t.count[k]++;
       const bool given = writer[p] < 0 || use[writer[p]].how == access::base;
       t.writer[k][rank[p]] = given ? -1 : element[writer[p]];
       t.key[k][rank[p]] = use[p].key;
-      if (round == 0) ++t.dofs;
+      if (round == 1) continue;
+      t.free[static_cast<std::size_t>(t.freedoms++)] = {use[p].what, rank[p], t.nq, t.nv};
+      t.nq += nq_of(use[p].what);
+      t.nv += nv_of(use[p].what);
     }
   for (auto& of_kind : t.reader)
     for (auto& r : of_kind) r = -1;
   for (int p = 0; p < n; ++p) {
     const int s = t.slot[p] = rank[name[p]];
     t.what[p] = use[p].what;
-    if (use[p].how == access::angle) t.angle[s] = true;
+    if (use[p].how == access::angle && use[p].what == kind::gen) t.angle[s] = true;
     if (use[p].how == access::out || use[p].how == access::base || use[p].what == kind::input) continue;
     t.load[p] = p > first[element[p]] ? t.load[p - 1] + (use[p - 1].what != kind::input) : 0;
     auto& last = t.reader[static_cast<std::size_t>(use[p].what)][s];
@@ -177,8 +188,29 @@ struct wiring {
   static constexpr int writer(kind k, int s) {
     return table.writer[static_cast<std::size_t>(k)][static_cast<std::size_t>(s)];
   }
-  static constexpr int dofs = table.dofs;
-  /// Whether the sine and cosine of coordinate s are wanted.
+  /// Degrees of freedom, and numbers of a configuration.
+  static constexpr int dofs = table.nv;
+  static constexpr int nq = table.nq;
+  static constexpr std::size_t freedoms = static_cast<std::size_t>(table.freedoms);
+  template <std::size_t I>
+  static constexpr freedom free = table.free[I];
+  /// Of thing s of kind k; at.what is `input` if it is no degree of freedom.
+  static constexpr freedom freedom_of(kind k, int s) {
+    for (std::size_t i = 0; i < freedoms; ++i)
+      if (table.free[i].what == k && table.free[i].slot == s) return table.free[i];
+    return {kind::input, 0, 0, 0};
+  }
+  template <kind K, int Slot>
+  static constexpr freedom at = freedom_of(K, Slot);
+  template <kind K, int Slot>
+  static constexpr bool is_free = at<K, Slot>.what == K&& is_coordinate(K);
+  /// Generalized coordinates that are degrees of freedom.
+  static constexpr int gen_dofs = [] {
+    int n = 0;
+    for (std::size_t i = 0; i < freedoms; ++i) n += table.free[i].what == kind::gen;
+    return n;
+  }();
+  /// Whether the sine and cosine of generalized coordinate s are wanted.
   static constexpr bool angle(int s) { return table.angle[static_cast<std::size_t>(s)]; }
   /// Index of a key among things of its kind, or -1.
   template <class Key>

@@ -1,30 +1,49 @@
 #pragma once
 
-#include <kte/dynamics/detail/solve.hpp>
+#include <kte/dynamics/detail/local_articulated.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/kernels/solve.hpp>
 
 namespace kte {
 
-/// Forward dynamics by the factorised mass matrix:
+namespace detail {
+/// By articulated bodies (ABA) where the chain is a tree of joints, otherwise by the factorised mass matrix.
+template <class S, class Chain, class At, class V, class Base>
+KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, const Base& base,
+                                    const joint_vector<S, Chain::dofs>& tau) {
+  at.check();
+  joint_vector<S, Chain::dofs> a;
+  if constexpr (is_tree_of_joints<Chain>) {
+    const given<At, V, same<zero_t>, Base, true> g{at, v, {}, base};
+    local_articulated<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate(tau, a);
+  } else {
+    a = tau + coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
+    auto m = local_mass_matrix<S>(c, at);
+    solve_in_place(m, a);
+  }
+  return a;
+}
+}  // namespace detail
+
+/// Forward dynamics:
 ///
 ///   a = M(q)^-1 (tau - bias),   bias = the inverse dynamics for a = 0          (1)
 ///
-/// tau: forces applied to the degrees of freedom besides those of the chain's own elements; else as `inverse_dynamics`.
-/// Returns accelerations, rad/s^2 and m/s^2. Throws `singular_mass_matrix`.
+/// in a chain of joints and links by the articulated-body algorithm, which never forms M and keeps its digits where M
+/// is badly conditioned (docs/decisions/06-articulated-bodies.md); where coordinates follow others, or two joints share
+/// one, by factorising M. tau: forces applied to the degrees of freedom besides those of the chain's own elements; else
+/// as `inverse_dynamics`. Returns accelerations, rad/s^2 and m/s^2. Throws `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   constexpr int n = chain_type::dofs;
-  check_size<n>(q, "q"), check_size<n>(v, "v"), check_size<n>(tau, "tau");
-  const detail::positions<S, typename chain_type::wiring, detail::each<S, Q>> at({q});
-  joint_vector<S, n> a = detail::coordinate_forces<S>(
-      c, detail::given{at, detail::each<S, V>{v}, detail::same<zero_t>{}, detail::base_under_gravity(c)}, one);
-  for (int i = 0; i < n; ++i) a[i] += S(tau[static_cast<std::size_t>(i)]);
-  auto m = detail::local_mass_matrix<S>(c, at);
-  detail::solve_in_place(m, a);
-  return a;
+  detail::check_configuration<chain_type>(q), check_size<n>(v, "v"), check_size<n>(tau, "tau");
+  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
+  joint_vector<S, n> f;
+  for (int i = 0; i < n; ++i) f[i] = S(tau[static_cast<std::size_t>(i)]);
+  return detail::accelerations_under<S>(c, at, detail::each<S, V>{v}, detail::base_under_gravity(c), f);
 }
 
 /// The same at the positions and rates of a state, with its moving bases and its inputs, and no other forces.
@@ -32,12 +51,10 @@ template <class Gravity, class... E, class S>
 auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
-  const positions<S, wiring<E...>, of_state<state, &gen_coord<S>::q>> at({s});
-  joint_vector<S, static_chain<Gravity, E...>::dofs> a = coordinate_forces<S>(
-      c, given{at, of_state<state, &gen_coord<S>::q_dot>{s}, same<zero_t>{}, base_of_state<state>{s}}, one);
-  auto m = local_mass_matrix<S>(c, at);
-  solve_in_place(m, a);
-  return a;
+  const auto q = positions(s), v = velocities(s);
+  const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
+  using vector = joint_vector<S, state::dofs>;
+  return accelerations_under<S>(c, at, each<S, vector>{v}, base_of_state<state>{s}, vector(vector::Zero()));
 }
 
 }  // namespace kte

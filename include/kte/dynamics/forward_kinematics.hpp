@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/joint_vector.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 
 namespace kte {
 
@@ -49,8 +49,8 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
 auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_size<chain_type::dofs>(q, "q");
-  const detail::positions<S, typename chain_type::wiring, detail::each<S, Q>> at({q});
+  detail::check_configuration<chain_type>(q);
+  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   return detail::pose_at<S, Frame>(c, at,
                                    detail::same_base{motion{zero3{}, no_rotation{}, skip{}, skip{}, skip{}, skip{}}});
 }
@@ -61,7 +61,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<
                         const Frame&) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
-  const positions<S, wiring<E...>, of_state<state, &gen_coord<S>::q>> at({s});
+  const auto q = positions(s);
+  const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
   return pose_at<S, Frame>(c, at, base_of_state<state>{s});
 }
 

@@ -1,22 +1,37 @@
 #pragma once
 
+#include <kte/chain/transmission.hpp>
 #include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/joint_vector.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 
 namespace kte {
 
 namespace detail {
+/// The numbers of the load on a coordinate of kind K, to places V, V + 1, ... of f.
+template <kind K, int V, class L, class Sign, class X>
+KTE_INLINE void spread_load(const L& load, Sign sign, X& f) {
+  using S = typename X::Scalar;
+  const auto each_number = [&]<int... N>(std::integer_sequence<int, N...>) KTE_INLINE_LAMBDA {
+    const int done[]{(f[V + N] = as<S>(sign * number_of<K, N>(load)), 0)..., 0};
+    (void)done;
+  };
+  each_number(std::make_integer_sequence<int, nv_of(K)>{});
+}
 /// The forces of virtual power on all degrees of freedom (`sign` one), or what must be applied for the motion to
 /// happen (minus one).
 template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
   const local_pass<Chain, Given> pass(c, g);
   joint_vector<S, Chain::dofs> f;
-  const auto read = [&]<int... I>(std::integer_sequence<int, I...>) KTE_INLINE_LAMBDA {
-    const int done[]{(f[I] = as<S>(sign * pass.template load<kind::gen, I>()), 0)..., 0};
+  const auto read = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    const int done[]{
+        (spread_load<Chain::wiring::template free<I>.what, Chain::wiring::template free<I>.v>(
+             pass.template load<Chain::wiring::template free<I>.what, Chain::wiring::template free<I>.slot>(), sign, f),
+         0)...,
+        0};
     (void)done;
   };
-  read(std::make_integer_sequence<int, Chain::dofs>{});
+  read(std::make_index_sequence<Chain::wiring::freedoms>{});
   check_finite(f, std::size_t{Chain::dofs}, "kte: a force is no finite number: an argument is none, or is too large");
   return f;
 }
@@ -29,13 +44,15 @@ KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
 ///
 /// where Q are the forces of the chain's own springs, dampers and the like, gravity is the chain's `gravity()`, bases
 /// rest and inputs are zero. q, v, a: positions (rad, m), velocities, accelerations of the degrees of freedom in the
-/// order of first appearance in the chain; anything with operator[]. Returns tau in Nm and N. No heap, no state.
+/// order of the chain's layout (chain/layout.hpp); anything with operator[]. Returns tau in Nm and N. No heap, no
+/// state.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_size<chain_type::dofs>(q, "q"), check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(a, "a");
-  const detail::positions<S, typename chain_type::wiring, detail::each<S, Q>> at({q});
+  detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
+      check_size<chain_type::dofs>(a, "a");
+  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   return detail::coordinate_forces<S>(
       c, detail::given{at, detail::each<S, V>{v}, detail::each<S, A>{a}, detail::base_under_gravity(c)}, minus_one);
 }
@@ -43,13 +60,13 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 /// The same at the positions, rates and accelerations of a state, with its moving bases and its inputs.
 template <class Gravity, class... E, class S>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
-  using namespace detail;
   using state = chain_state<S, detail::wiring<E...>>;
-  const positions<S, wiring<E...>, of_state<state, &gen_coord<S>::q>> at({s});
-  return coordinate_forces<S>(c,
-                              given{at, of_state<state, &gen_coord<S>::q_dot>{s},
-                                    of_state<state, &gen_coord<S>::q_ddot>{s}, base_of_state<state>{s}},
-                              minus_one);
+  const auto q = positions(s), v = velocities(s), a = accelerations(s);
+  using vector = std::remove_const_t<decltype(v)>;
+  const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
+  return detail::coordinate_forces<S>(
+      c, detail::given{at, detail::each<S, vector>{v}, detail::each<S, vector>{a}, detail::base_of_state<state>{s}},
+      minus_one);
 }
 
 }  // namespace kte

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/local_mass.hpp>
-#include <kte/dynamics/joint_vector.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 
 namespace kte {
 
@@ -15,8 +15,8 @@ template <class Gravity, class... E, indexable Q>
 auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  check_size<chain_type::dofs>(q, "q");
-  const detail::positions<S, typename chain_type::wiring, detail::each<S, Q>> at({q});
+  detail::check_configuration<chain_type>(q);
+  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   return detail::local_mass_matrix<S>(c, at);
 }
 
@@ -24,7 +24,8 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
 template <class Gravity, class... E, class S>
 auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
-  const positions<S, wiring<E...>, of_state<chain_state<S, wiring<E...>>, &gen_coord<S>::q>> at({s});
+  const auto q = positions(s);
+  const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
   return local_mass_matrix<S>(c, at);
 }
 

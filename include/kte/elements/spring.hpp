@@ -1,36 +1,114 @@
 #pragma once
 
 #include <kte/chain/transmission.hpp>
+#include <kte/math/select.hpp>
 
-#include <algorithm>
+#include <cmath>
 
 namespace kte {
 
+namespace detail {
+
+/// A typed constant as a double, a number as it is.
+template <entry T>
+KTE_INLINE constexpr auto as_number(const T& x) {
+  if constexpr (typed_constant<T>) {
+    return as<double>(x);
+  } else {
+    return x;
+  }
+}
+
+/// The length of a vector and its direction: a unit vector, but 0 for the vector 0, which has none. Neither they nor
+/// their derivatives are ever NaN for that.
+template <class Length, class Direction>
+struct polar {
+  Length length;
+  Direction direction;
+};
+template <class X, class Y, class Z>
+KTE_INLINE constexpr auto to_polar(const vec3<X, Y, Z>& d) {
+  using std::sqrt;
+  const auto square = as_number(dot(d, d));
+  using S = std::remove_const_t<decltype(square)>;
+  const auto none = square == S(0);
+  const S length = sqrt(select(none, S(1), square));
+  const auto direction = S(S(1) / length) * d;
+  return polar<S, std::remove_const_t<decltype(direction)>>{select(none, S(0), length), direction};
+}
+
+/// A force s limited to [-most, most]; 0, typed or not: no limit. NaN stays NaN.
+template <entry S, class Most>
+KTE_INLINE constexpr auto limited(const S& s, const Most& most) {
+  if constexpr (std::is_same_v<Most, zero_t> || std::is_same_v<S, zero_t>) {
+    return s;
+  } else {
+    const auto f = as_number(s);
+    using T = std::remove_const_t<decltype(f)>;
+    const T m = as<T>(most);
+    return select(m == T(0), f, select(f > m, m, select(f < T(-m), T(-m), f)));
+  }
+}
+/// A force or torque limited in its length.
+template <class X, class Y, class Z, class Most>
+KTE_INLINE constexpr auto limited(const vec3<X, Y, Z>& f, const Most& most) {
+  using std::sqrt;
+  if constexpr (std::is_same_v<Most, zero_t>) {
+    return f;
+  } else {
+    const auto square = as_number(dot(f, f));
+    using T = std::remove_const_t<decltype(square)>;
+    const T m = as<T>(most);
+    const auto beyond = square > T(m * m);
+    const T share = select(beyond, T(m / sqrt(select(beyond, square, T(1)))), T(1));
+    return select(m == T(0), T(1), share) * f;
+  }
+}
+
+template <class A, class B>
+KTE_INLINE constexpr auto inner_product(const A& a, const B& b) {
+  if constexpr (entry<A>) {
+    return a * b;
+  } else {
+    return dot(a, b);
+  }
+}
+/// The energy of a spring of stiffness k that is stretched by x, a number or a vector. With the limited force f:
+///
+///   V = k/2 x.x,  with saturation  V = f.x - f.f/(2k)          (1)
+///
+/// beyond saturation, that is f times the stretch less half the stretch at which it saturates.
+template <class X, class Stiffness, class Most>
+KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const Most& most) {
+  const auto f = limited(k * x, most);
+  const auto work = as_number(inner_product(f, x));
+  using S = std::remove_const_t<decltype(work)>;
+  if constexpr (std::is_same_v<Most, zero_t>) {
+    return S(S(0.5) * work);
+  } else {
+    const S stiffness = as<S>(k);
+    return S(work - as<S>(inner_product(f, f)) / (S(2) * select(stiffness == S(0), S(1), stiffness)));
+  }
+}
+
+/// A force f on the first of two frames, -f on the second, given in axes of the world, at their origins.
+template <class A, class B, class F>
+KTE_INLINE constexpr auto opposite_forces(const A& a, const B& b, const F& f) {
+  return make_loads(wrench{transpose(a.rotation) * f, zero3{}}, wrench{-(transpose(b.rotation) * f), zero3{}});
+}
+
+}  // namespace detail
+
 namespace core {
 
-/// A linear spring between two coordinates, of stiffness k and rest length L:
-///
-///   s = k (q_2 - q_1 - L)                               (1)
-///   f_1 += s,  f_2 -= s                                 (2)
-///
-/// with |s| limited to the saturation force where there is one (a typed zero: none). Its energy is k/2 (q_2 - q_1 -
-/// L)^2.
+/// What all springs between two things have.
 template <class Rest, class Stiffness, class Saturation>
-struct spring_gen {
-  static constexpr type_name type{"spring", kind::gen};
-  static constexpr std::array<port, 2> ports{{{kind::gen, access::on, "anchor1"}, {kind::gen, access::on, "anchor2"}}};
-
+struct spring_parameters {
   Rest rest_length;
   Stiffness stiffness;
   Saturation saturation;
 
-  template <class C1, class C2>
-  KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
-    const auto s = limited(stiffness * ((c2.q - c1.q) - rest_length));  // (1)
-    return make_loads(s, -s);                                           // (2)
-  }
-  constexpr void check(const parameter_check& where) const {
-    where.finite(rest_length, "rest length must be finite");
+  constexpr void check_force(const parameter_check& where) const {
     where.not_negative(stiffness, "stiffness must be finite and not negative");
     where.not_negative(saturation, "saturation must be finite and not negative");
   }
@@ -40,17 +118,79 @@ struct spring_gen {
     visit("stiffness", self.stiffness);
     visit("saturation", self.saturation);
   }
+};
+
+/// A linear spring between two coordinates, of stiffness k and rest length L:
+///
+///   s = k (q_2 - q_1 - L)                               (1)
+///   f_1 += s,  f_2 -= s                                 (2)
+///
+/// with |s| limited to the saturation force where there is one (zero: none).
+template <class Rest, class Stiffness, class Saturation>
+struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
+  static constexpr type_name type{"spring", kind::gen};
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::on, "anchor1"}, {kind::gen, access::on, "anchor2"}}};
+
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
+    const auto s = detail::limited(this->stiffness * stretch(c1, c2), this->saturation);  // (1)
+    return make_loads(s, -s);                                                             // (2)
+  }
+  /// J
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto potential_energy(const C1& c1, const C2& c2) const {
+    return detail::elastic_energy(stretch(c1, c2), this->stiffness, this->saturation);
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.finite(this->rest_length, "rest length must be finite");
+    this->check_force(where);
+  }
 
  private:
-  template <class S>
-  KTE_INLINE constexpr S limited(const S& s) const {
-    if constexpr (typed_constant<Saturation> || typed_constant<S>) {
-      return s;
-    } else {  // in this order NaN stays NaN
-      using std::max;
-      using std::min;
-      return saturation == 0 ? s : S(max(S(min(s, S(saturation))), S(-saturation)));
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto stretch(const C1& c1, const C2& c2) const {
+    return (c2.q - c1.q) - this->rest_length;
+  }
+};
+
+/// A linear spring between the origins of two frames, of stiffness k and rest length L:
+///
+///   d = p_2 - p_1,  D = |d|,  e = d/D                   (1)
+///   F_1 += k (D - L) e,  F_2 -= k (D - L) e             (2)
+///
+/// limited to the saturation force where there is one (zero: none), no torque. A rest length that is a typed zero
+/// makes it F = k d, without a square root and smooth everywhere. With any other the direction is undefined where the
+/// origins coincide; there is no force then.
+template <kind Dim, class Rest, class Stiffness, class Saturation>
+struct spring : spring_parameters<Rest, Stiffness, Saturation> {
+  static constexpr type_name type{"spring", Dim};
+  static constexpr std::array<port, 2> ports{{{Dim, access::on, "anchor1"}, {Dim, access::on, "anchor2"}}};
+  static constexpr bool reads_positions = true;
+
+  template <class A, class B>
+  KTE_INLINE constexpr auto doForce(const A& a, const B& b) const {
+    const auto d = b.position - a.position;
+    if constexpr (std::is_same_v<Rest, zero_t>) {
+      return detail::opposite_forces(a, b, detail::limited(this->stiffness * d, this->saturation));
+    } else {
+      const auto [D, e] = detail::to_polar(d);  // (1)
+      const auto s = detail::limited(this->stiffness * (D - this->rest_length), this->saturation);
+      return detail::opposite_forces(a, b, s * e);  // (2)
     }
+  }
+  /// J
+  template <class A, class B>
+  KTE_INLINE constexpr auto potential_energy(const A& a, const B& b) const {
+    const auto d = b.position - a.position;
+    if constexpr (std::is_same_v<Rest, zero_t>) {
+      return detail::elastic_energy(d, this->stiffness, this->saturation);
+    } else {
+      return detail::elastic_energy(detail::to_polar(d).length - this->rest_length, this->stiffness, this->saturation);
+    }
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(this->rest_length, "rest length must be finite and not negative");
+    this->check_force(where);
   }
 };
 
@@ -63,7 +203,24 @@ constexpr auto spring_gen(const Q1& anchor1, const Q2& anchor2, const Rest& rest
                           const Saturation& saturation = {}) {
   using core_type =
       core::spring_gen<decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
-  return connect(core_type{real(rest_length), real(stiffness), real(saturation)}, anchor1, anchor2);
+  return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
+}
+/// A spring between the origins of two frames in the plane: rest length (m; `zero` for none), stiffness (N/m), and
+/// optionally the force at which it saturates (N).
+template <class F1, class F2, entry Rest, entry Stiffness, entry Saturation = zero_t>
+constexpr auto spring_2D(const F1& anchor1, const F2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
+                         const Saturation& saturation = {}) {
+  using core_type =
+      core::spring<kind::frame_2D, decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
+  return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
+}
+/// The same in space.
+template <class F1, class F2, entry Rest, entry Stiffness, entry Saturation = zero_t>
+constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
+                         const Saturation& saturation = {}) {
+  using core_type =
+      core::spring<kind::frame_3D, decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
+  return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
 }
 
 }  // namespace kte

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/math/sincos.hpp>
+
 namespace kte {
 
 /// A generalized coordinate as a chain's state holds it.
@@ -15,5 +17,11 @@ struct gen_coord {
   S cos = S(1);
   S sin{};
 };
+
+/// What doMotion brings up to date.
+template <class S>
+KTE_INLINE constexpr void update_angle(gen_coord<S>& c) {
+  sincos(c.q, c.sin, c.cos);
+}
 
 }  // namespace kte

@@ -63,6 +63,11 @@ KTE_INLINE constexpr auto operator+(const wrench<F, T>& a, const wrench<G, U>& b
   return wrench{a.force + b.force, a.torque + b.torque};
 }
 
+template <class F, class T, class G, class U>
+KTE_INLINE constexpr auto operator-(const wrench<F, T>& a, const wrench<G, U>& b) {
+  return wrench{a.force - b.force, a.torque - b.torque};
+}
+
 /// The motion of a frame B that moves by `b` relative to a frame A, which moves by `a`: a*b, exact to second order.
 ///
 ///   p  = p_A + R_A p_B,   R = R_A R_B

@@ -73,6 +73,11 @@ KTE_INLINE constexpr auto operator+(const sym3<T...>& a, const sym3<U...>& b) {
   return sym3{a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
 
+template <class... T>
+KTE_INLINE constexpr auto trace(const sym3<T...>& m) {
+  return m.xx + (m.yy + m.zz);
+}
+
 /// R A R^T for symmetric A: six entries, not nine.
 template <class RX, class RY, class RZ, class... T>
 KTE_INLINE constexpr auto congruence(const mat3<RX, RY, RZ>& r, const sym3<T...>& a) {

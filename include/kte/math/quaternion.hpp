@@ -52,14 +52,27 @@ KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const vec3<A, B
   return v + (q.w * t + cross(u, t));
 }
 
-/// As a 3x3 matrix: (1) for the three axes.
+namespace detail {
+/// (1) for the three axes, with s in place of 2.
 template <class S>
-KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
-  const S x = q.x + q.x, y = q.y + q.y, z = q.z + q.z;
+KTE_INLINE constexpr mat3<vec3<S>> turned_axes(const unit_quaternion<S>& q, const S& s) {
+  const S x = s * q.x, y = s * q.y, z = s * q.z;
   const S xx = x * q.x, xy = x * q.y, xz = x * q.z, yy = y * q.y, yz = y * q.z, zz = z * q.z;
   const S wx = x * q.w, wy = y * q.w, wz = z * q.w;
   return {
       {S(1) - (yy + zz), xy - wz, xz + wy}, {xy + wz, S(1) - (xx + zz), yz - wx}, {xz - wy, yz + wx, S(1) - (xx + yy)}};
+}
+}  // namespace detail
+
+/// As a 3x3 matrix.
+template <class S>
+KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
+  return detail::turned_axes(q, S(2));
+}
+/// The same for a quaternion of any length but 0: with 2/|q|^2 in place of 2, errors of the length do not matter.
+template <class S>
+KTE_INLINE constexpr mat3<vec3<S>> matrix_of_any_length(const unit_quaternion<S>& q) {
+  return detail::turned_axes(q, S(S(2) / dot(q, q)));
 }
 template <class S, class RX, class RY, class RZ>
 KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const mat3<RX, RY, RZ>& m) {

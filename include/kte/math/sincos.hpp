@@ -75,6 +75,23 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
 
 }  // namespace detail
 
+/// Sines and cosines of n angles, rad: four at a time as `sincos_all` does.
+inline void sincos_each(const double* angle, double* sine, double* cosine, std::size_t n) {
+  std::size_t i = 0;
+#if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
+  for (; i + 3 < n; i += 4) {
+    const double* x = angle + i;
+    bool small = true;
+    for (std::size_t k = 0; k < 4; ++k) small &= std::fabs(x[k]) <= detail::largest_reduced_angle;
+    if (small) [[likely]]
+      detail::sincos4(detail::double4{x[0], x[1], x[2], x[3]}, sine + i, cosine + i);
+    else
+      for (std::size_t k = 0; k < 4; ++k) sincos(x[k], sine[i + k], cosine[i + k]);
+  }
+#endif
+  for (; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
+}
+
 /// Sines and cosines of the N angles of a chain.
 template <class S, std::size_t N>
 struct sines {

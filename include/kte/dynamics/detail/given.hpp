@@ -1,36 +1,46 @@
 #pragma once
 
 #include <kte/dynamics/detail/local_pass.hpp>
-#include <kte/dynamics/joint_vector.hpp>
+#include <kte/kernels/joint_vector.hpp>
+#include <kte/math/quaternion.hpp>
 #include <kte/math/sincos.hpp>
 
 /// What comes from outside into a fused evaluation: see `local_pass`.
 namespace kte::detail {
 
-/// The angles among the degrees of freedom of a chain: of_angle[n] is the coordinate of angle n, of_coordinate its
-/// inverse.
+/// Where a configuration has angles whose sine and cosine are wanted, and quaternions.
 template <class Wiring>
-struct angles {
-  static constexpr std::size_t count = [] {
-    std::size_t n = 0;
-    for (int i = 0; i < Wiring::dofs; ++i) n += Wiring::angle(i);
-    return n;
+struct turning {
+  struct list {
+    std::size_t count{};
+    std::array<std::size_t, std::size_t{Wiring::nq} + 1> place{};   ///< in q, of number n
+    std::array<std::size_t, std::size_t{Wiring::nq} + 1> number{};  ///< of place i, if it is one of them
+    constexpr void add(int i) {
+      number[static_cast<std::size_t>(i)] = count;
+      place[count++] = static_cast<std::size_t>(i);
+    }
+  };
+  static constexpr list angles = [] {
+    list l;
+    for (std::size_t i = 0; i < Wiring::freedoms; ++i) {
+      const auto& f = Wiring::table.free[i];
+      if (f.what == kind::gen && Wiring::angle(f.slot)) l.add(f.q);
+      if (f.what == kind::pose_2D) l.add(f.q + 2);
+    }
+    return l;
   }();
-  static constexpr auto of_angle = [] {
-    std::array<int, count + 1> index{};
-    std::size_t n = 0;
-    for (int i = 0; i < Wiring::dofs; ++i)
-      if (Wiring::angle(i)) index[n++] = i;
-    return index;
-  }();
-  static constexpr auto of_coordinate = [] {
-    std::array<std::size_t, static_cast<std::size_t>(Wiring::dofs) + 1> index{};
-    for (std::size_t n = 0; n < count; ++n) index[static_cast<std::size_t>(of_angle[n])] = n;
-    return index;
+  static constexpr list quaternions = [] {
+    list l;
+    for (std::size_t i = 0; i < Wiring::freedoms; ++i) {
+      const auto& f = Wiring::table.free[i];
+      if (f.what == kind::rotation_3D) l.add(f.q);
+      if (f.what == kind::pose_3D) l.add(f.q + 3);
+    }
+    return l;
   }();
 };
 
-// ---- numbers, one a degree of freedom: at<i>()
+// ---- the numbers of v or a: at<i>()
 
 /// From something with operator[].
 template <class S, class V>
@@ -49,35 +59,53 @@ struct same {
     return {};
   }
 };
-/// A member of the coordinates of a state.
-template <class State, auto Member>
-struct of_state {
-  const State& s;
-  template <int I>
-  KTE_INLINE auto at() const {
-    return s.coordinate(I).*Member;
-  }
-};
+/// Three of them.
+template <int I, class V>
+KTE_INLINE auto vector_at(const V& v) {
+  return vec3{v.template at<I>(), v.template at<I + 1>(), v.template at<I + 2>()};
+}
 
-/// Positions of the degrees of freedom, with the sines and cosines of all angles at once.
+/// A configuration, with the sines and cosines of all angles at once, and the matrices of the quaternions.
 template <class S, class Wiring, class Q>
-struct positions {
-  Q q;
-  sines<S, angles<Wiring>::count> angle;
+struct configuration {
+  using turns = turning<Wiring>;
+  each<S, Q> q;
+  sines<S, turns::angles.count> angle;
+  std::array<mat3<vec3<S>>, turns::quaternions.count + 1> rotation;
 
-  KTE_INLINE explicit positions(const Q& positions_in)
-      : q(positions_in), angle(gather(q, std::make_index_sequence<angles<Wiring>::count>{})) {}
+  KTE_INLINE explicit configuration(const Q& numbers)
+      : q{numbers}, angle(gather(q, std::make_index_sequence<turns::angles.count>{})) {
+    turn(std::make_index_sequence<turns::quaternions.count>{});
+  }
 
-  /// Throws `bad_argument` unless all are finite numbers.
-  KTE_INLINE void check() const { check(std::make_integer_sequence<int, Wiring::dofs>{}); }
-  /// Coordinate I with the given rates.
-  template <int I, class QD, class QDD>
-  KTE_INLINE auto with(const QD& q_dot, const QDD& q_ddot) const {
-    if constexpr (Wiring::angle(I)) {
-      constexpr std::size_t n = angles<Wiring>::of_coordinate[I];
-      return coordinate{q.template at<I>(), q_dot, q_ddot, angle.cos[n], angle.sin[n]};
+  /// Throws `bad_argument` unless all are finite numbers, and quaternions not 0.
+  KTE_INLINE void check() const {
+    check(std::make_integer_sequence<int, Wiring::nq>{});
+    check_rotations(std::make_index_sequence<turns::quaternions.count>{});
+  }
+  /// Coordinate Slot of kind K with its rates.
+  template <kind K, int Slot, class V, class A>
+  KTE_INLINE auto with(const V& v, const A& a) const {
+    constexpr freedom at = Wiring::template at<K, Slot>;
+    if constexpr (K == kind::gen && Wiring::angle(Slot)) {
+      constexpr std::size_t n = turns::angles.number[at.q];
+      return coordinate{q.template at<at.q>(), v.template at<at.v>(), a.template at<at.v>(), angle.cos[n],
+                        angle.sin[n]};
+    } else if constexpr (K == kind::gen) {
+      return coordinate{q.template at<at.q>(), v.template at<at.v>(), a.template at<at.v>(), skip{}, skip{}};
+    } else if constexpr (K == kind::rotation_3D) {
+      return motion{zero3{},           rotation[turns::quaternions.number[at.q]], zero3{}, vector_at<at.v>(v), zero3{},
+                    vector_at<at.v>(a)};
+    } else if constexpr (K == kind::pose_2D) {
+      constexpr std::size_t n = turns::angles.number[at.q + 2];
+      return motion{
+          vec3{q.template at<at.q>(), q.template at<at.q + 1>(), zero}, rotation_2D{angle.cos[n], angle.sin[n]},
+          vec3{v.template at<at.v>(), v.template at<at.v + 1>(), zero}, vec3{zero, zero, v.template at<at.v + 2>()},
+          vec3{a.template at<at.v>(), a.template at<at.v + 1>(), zero}, vec3{zero, zero, a.template at<at.v + 2>()}};
     } else {
-      return coordinate{q.template at<I>(), q_dot, q_ddot, skip{}, skip{}};
+      return motion{vector_at<at.q>(q), rotation[turns::quaternions.number[at.q + 3]],
+                    vector_at<at.v>(v), vector_at<at.v + 3>(v),
+                    vector_at<at.v>(a), vector_at<at.v + 3>(a)};
     }
   }
 
@@ -88,9 +116,24 @@ struct positions {
     check_finite(x, sizeof...(I), "kte: a coordinate is no finite number");
   }
   template <std::size_t... N>
-  KTE_INLINE static auto gather(const Q& q, std::index_sequence<N...>) {
-    const std::array<S, sizeof...(N) + 1> x{q.template at<angles<Wiring>::of_angle[N]>()...};
+  KTE_INLINE void check_rotations(std::index_sequence<N...>) const {
+    const std::array<S, sizeof...(N) + 1> x{rotation[N].x.x...};
+    check_finite(x, sizeof...(N), "kte: the quaternion of a rotation has length 0");
+  }
+  template <std::size_t... N>
+  KTE_INLINE static auto gather(const each<S, Q>& q, std::index_sequence<N...>) {
+    const std::array<S, sizeof...(N) + 1> x{q.template at<int{turns::angles.place[N]}>()...};
     return sincos_all<S, sizeof...(N)>([&](std::size_t n) KTE_INLINE_LAMBDA { return x[n]; });
+  }
+  template <std::size_t... N>
+  KTE_INLINE void turn(std::index_sequence<N...>) {
+    const int done[]{(rotation[N] = matrix_of_any_length(quaternion<int{turns::quaternions.place[N]}>()), 0)..., 0};
+    (void)done;
+  }
+  template <int I>
+  KTE_INLINE auto quaternion() const {
+    return unit_quaternion<S>{q.template at<I>(), q.template at<I + 1>(), q.template at<I + 2>(),
+                              q.template at<I + 3>()};
   }
 };
 
@@ -145,17 +188,20 @@ KTE_INLINE constexpr auto base_under_gravity(const Chain& c) {
   }
 }
 
-/// All that comes from outside: positions, rates, bases.
-template <class At, class QD, class QDD, class Base>
+/// All that comes from outside: positions, rates, bases. Where `RatesOnly`, elements see frames without accelerations:
+/// what doMotion gives as acceleration is then only what the velocities make, and what doForce gives has no inertial
+/// force of accelerations.
+template <class At, class V, class A, class Base, bool RatesOnly = false>
 struct given {
-  const At& positions;
-  QD q_dot;
-  QDD q_ddot;
+  static constexpr bool rates_only = RatesOnly;
+  const At& at;
+  V v;
+  A a;
   Base bases;
 
-  template <int I>
+  template <kind K, int I>
   KTE_INLINE auto coordinate() const {
-    return positions.template with<I>(q_dot.template at<I>(), q_ddot.template at<I>());
+    return at.template with<K, I>(v, a);
   }
   template <int I>
   KTE_INLINE constexpr auto fixed() const {
@@ -170,7 +216,7 @@ struct given {
     return bases.template input<I>();
   }
 };
-template <class At, class QD, class QDD, class Base>
-given(const At&, QD, QDD, Base) -> given<At, QD, QDD, Base>;
+template <class At, class V, class A, class Base>
+given(const At&, V, A, Base) -> given<At, V, A, Base>;
 
 }  // namespace kte::detail

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <kte/chain/mass_kernels.hpp>
 #include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/joint_vector.hpp>
+#include <kte/kernels/joint.hpp>
+#include <kte/kernels/joint_vector.hpp>
 
 /// The composite-rigid-body algorithm on local variables.
 namespace kte::detail {
 
-/// The mass matrix over all coordinates of a chain, followers included. `Given` has positions without rates and bases
-/// of `skip`.
+/// The mass matrix over all coordinates of a chain: the degrees of freedom first, then followers. `Given` has positions
+/// without rates and bases of `skip`.
 template <class S, class Chain, class Given>
 class local_mass {
   using types = local_types<Chain, Given>;
@@ -17,7 +17,7 @@ class local_mass {
   using core_t = typename types::template core<I>;
 
  public:
-  static constexpr int coordinates = wiring::count(kind::gen);
+  static constexpr int coordinates = wiring::dofs + wiring::count(kind::gen) - wiring::gen_dofs;
   using matrix_type = joint_matrix<S, coordinates>;
   /// Unrolled code grows with the square of the number of joints. Beyond this size every element has a function of its
   /// own instead, called for all columns (docs/decisions/02-compile-time.md).
@@ -33,25 +33,38 @@ class local_mass {
   }
 
  private:
-  /// Element I on the coordinate of its first port.
+  /// The row of the coordinate of element I, which is that of its first port, or of number N of it.
+  template <kind K, int Slot>
+  static constexpr int row =
+      wiring::template is_free<K, Slot> ? wiring::template at<K, Slot>.v : wiring::dofs + Slot - wiring::gen_dofs;
   template <std::size_t I>
-  static constexpr int coordinate_of = wiring::slot(I, 0);
+  static constexpr int row_of = row<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>;
   /// A joint or link in its present position; `rate` is applied to its coordinate.
   template <std::size_t I, class Rate>
   KTE_INLINE constexpr auto relative(const Rate& rate) const {
     if constexpr (coordinates_of<core_t<I>> == 0) {
       return chain_.template core<I>().relative();
     } else {
-      return chain_.template core<I>().relative(rate(motion_.template get<kind::gen, coordinate_of<I>>()));
+      return chain_.template core<I>().relative(
+          rate(motion_.template get<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>()));
     }
   }
   template <std::size_t I>
   KTE_INLINE constexpr auto pose() const {
     return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return position_only(c); });
   }
-  template <std::size_t I>
+  template <std::size_t I, int N>
   KTE_INLINE constexpr auto axis() const {
-    return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return unit_rate(c); });
+    return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return unit_rate<coordinate_kind<core_t<I>>, N>(c); });
+  }
+  /// f<N>() for each degree of freedom of a joint.
+  template <std::size_t I, class F>
+  KTE_INLINE static constexpr void for_each_axis(const F& f) {
+    const auto each = [&]<int... N>(std::integer_sequence<int, N...>) KTE_INLINE_LAMBDA {
+      const int done[]{(f.template operator()<N>(), 0)..., 0};
+      (void)done;
+    };
+    each(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
   }
 
   // ---- up the tree: composite inertias, and a column of M at each joint
@@ -92,7 +105,8 @@ class local_mass {
       constexpr kind k = types::template output_kind<I>;
       constexpr int end = types::template output_slot<I>;
       const auto c = carried<k, end>(std::make_index_sequence<loads_on<wiring, k, end>.size()>{});
-      if constexpr (coordinates_of<core_t<I>> == 1) column<I>(c);
+      if constexpr (coordinates_of<core_t<I>> == 1)
+        for_each_axis<I>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
       const auto x = pose<I>();
       return transported(x.rotation, x.position, c);
     } else {
@@ -103,13 +117,16 @@ class local_mass {
   }
 
   // ---- down the tree: the force of a unit acceleration of joint J, felt at all joints below
-  template <std::size_t J, class C>
+  template <std::size_t J, int N, class C>
   KTE_INLINE constexpr void column(const C& composite_inertia) {
-    const auto s = axis<J>();
-    const auto w = accelerating_wrench(composite_inertia, s);
-    auto& diagonal = M(coordinate_of<J>, coordinate_of<J>);
-    diagonal = written_once ? as<S>(power(s, w)) : as<S>(diagonal + power(s, w));
-    down<J>(w, coordinate_of<J>);
+    const auto w = accelerating_wrench(composite_inertia, axis<J, N>());
+    constexpr int j = row_of<J> + N;
+    for_each_axis<J>([&]<int R>() KTE_INLINE_LAMBDA {
+      const auto m = power(axis<J, R>(), w);
+      if constexpr (R < N) put(row_of<J> + R, j, m);
+      if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m);
+    });
+    down<J>(w, j);
   }
   template <std::size_t I, class W>
   KTE_INLINE constexpr void down(const W& at_end, int column) {
@@ -118,7 +135,9 @@ class local_mass {
     if constexpr (below >= 0) {
       const auto w = transmit(pose<I>(), at_end);
       if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
-        put(coordinate_of<std::size_t{below}>, column, power(axis<std::size_t{below}>(), w));
+        for_each_axis<std::size_t{below}>([&]<int N>() KTE_INLINE_LAMBDA {
+          put(row_of<std::size_t{below}> + N, column, power(axis<std::size_t{below}, N>(), w));
+        });
       if constexpr (unrolled) {
         down<std::size_t{below}>(w, column);
       } else {
@@ -132,12 +151,12 @@ class local_mass {
   }
   /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
   template <class T>
-  KTE_INLINE constexpr void put(int row, int column, const T& x) {
+  KTE_INLINE constexpr void put(int i, int j, const T& x) {
     if constexpr (written_once) {
-      M(row, column) = M(column, row) = as<S>(x);
+      M(i, j) = M(j, i) = as<S>(x);
     } else {
-      M(row, column) = as<S>(M(row, column) + x);
-      M(column, row) = as<S>(M(column, row) + x);
+      M(i, j) = as<S>(M(i, j) + x);
+      M(j, i) = as<S>(M(j, i) + x);
     }
   }
   static constexpr bool written_once = [] {
@@ -151,7 +170,7 @@ class local_mass {
       (void)done;
     };
     all(std::make_index_sequence<Chain::size>{});
-    for (int c = 0; c < coordinates; ++c) {
+    for (int c = 0; c < wiring::count(kind::gen); ++c) {
       int users = 0;
       for (int p = wiring::table.reader[0][static_cast<std::size_t>(c)]; p >= 0;
            p = wiring::table.previous[static_cast<std::size_t>(p)])
@@ -169,14 +188,15 @@ class local_mass {
   }
   template <std::size_t I>
   KTE_INLINE void coordinate_mass() {
-    constexpr int b = coordinate_of<I>;
+    constexpr int b = row_of<I>;
     if constexpr (core_t<I>::ports[0].what != kind::gen) {
       return;
     } else if constexpr (has_mass<core_t<I>, S>) {
       M(b, b) = as<S>(M(b, b) + chain_.template core<I>().template mass<S>());
     } else if constexpr (has_output<core_t<I>> && types::template output_kind<I> == kind::gen) {
-      constexpr int e = types::template output_slot<I>;  // q_e' = ratio q_b': its row and column count for b too
-      const auto ratio = chain_.template core<I>().doMotion(unit_rate(motion_.template get<kind::gen, b>())).q_dot;
+      constexpr int e = row<kind::gen, types::template output_slot<I>>;  // q_e' = ratio q_b': both its row and column
+      const auto& q_b = motion_.template get<kind::gen, wiring::slot(I, 0)>();  // count for b too
+      const auto ratio = chain_.template core<I>().doMotion(unit_rate<kind::gen, 0>(q_b)).q_dot;
       for (int c = 0; c < coordinates; ++c) M(b, c) = as<S>(M(b, c) + ratio * M(e, c));
       for (int c = 0; c < coordinates; ++c) M(c, b) = as<S>(M(c, b) + ratio * M(c, e));
     }

@@ -86,10 +86,10 @@ struct local_types {
   KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
     if constexpr (K == kind::input) {
       return g.template input<Slot>();
-    } else if constexpr (K != kind::gen) {
+    } else if constexpr (is_frame(K)) {
       return g.template base<K, Slot>();
-    } else if constexpr (Slot < wiring::dofs) {
-      return g.template coordinate<Slot>();
+    } else if constexpr (wiring::template is_free<K, Slot>) {
+      return g.template coordinate<K, Slot>();
     } else {
       return g.template fixed<Slot>();
     }
@@ -121,8 +121,23 @@ struct local_types {
   requires(writer<K, Slot> < 0) struct thing<K, Slot> {
     using type = std::remove_cvref_t<decltype(given<K, Slot>(std::declval<const Given&>()))>;
   };
+  /// A frame without accelerations, which elements see where only rates are wanted.
+  template <kind K>
+  static constexpr bool without_accelerations = is_frame(K) && Given::rates_only;
+  template <class M>
+  KTE_INLINE static constexpr auto rates_of(const M& m) {
+    return motion{m.position, m.rotation, m.velocity, m.ang_velocity, zero3{}, zero3{}};
+  }
+  template <kind K, class T>
+  struct shown {
+    using type = T;
+  };
+  template <kind K, class T>
+  requires(without_accelerations<K>) struct shown<K, T> {
+    using type = decltype(rates_of(std::declval<const T&>()));
+  };
   template <std::size_t I, std::size_t P>
-  using seen = typename thing<what<I, P>, wiring::slot(I, P)>::type;
+  using seen = typename shown<what<I, P>, typename thing<what<I, P>, wiring::slot(I, P)>::type>::type;
 
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>>) struct written<I, std::index_sequence<P...>> {
@@ -159,7 +174,7 @@ struct local_types {
 };
 
 /// The motion of a chain on local variables. `Given` says what comes from outside:
-///   given.template coordinate<i>()     degree of freedom i, a `coordinate`
+///   given.template coordinate<K, i>()  coordinate i of kind K, which is a degree of freedom (or several)
 ///   given.template fixed<i>()          coordinate i, which no element writes and which is no degree of freedom
 ///   given.template base<K, i>()        frame i of kind K, which no element writes
 ///   given.template input<i>()          input i
@@ -193,7 +208,12 @@ class local_motion<Chain, Given, std::index_sequence<E...>> {
   /// What port P of element I sees.
   template <std::size_t I, std::size_t P>
   KTE_INLINE constexpr decltype(auto) seen() const {
-    return get<types::template what<I, P>, wiring::slot(I, P)>();
+    constexpr kind k = types::template what<I, P>;
+    if constexpr (types::template without_accelerations<k>) {
+      return types::rates_of(get<k, wiring::slot(I, P)>());
+    } else {
+      return get<k, wiring::slot(I, P)>();
+    }
   }
   const Chain& chain_;
 

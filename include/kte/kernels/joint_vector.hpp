@@ -2,6 +2,7 @@
 
 #include <kte/detail/inline.hpp>
 #include <kte/errors.hpp>
+#include <kte/math/select.hpp>
 
 #include <Eigen/Core>
 
@@ -24,18 +25,18 @@ concept indexable = requires(const T& x, std::size_t i) {
 template <indexable T>
 using value_of = std::remove_cvref_t<decltype(std::declval<const T&>()[std::size_t{}])>;
 
-/// Rejects arguments of the wrong size, where the size is known.
+/// Rejects arguments of the wrong size, where the size is known. `what` says what the chain has n of.
 template <indexable T>
-constexpr void check_size(std::size_t n, const T& x, const char* name) {
+constexpr void check_size(std::size_t n, const T& x, const char* name, const char* what = "degrees of freedom") {
   if constexpr (requires { x.size(); }) {
     if (static_cast<std::size_t>(x.size()) != n) [[unlikely]]
       detail::raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(x.size()) +
-                                  " numbers, the chain has " + std::to_string(n) + " degrees of freedom");
+                                  " numbers, the chain has " + std::to_string(n) + " " + what);
   }
 }
 template <int N, indexable T>
-constexpr void check_size(const T& x, const char* name) {
-  check_size(std::size_t{N}, x, name);
+constexpr void check_size(const T& x, const char* name, const char* what = "degrees of freedom") {
+  check_size(std::size_t{N}, x, name, what);
 }
 
 namespace detail {
@@ -45,7 +46,7 @@ KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* wh
   using S = std::remove_cvref_t<decltype(x[0])>;
   S zero_or_nan(0);
   for (std::size_t i = 0; i < n; ++i) zero_or_nan += x[i] - x[i];
-  if (!(zero_or_nan == S(0))) [[unlikely]]
+  if (!all(zero_or_nan == S(0))) [[unlikely]]
     raise<bad_argument>(what);
 }
 }  // namespace detail

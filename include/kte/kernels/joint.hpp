@@ -13,6 +13,11 @@ template <class Core>
 inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
 template <class Core>
 inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
+/// The kind of a joint's coordinate, and its number of degrees of freedom; none for a link.
+template <class Core>
+inline constexpr kind coordinate_kind = Core::ports[0].what;
+template <class Core>
+inline constexpr int joint_dofs = nv_of(coordinate_kind<Core>);
 /// A core with a mass, on its first port.
 template <class Core, class S>
 inline constexpr bool has_mass = requires(const Core& c) {

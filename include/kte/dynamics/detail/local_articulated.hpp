@@ -1,0 +1,263 @@
+#pragma once
+
+#include <kte/dynamics/detail/given.hpp>
+#include <kte/kernels/articulate.hpp>
+
+/// The articulated-body algorithm on local variables.
+namespace kte::detail {
+
+/// Whether the algorithm can do a chain: links and joints only move frames, no coordinate follows another or moves two
+/// joints.
+template <class Chain>
+inline constexpr bool is_tree_of_joints = [] {
+  using wiring = typename Chain::wiring;
+  constexpr auto& t = wiring::table;
+  constexpr auto elements = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<std::array<bool, 2>, sizeof...(I)>{{{is_transmission<typename Chain::template core_type<I>>,
+                                                           has_output<typename Chain::template core_type<I>>}...}};
+  }
+  (std::make_index_sequence<Chain::size>{});
+  for (const auto& [stiff, writes] : elements)
+    if (writes && !stiff) return false;
+  for (std::size_t f = 0; f < wiring::freedoms; ++f) {
+    int joints = 0;
+    int p = t.reader[static_cast<std::size_t>(t.free[f].what)][static_cast<std::size_t>(t.free[f].slot)];
+    for (; p >= 0; p = t.previous[static_cast<std::size_t>(p)])
+      joints += elements[static_cast<std::size_t>(t.element[static_cast<std::size_t>(p)])][0];
+    if (joints > 1) return false;
+  }
+  return true;
+}();
+
+/// Whether element I is a joint whose coordinate is a degree of freedom.
+template <class Chain, std::size_t I, class Core = typename Chain::template core_type<I>>
+inline constexpr bool gives_way = [] {
+  if constexpr (is_transmission<Core>) {
+    return coordinates_of<Core> == 1 &&
+           Chain::wiring::template is_free<coordinate_kind<Core>, Chain::wiring::slot(I, 0)>;
+  } else {
+    return false;
+  }
+}();
+
+/// Articulated inertias up the tree, accelerations down the tree. `Given` has positions and rates (`rates_only`).
+template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
+class local_articulated;
+
+template <class S, class Chain, class Given, std::size_t... E>
+class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_motion<Chain, Given> {
+  using typename local_motion<Chain, Given>::types;
+  using typename local_motion<Chain, Given>::wiring;
+  template <std::size_t I>
+  using core_t = typename types::template core<I>;
+  template <std::size_t I>
+  static constexpr bool stiff = is_transmission<core_t<I>>;
+
+ public:
+  using vector = joint_vector<S, Chain::dofs>;
+
+  /// The motion that the rates make, and the loads of all elements in it.
+  KTE_INLINE constexpr local_articulated(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
+    const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
+    (void)done;
+  }
+  /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
+  KTE_INLINE void accelerate(const vector& tau, vector& a) {
+    tau_ = &tau, a_ = &a;
+    bases<kind::frame_2D>([this]<int Slot>() KTE_INLINE_LAMBDA { (void)carried<kind::frame_2D, Slot>(); });
+    bases<kind::frame_3D>([this]<int Slot>() KTE_INLINE_LAMBDA { (void)carried<kind::frame_3D, Slot>(); });
+    masses(std::make_index_sequence<wiring::freedoms>{});
+    if (!good_) [[unlikely]]
+      raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
+    bases<kind::frame_2D>([this]<int Slot>() KTE_INLINE_LAMBDA { from_base<kind::frame_2D, Slot>(); });
+    bases<kind::frame_3D>([this]<int Slot>() KTE_INLINE_LAMBDA { from_base<kind::frame_3D, Slot>(); });
+    check_finite(a, std::size_t{Chain::dofs}, "kte: an acceleration is no finite number: an argument is none");
+  }
+
+ private:
+  template <kind K, class F, int... Slot>
+  KTE_INLINE static void bases(const F& f, std::integer_sequence<int, Slot...>) {
+    [[maybe_unused]] const auto one_of_them = [&]<int I>() KTE_INLINE_LAMBDA {
+      if constexpr (wiring::writer(K, I) < 0) f.template operator()<I>();
+      return 0;
+    };
+    const int done[]{one_of_them.template operator()<Slot>()..., 0};
+    (void)done;
+  }
+  template <kind K, class F>
+  KTE_INLINE static void bases(const F& f) {
+    bases<K>(f, std::make_integer_sequence<int, wiring::count(K)>{});
+  }
+
+  template <std::size_t... F>
+  KTE_INLINE void masses(std::index_sequence<F...>) {
+    const int done[]{(without_joint<F>(), 0)..., 0};
+    (void)done;
+  }
+
+  // ---- what elements put on frames and coordinates
+  template <std::size_t I>
+  struct load_of_element {
+    using type = nothing;
+  };
+  template <std::size_t I>
+  requires(!stiff<I>) struct load_of_element<I> {
+    using type = typename types::template loads<I>::type;
+  };
+  template <std::size_t I, std::size_t... P>
+  KTE_INLINE constexpr void push(std::index_sequence<P...>) {
+    if constexpr (!stiff<I>)
+      boost::hana::at_c<I>(loads_) = this->chain_.template core<I>().doForce(this->template seen<I, P>()...);
+  }
+  template <kind K, int Slot, std::size_t N>
+  KTE_INLINE constexpr auto load() const {
+    constexpr auto place = loads_on<wiring, K, Slot>[N];
+    if constexpr (stiff<place.element>) {
+      return no_load<K>();
+    } else {
+      return boost::hana::at_c<place.index>(boost::hana::at_c<place.element>(loads_));
+    }
+  }
+  template <kind K, int Slot, std::size_t... N>
+  KTE_INLINE constexpr auto coordinate_load(std::index_sequence<N...>) const {
+    return (no_load<K>() + ... + load<K, Slot, N>());
+  }
+  template <kind K, int Slot, std::size_t... N>
+  KTE_INLINE constexpr auto coordinate_mass(std::index_sequence<N...>) const {
+    const auto mass = [this]<std::size_t I>() KTE_INLINE_LAMBDA {
+      if constexpr (K == kind::gen && has_mass<core_t<I>, S>) {
+        return this->chain_.template core<I>().template mass<S>();
+      } else {
+        return zero;
+      }
+    };
+    return (zero + ... + mass.template operator()<loads_on<wiring, K, Slot>[N].element>());
+  }
+
+  // ---- joints
+  template <std::size_t I>
+  static constexpr bool has_coordinate = coordinates_of<core_t<I>> == 1;
+  template <std::size_t I>
+  static constexpr kind kind_of = coordinate_kind<core_t<I>>;
+  template <std::size_t I>
+  static constexpr int slot_of = wiring::slot(I, 0);
+  template <std::size_t I>
+  struct response_of_element {
+    using type = nothing;
+  };
+  template <std::size_t I>
+  requires(gives_way<Chain, I>) struct response_of_element<I> {
+    using type = joint_response<S, joint_dofs<core_t<I>>>;
+  };
+  template <std::size_t I>
+  KTE_INLINE constexpr auto pose() const {
+    if constexpr (has_coordinate<I>) {
+      return this->chain_.template core<I>().relative(position_only(coordinate<I>()));
+    } else {
+      return this->chain_.template core<I>().relative();
+    }
+  }
+  template <std::size_t I>
+  KTE_INLINE constexpr decltype(auto) coordinate() const {
+    return this->template get<kind_of<I>, slot_of<I>>();
+  }
+  /// The acceleration that the rates make, at the end of element I.
+  template <std::size_t I>
+  KTE_INLINE constexpr decltype(auto) bias() const {
+    return this->template get<types::template output_kind<I>, types::template output_slot<I>>();
+  }
+
+  // ---- up the tree
+  template <kind K, int Slot>
+  static constexpr auto readers = std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{};
+  template <kind K, int Slot>
+  KTE_INLINE constexpr auto carried() {
+    return carried<K, Slot>(readers<K, Slot>);
+  }
+  template <kind K, int Slot, std::size_t... N>
+  KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
+    return (no_burden + ... + part<K, Slot, N>());
+  }
+  template <kind K, int Slot, std::size_t N>
+  KTE_INLINE constexpr auto part() {
+    constexpr std::size_t element = loads_on<wiring, K, Slot>[N].element;
+    if constexpr (stiff<element>) {
+      return through<element>();
+    } else if constexpr (has_mass<core_t<element>, S>) {
+      return burden{to_articulated(this->chain_.template core<element>().template mass<S>()), load<K, Slot, N>()};
+    } else {
+      return burden{no_articulated, load<K, Slot, N>()};
+    }
+  }
+  /// What the end of element I carries, seen from its base.
+  template <std::size_t I>
+  KTE_INLINE constexpr auto through() {
+    const auto b = carried<types::template output_kind<I>, types::template output_slot<I>>();
+    if constexpr (gives_way<Chain, I>) {
+      constexpr kind k = kind_of<I>;
+      constexpr int slot = slot_of<I>, v = wiring::template at<k, slot>.v;
+      const auto f = coordinate_load<k, slot>(readers<k, slot>);
+      return carried_by_joint<S>(
+          this->chain_.template core<I>(), coordinate<I>(), bias<I>(), b,
+          [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); },
+          coordinate_mass<k, slot>(readers<k, slot>), boost::hana::at_c<I>(responses_), good_);
+    } else {
+      return carried_stiffly(pose<I>(), bias<I>(), b);
+    }
+  }
+
+  // ---- down the tree
+  template <kind K, int Slot>
+  KTE_INLINE constexpr void from_base() {
+    const auto& x = this->template get<K, Slot>();
+    accelerate_all<K, Slot>(acceleration{x.acceleration, x.ang_acceleration}, readers<K, Slot>);
+  }
+  template <kind K, int Slot, class A, std::size_t... N>
+  KTE_INLINE constexpr void accelerate_all(const A& a, std::index_sequence<N...>) {
+    const int done[]{(accelerate_one<loads_on<wiring, K, Slot>[N].element>(a), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t I, class A>
+  KTE_INLINE constexpr void accelerate_one(const A& base) {
+    if constexpr (stiff<I>) {
+      constexpr kind k = types::template output_kind<I>;
+      constexpr int end = types::template output_slot<I>;
+      const auto before = carried_acceleration(pose<I>(), bias<I>(), base);
+      if constexpr (gives_way<Chain, I>) {
+        constexpr int v = wiring::template at<kind_of<I>, slot_of<I>>.v;
+        accelerate_all<k, end>(
+            accelerated(this->chain_.template core<I>(), coordinate<I>(), boost::hana::at_c<I>(responses_), before,
+                        [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
+            readers<k, end>);
+      } else {
+        accelerate_all<k, end>(before, readers<k, end>);
+      }
+    }
+  }
+  /// A degree of freedom that moves no joint, only a mass of its own.
+  template <std::size_t F>
+  KTE_INLINE constexpr void without_joint() {
+    constexpr freedom at = wiring::template free<F>;
+    constexpr auto& places = loads_on<wiring, at.what, at.slot>;
+    constexpr bool jointless = [] {
+      const bool is_stiff[]{stiff<E>...};
+      for (const auto& place : places)
+        if (is_stiff[place.element]) return false;
+      return true;
+    }();
+    if constexpr (jointless) {
+      const S m = as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
+      good_ = good_ && all(m > S(0));
+      const auto f = coordinate_load<at.what, at.slot>(readers<at.what, at.slot>);
+      (*a_)[at.v] = as<S>((*tau_)[at.v] + number_of<at.what, 0>(f)) / m;
+    }
+  }
+
+  const vector* tau_ = nullptr;
+  vector* a_ = nullptr;
+  bool good_ = true;
+  boost::hana::tuple<typename load_of_element<E>::type...> loads_;
+  boost::hana::tuple<typename response_of_element<E>::type...> responses_;
+};
+
+}  // namespace kte::detail

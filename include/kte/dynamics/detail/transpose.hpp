@@ -1,0 +1,170 @@
+#pragma once
+
+#include <kte/math/pack.hpp>
+
+#include <bit>
+#include <cstring>
+#include <utility>
+
+/// States, each with its numbers in a row, to packs with a number of all states, and back. Done number by number this
+/// took as long as inverse dynamics itself.
+namespace kte::batch::detail {
+
+#if defined(__has_builtin)
+#  if __has_builtin(__builtin_shufflevector)
+#    define KTE_HAS_SHUFFLES 1
+#  endif
+#endif
+
+#if defined(KTE_HAS_SHUFFLES)
+
+template <class T, std::size_t W>
+struct vector_of {
+  typedef T type __attribute__((vector_size(W * sizeof(T))));
+};
+template <class T, std::size_t W>
+using vector = typename vector_of<T, W>::type;
+
+/// Squares of L x L numbers, transposed in registers of W lanes, W/L of them side by side.
+template <class T, std::size_t W, std::size_t L>
+struct squares {
+  using V = vector<T, W>;
+  using lanes = std::make_index_sequence<W>;
+  using rows = std::make_index_sequence<L>;
+
+  /// From rows that are `row` numbers apart: v[j] holds rows j, j + L, j + 2 L ...
+  KTE_INLINE static void load(const T* p, std::size_t row, std::array<V, L>& v) { load(p, row, v, rows{}); }
+  KTE_INLINE static void store(const std::array<V, L>& v, T* p, std::size_t row) { store(v, p, row, rows{}); }
+  /// By Eklundh, IEEE Trans. Computers C-21, 1972: exchanges the off-diagonal blocks of size 1, then of size 2, 4 ...
+  KTE_INLINE static void transpose(std::array<V, L>& v) { exchange<1>(v); }
+
+ private:
+  template <std::size_t... J>
+  KTE_INLINE static void load(const T* p, std::size_t row, std::array<V, L>& v, std::index_sequence<J...>) {
+    ((v[J] = joined<W>(p + J * row, row)), ...);
+  }
+  template <std::size_t... J>
+  KTE_INLINE static void store(const std::array<V, L>& v, T* p, std::size_t row, std::index_sequence<J...>) {
+    (parted<W>(v[J], p + J * row, row), ...);
+  }
+  template <std::size_t M>
+  KTE_INLINE static vector<T, M> joined(const T* p, std::size_t row) {
+    if constexpr (M == L) {
+      vector<T, M> v;
+      std::memcpy(&v, p, sizeof v);
+      return v;
+    } else {
+      return all_of<M>(joined<M / 2>(p, row), joined<M / 2>(p + M / 2 * row, row), std::make_index_sequence<M>{});
+    }
+  }
+  template <std::size_t M, class H, std::size_t... I>
+  KTE_INLINE static vector<T, M> all_of(const H& a, const H& b, std::index_sequence<I...>) {
+    return __builtin_shufflevector(a, b, I...);
+  }
+  template <std::size_t M, class H>
+  KTE_INLINE static void parted(const H& v, T* p, std::size_t row) {
+    if constexpr (M == L) {
+      std::memcpy(p, &v, sizeof v);
+    } else {
+      using half = std::make_index_sequence<M / 2>;
+      parted<M / 2>(from<0>(v, half{}), p, row);
+      parted<M / 2>(from<M / 2>(v, half{}), p + M / 2 * row, row);
+    }
+  }
+  template <std::size_t First, class H, std::size_t... I>
+  KTE_INLINE static auto from(const H& v, std::index_sequence<I...>) {
+    return __builtin_shufflevector(v, v, (First + I)...);
+  }
+  template <std::size_t H>
+  KTE_INLINE static void exchange(std::array<V, L>& v) {
+    if constexpr (H < L) {
+      exchange<H>(v, rows{});
+      exchange<2 * H>(v);
+    }
+  }
+  template <std::size_t H, std::size_t... J>
+  KTE_INLINE static void exchange(std::array<V, L>& v, std::index_sequence<J...>) {
+    (exchange_rows<H, J>(v, lanes{}), ...);
+  }
+  template <std::size_t H, std::size_t J, std::size_t... I>
+  KTE_INLINE static void exchange_rows(std::array<V, L>& v, std::index_sequence<I...>) {
+    if constexpr ((J & H) == 0) {
+      const V a = v[J], b = v[J + H];
+      v[J] = __builtin_shufflevector(a, b, ((I & H) == 0 ? I : W + I - H)...);
+      v[J + H] = __builtin_shufflevector(a, b, ((I & H) == 0 ? I + H : W + I)...);
+    }
+  }
+};
+
+/// Columns first, first + L ... of N; the last square is moved to the left, that it does not stick out.
+template <class P, std::size_t N>
+struct columns {
+  using T = typename P::value_type;
+  static constexpr std::size_t w = sizeof(typename P::register_type) / sizeof(T);
+  static constexpr std::size_t l = std::min(std::bit_floor(N), w);
+  using square = squares<T, w, l>;
+  using all_squares = std::make_index_sequence<(N + l - 1) / l>;
+  using in_square = std::make_index_sequence<l>;
+  static constexpr std::size_t start(std::size_t i) { return std::min(i * l, N - l); }
+
+  template <std::size_t... I>
+  KTE_INLINE static void load_all(const T* states, std::size_t reg, P* x, std::index_sequence<I...>) {
+    (load<start(I)>(states + reg * w * N, reg, x, in_square{}), ...);
+  }
+  template <std::size_t First, std::size_t... J>
+  KTE_INLINE static void load(const T* states, std::size_t reg, P* x, std::index_sequence<J...>) {
+    std::array<typename square::V, l> v;
+    square::load(states + First, N, v);
+    square::transpose(v);
+    ((x[First + J].in_register(reg) = std::bit_cast<typename P::register_type>(v[J])), ...);
+  }
+  template <std::size_t... I>
+  KTE_INLINE static void store_all(const P* x, std::size_t reg, T* states, std::index_sequence<I...>) {
+    (store<start(I)>(x, reg, states + reg * w * N, in_square{}), ...);
+  }
+  template <std::size_t First, std::size_t... J>
+  KTE_INLINE static void store(const P* x, std::size_t reg, T* states, std::index_sequence<J...>) {
+    std::array<typename square::V, l> v{std::bit_cast<typename square::V>(x[First + J].in_register(reg))...};
+    square::transpose(v);
+    square::store(v, states + First, N);
+  }
+};
+
+template <class P>
+inline constexpr bool by_squares = sizeof(typename P::register_type) > sizeof(typename P::value_type);
+#else
+template <class P>
+inline constexpr bool by_squares = false;
+#endif
+
+/// N numbers of each of P::lanes states, to N packs and back.
+template <std::size_t N, class P>
+KTE_INLINE void gather(const typename P::value_type* states, P* x) {
+#if defined(KTE_HAS_SHUFFLES)
+  if constexpr (N > 0 && by_squares<P>) {
+    using c = columns<P, N>;
+    const auto each = [&]<std::size_t... R>(std::index_sequence<R...>) KTE_INLINE_LAMBDA {
+      (c::load_all(states, R, x, typename c::all_squares{}), ...);
+    };
+    return each(typename P::registers{});
+  }
+#endif
+  for (std::size_t k = 0; k < std::size_t{P::lanes}; ++k)
+    for (std::size_t i = 0; i < N; ++i) x[i].set(k, states[k * N + i]);
+}
+template <std::size_t N, class P>
+KTE_INLINE void scatter(const P* x, typename P::value_type* states) {
+#if defined(KTE_HAS_SHUFFLES)
+  if constexpr (N > 0 && by_squares<P>) {
+    using c = columns<P, N>;
+    const auto each = [&]<std::size_t... R>(std::index_sequence<R...>) KTE_INLINE_LAMBDA {
+      (c::store_all(x, R, states, typename c::all_squares{}), ...);
+    };
+    return each(typename P::registers{});
+  }
+#endif
+  for (std::size_t k = 0; k < std::size_t{P::lanes}; ++k)
+    for (std::size_t i = 0; i < N; ++i) states[k * N + i] = x[i][k];
+}
+
+}  // namespace kte::batch::detail

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <kte/chain/state.hpp>
+#include <kte/kernels/joint_vector.hpp>
+
+/// The numbers of a state as vectors, in the order of the chain's layout (chain/layout.hpp), and back.
+namespace kte {
+
+namespace detail {
+/// visit(coordinate, freedom) for the coordinates of a state that are degrees of freedom.
+template <class State, class Visit>
+KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
+  using wiring = typename std::remove_const_t<State>::wiring;
+  const auto all = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    const int done[]{
+        (visit(s.template get<wiring::template free<I>.what>(wiring::template free<I>.slot), wiring::template free<I>),
+         0)...,
+        0};
+    (void)done;
+  };
+  all(std::make_index_sequence<wiring::freedoms>{});
+}
+/// q has as many numbers as a configuration: one a degree of freedom, but for rotations in space.
+template <indexable Q>
+constexpr void check_configuration(int nq, int dofs, const Q& q) {
+  check_size(static_cast<std::size_t>(nq), q, "q", nq == dofs ? "degrees of freedom" : "numbers of a configuration");
+}
+template <class Chain, indexable Q>
+constexpr void check_configuration(const Q& q) {
+  check_configuration(Chain::nq, Chain::dofs, q);
+}
+/// Which numbers of a coordinate, and where they begin in a vector.
+enum class vector_of { q, v, a, f };
+template <vector_of Which, class C, class Visit>
+KTE_INLINE constexpr void visit_numbers(C& c, const Visit& visit) {
+  if constexpr (Which == vector_of::q) {
+    visit_q(c, visit);
+  } else if constexpr (Which == vector_of::v) {
+    visit_v(c, visit);
+  } else if constexpr (Which == vector_of::a) {
+    visit_a(c, visit);
+  } else {
+    visit_f(c, visit);
+  }
+}
+template <vector_of Which>
+KTE_INLINE constexpr std::size_t begin_of(const freedom& at) {
+  return static_cast<std::size_t>(Which == vector_of::q ? at.q : at.v);
+}
+template <vector_of Which, int N, class S, class W>
+KTE_INLINE auto read_numbers(const chain_state<S, W>& s) {
+  joint_vector<S, N> x;
+  for_each_freedom(s, [&x](const auto& c, const freedom& at) KTE_INLINE_LAMBDA {
+    auto i = begin_of<Which>(at);
+    visit_numbers<Which>(c, [&](const auto& number) KTE_INLINE_LAMBDA { x[Eigen::Index(i++)] = number; });
+  });
+  return x;
+}
+template <vector_of Which, class State, class X>
+KTE_INLINE constexpr void write_numbers(State& s, const X& x) {
+  for_each_freedom(s, [&x](auto& c, const freedom& at) KTE_INLINE_LAMBDA {
+    auto i = begin_of<Which>(at);
+    visit_numbers<Which>(c, [&](auto& number) KTE_INLINE_LAMBDA {
+      number = static_cast<std::remove_reference_t<decltype(number)>>(x[i++]);
+    });
+  });
+}
+}  // namespace detail
+
+/// q of a state: positions, angles, quaternions.
+template <class S, class W>
+KTE_INLINE auto positions(const chain_state<S, W>& s) {
+  return detail::read_numbers<detail::vector_of::q, W::nq>(s);
+}
+/// v of a state.
+template <class S, class W>
+KTE_INLINE auto velocities(const chain_state<S, W>& s) {
+  return detail::read_numbers<detail::vector_of::v, W::dofs>(s);
+}
+/// a of a state.
+template <class S, class W>
+KTE_INLINE auto accelerations(const chain_state<S, W>& s) {
+  return detail::read_numbers<detail::vector_of::a, W::dofs>(s);
+}
+/// The forces of virtual power on the degrees of freedom, after doForce.
+template <class S, class W>
+KTE_INLINE auto forces(const chain_state<S, W>& s) {
+  return detail::read_numbers<detail::vector_of::f, W::dofs>(s);
+}
+
+/// Puts q, v or a into a state. Frames follow with the next doMotion.
+template <class S, class W, indexable X>
+constexpr void set_positions(chain_state<S, W>& s, const X& q) {
+  detail::check_configuration<W>(q);
+  detail::write_numbers<detail::vector_of::q>(s, q);
+}
+template <class S, class W, indexable X>
+constexpr void set_velocities(chain_state<S, W>& s, const X& v) {
+  check_size<W::dofs>(v, "v");
+  detail::write_numbers<detail::vector_of::v>(s, v);
+}
+template <class S, class W, indexable X>
+constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
+  check_size<W::dofs>(a, "a");
+  detail::write_numbers<detail::vector_of::a>(s, a);
+}
+
+}  // namespace kte

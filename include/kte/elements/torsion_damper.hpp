@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kte/elements/damper.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A linear damper of the rotation of two frames against each other, of damping c:
+///
+///   t = c (R_2 w_2 - R_1 w_1)                           (1)
+///   T_1 += R_1^T t,  T_2 -= R_2^T t                     (2)
+///
+/// and no force. In the plane R changes nothing.
+template <kind Dim, class Damping>
+struct torsion_damper : damper_parameters<Damping> {
+  static constexpr type_name type{"torsion_damper", Dim};
+  static constexpr std::array<port, 2> ports{{{Dim, access::on, "anchor1"}, {Dim, access::on, "anchor2"}}};
+  static constexpr bool reads_positions = true;
+
+  template <class A, class B>
+  KTE_INLINE constexpr auto doForce(const A& a, const B& b) const {
+    const auto t = this->damping * (b.rotation * b.ang_velocity - a.rotation * a.ang_velocity);  // (1)
+    return make_loads(wrench{zero3{}, transpose(a.rotation) * t},
+                      wrench{zero3{}, -(transpose(b.rotation) * t)});  // (2)
+  }
+};
+
+}  // namespace core
+
+/// A damper of the rotation of two frames in the plane against each other: damping in Nm s/rad.
+template <class F1, class F2, entry Damping>
+constexpr auto torsion_damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+  return connect(core::torsion_damper<kind::frame_2D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
+}
+/// The same in space.
+template <class F1, class F2, entry Damping>
+constexpr auto torsion_damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+  return connect(core::torsion_damper<kind::frame_3D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
+}
+
+}  // namespace kte

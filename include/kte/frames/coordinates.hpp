@@ -1,0 +1,113 @@
+#pragma once
+
+#include <kte/frames/frame_2D.hpp>
+#include <kte/math/quaternion.hpp>
+#include <kte/math/sincos.hpp>
+
+/// Coordinates of several degrees of freedom, as a chain's state holds them. Rates are those of the components in the
+/// axes of the moving frame, so that v' = a and nothing else: the velocity of a pose is R^T p', its acceleration
+/// d(R^T p')/dt, which is not R^T p'' (a frame's acceleration), but that less w x v.
+namespace kte {
+
+/// A rotation in space.
+///   rotation          of any length but 0; `integrate` keeps it at 1
+///   ang_velocity      rad/s,  ang_acceleration rad/s^2,  torque of virtual power Nm: in the axes of the moving frame
+///   matrix            of `rotation`, set by doMotion
+template <class S = double>
+struct rotation_coord_3D {
+  unit_quaternion<S> rotation{S(1), S(0), S(0), S(0)};
+  vec3<S> ang_velocity{};
+  vec3<S> ang_acceleration{};
+  vec3<S> torque{};
+  mat3<vec3<S>> matrix{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}};
+};
+
+/// A pose in the plane: position in the axes of the parent, m, angle to it, rad.
+///   cos, sin          of the angle, set by doMotion
+template <class S = double>
+struct pose_coord_2D {
+  vec2<S> position{};
+  S angle{};
+  vec2<S> velocity{};
+  S ang_velocity{};
+  vec2<S> acceleration{};
+  S ang_acceleration{};
+  vec2<S> force{};
+  S torque{};
+  S cos = S(1);
+  S sin{};
+};
+
+/// A pose in space: position in the axes of the parent, m, and rotation.
+template <class S = double>
+struct pose_coord_3D {
+  vec3<S> position{};
+  unit_quaternion<S> rotation{S(1), S(0), S(0), S(0)};
+  vec3<S> velocity{};
+  vec3<S> ang_velocity{};
+  vec3<S> acceleration{};
+  vec3<S> ang_acceleration{};
+  vec3<S> force{};
+  vec3<S> torque{};
+  mat3<vec3<S>> matrix{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}};
+};
+
+// ---- as the kernels see them: motions, but for their accelerations, as said above
+template <class S>
+KTE_INLINE constexpr auto spatial(const rotation_coord_3D<S>& c) {
+  return motion{zero3{}, c.matrix, zero3{}, c.ang_velocity, zero3{}, c.ang_acceleration};
+}
+template <class S>
+KTE_INLINE constexpr auto spatial(const pose_coord_2D<S>& c) {
+  using namespace detail;
+  return motion{in_plane(c.position),    rotation_2D{c.cos, c.sin}, in_plane(c.velocity),
+                about_z(c.ang_velocity), in_plane(c.acceleration),  about_z(c.ang_acceleration)};
+}
+template <class S>
+KTE_INLINE constexpr auto spatial(const pose_coord_3D<S>& c) {
+  return motion{c.position, c.matrix, c.velocity, c.ang_velocity, c.acceleration, c.ang_acceleration};
+}
+
+// ---- what doMotion brings up to date
+template <class S>
+KTE_INLINE constexpr void update_angle(pose_coord_2D<S>& c) {
+  sincos(c.angle, c.sin, c.cos);
+}
+template <class S>
+KTE_INLINE constexpr void update_angle(rotation_coord_3D<S>& c) {
+  c.matrix = matrix_of_any_length(c.rotation);
+}
+template <class S>
+KTE_INLINE constexpr void update_angle(pose_coord_3D<S>& c) {
+  c.matrix = matrix_of_any_length(c.rotation);
+}
+
+// ---- loads
+template <class S, class F, class T>
+KTE_INLINE constexpr void add_load(rotation_coord_3D<S>& c, const wrench<F, T>& w) {
+  c.torque = as<S>(c.torque + w.torque);
+}
+template <class S, class F, class T>
+KTE_INLINE constexpr void add_load(pose_coord_2D<S>& c, const wrench<F, T>& w) {
+  c.force = as<S>(c.force + detail::planar_part<S>(w.force));
+  c.torque = as<S>(c.torque + detail::normal_part<S>(w.torque));
+}
+template <class S, class F, class T>
+KTE_INLINE constexpr void add_load(pose_coord_3D<S>& c, const wrench<F, T>& w) {
+  c.force = as<S>(c.force + w.force);
+  c.torque = as<S>(c.torque + w.torque);
+}
+template <class S>
+KTE_INLINE constexpr void clear_load(rotation_coord_3D<S>& c) {
+  c.torque = {};
+}
+template <class S>
+KTE_INLINE constexpr void clear_load(pose_coord_2D<S>& c) {
+  c.force = {}, c.torque = S{};
+}
+template <class S>
+KTE_INLINE constexpr void clear_load(pose_coord_3D<S>& c) {
+  c.force = {}, c.torque = {};
+}
+
+}  // namespace kte

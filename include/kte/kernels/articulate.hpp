@@ -1,0 +1,227 @@
+#pragma once
+
+#include <kte/kernels/axis_split.hpp>
+#include <kte/kernels/joint.hpp>
+#include <kte/kernels/solve.hpp>
+#include <kte/math/articulated.hpp>
+
+#include <array>
+#include <limits>
+
+/// The articulated-body algorithm (ABA; Featherstone 1983; Rigid Body Dynamics Algorithms, 2008, section 7.3), one
+/// element at a time, for static and runtime chains. It runs on classical accelerations, A = (a, al) of a frame. From
+/// the passes come
+///   c      what the velocities alone add to the acceleration of the end of an element over that of its base
+///   W, f   the load of springs, dampers and the velocities of inertias on a frame; the force on a coordinate
+/// Every frame has an articulated inertia I and a load W such that it must be pushed by I A - W.
+namespace kte::detail {
+
+/// An acceleration of a frame.
+template <class A, class AL>
+struct acceleration {
+  A linear;
+  AL angular;
+};
+template <class A, class AL>
+acceleration(A, AL) -> acceleration<A, AL>;
+
+/// What a frame carries: I and W.
+template <class I, class W>
+struct burden {
+  using geometry = burden;
+  I inertia;
+  W load;
+};
+template <class I, class W>
+burden(I, W) -> burden<I, W>;
+template <class I, class W, class J, class V>
+KTE_INLINE constexpr auto operator+(const burden<I, W>& a, const burden<J, V>& b) {
+  return burden{a.inertia + b.inertia, a.load + b.load};
+}
+inline constexpr auto no_burden = burden{no_articulated, no_wrench};
+
+/// What is kept of a joint of N axes on the way up for the way down: with U = I s and D = s^T U,
+///   gain = U D^-1,   rate = D^-1 (f + s . W)                  (1)
+template <class S, int N>
+struct joint_response {
+  std::array<wrench<vec3<S>, vec3<S>>, std::size_t{N}> gain;
+  std::array<S, std::size_t{N}> rate;
+};
+
+/// Axis n of a joint at coordinate c: the motion that its unit rate makes.
+template <int N, class Core, class C>
+KTE_INLINE constexpr auto axis_of(const Core& core, const C& c) {
+  return core.relative(unit_rate<coordinate_kind<Core>, N>(c));
+}
+
+template <int N, class F>
+KTE_INLINE constexpr auto for_axes(const F& f) {
+  const auto all_of_them = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+    return make_loads(f.template operator()<K>()...);
+  };
+  return all_of_them(std::make_integer_sequence<int, N>{});
+}
+template <int K, class T>
+KTE_INLINE constexpr const auto& axis_at(const T& t) {
+  return boost::hana::at_c<std::size_t{K}>(t);
+}
+/// I - U gain^T
+template <int K, int N, class I, class U, class G>
+KTE_INLINE constexpr auto less_dyads(const I& inertia, const U& u, const G& gain) {
+  if constexpr (K == N) {
+    return inertia;
+  } else {
+    return less_dyads<K + 1, N>(less_dyad(inertia, axis_at<K>(u), axis_at<K>(gain)), u, gain);
+  }
+}
+/// W - U rate
+template <int K, int N, class W, class U, class S>
+KTE_INLINE constexpr auto less_rates(const W& load, const U& u, const joint_response<S, N>& r) {
+  if constexpr (K == N) {
+    return load;
+  } else {
+    const auto& w = axis_at<K>(u);
+    return less_rates<K + 1, N>(load - wrench{r.rate[K] * w.force, r.rate[K] * w.torque}, u, r);
+  }
+}
+/// W - s f, for coordinate axes.
+template <bool Exact, int K, int N, class W, class Core, class C, class F>
+KTE_INLINE constexpr auto less_exact(const W& load, const Core& core, const C& at, const F& f) {
+  if constexpr (K == N || !Exact) {
+    return load;
+  } else {
+    const auto s = axis_of<K>(core, at);
+    const auto force = f.template operator()<K>();
+    return less_exact<Exact, K + 1, N>(load - wrench{force * s.velocity, force * s.ang_velocity}, core, at, f);
+  }
+}
+/// A + s (rate - gain . rest)
+template <int K, int N, class S, class Core, class C, class Before, class Others, class Sum, class Put>
+KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_response<S, N>& r, const Before& before,
+                                    const Others& others, const Sum& sum, const Put& put) {
+  if constexpr (K == N) {
+    return sum;
+  } else {
+    const auto s = axis_of<K>(core, at);
+    const S x = as<S>(r.rate[K] - (dot(r.gain[K].force, others.linear) + dot(r.gain[K].torque, others.angular)));
+    if constexpr (split_of<Core, C>().exact) {
+      put(K, as<S>(x - (dot(s.velocity, before.linear) + dot(s.ang_velocity, before.angular))));
+    } else {
+      put(K, x);
+    }
+    const acceleration next{sum.linear + x * s.velocity, sum.angular + x * s.ang_velocity};
+    return with_axes<K + 1, N>(core, at, r, before, others, next, put);
+  }
+}
+
+/// (1), and gain again with its typed entries.
+template <class S, class Core, class C, class I, class W, class U, class F, class M, int N>
+KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I, W>& b, const U& u, const F& f,
+                                  const M& m, joint_response<S, N>& r, bool& good) {
+  const auto& j = b.inertia;
+  const S size = as<S>(trace(j.linear) + trace(j.angular));
+  const S least = S(16) * std::numeric_limits<S>::epsilon() * size;
+  if constexpr (N == 1) {
+    const auto s = axis_of<0>(core, at);
+    const S d = as<S>(power(s, axis_at<0>(u)) + m);
+    good = good && all(d > least);
+    const S inverse = S(1) / d;
+    r.rate[0] = inverse * as<S>(f.template operator()<0>() + power(s, b.load));
+    const auto gain = wrench{inverse * axis_at<0>(u).force, inverse * axis_at<0>(u).torque};
+    r.gain[0] = {as<S>(gain.force), as<S>(gain.torque)};
+    return make_loads(gain);
+  } else {
+    joint_matrix<S, N> d;
+    std::array<joint_vector<S, N>, 6> rows;  // of U, then of gain
+    joint_vector<S, N> x;
+    const auto fill = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+      const auto column = [&]<int L>(std::integral_constant<int, L>) KTE_INLINE_LAMBDA {
+        const auto& w = axis_at<L>(u);
+        const int done[]{(d(K, L) = as<S>(power(axis_of<K>(core, at), w)), 0)...};
+        (void)done;
+        d(L, L) = as<S>(d(L, L) + m);
+        rows[0][L] = as<S>(w.force.x), rows[1][L] = as<S>(w.force.y), rows[2][L] = as<S>(w.force.z);
+        rows[3][L] = as<S>(w.torque.x), rows[4][L] = as<S>(w.torque.y), rows[5][L] = as<S>(w.torque.z);
+        x[L] = as<S>(f.template operator()<L>() + power(axis_of<L>(core, at), b.load));
+        return 0;
+      };
+      const int done[]{column(std::integral_constant<int, K>{})...};
+      (void)done;
+    };
+    fill(std::make_integer_sequence<int, N>{});
+    good = factorise(d) && good;
+    substitute(d, x);
+    constexpr auto wanted = split_of<Core, C>().leaves;
+    const auto divide = [&]<std::size_t... R>(std::index_sequence<R...>) KTE_INLINE_LAMBDA {
+      const int done[]{((wanted[R] ? substitute(d, rows[R]) : void()), 0)...};
+      (void)done;
+    };
+    divide(std::make_index_sequence<6>{});
+    for (int k = 0; k < N; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      r.rate[i] = x[k];
+      r.gain[i] = {{rows[0][k], rows[1][k], rows[2][k]}, {rows[3][k], rows[4][k], rows[5][k]}};
+    }
+    return for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA { return r.gain[K]; });
+  }
+}
+
+/// A link, or a joint whose acceleration is given: what its end carries, seen from its base. Where the base stands
+/// still, the end accelerates by c.
+///
+///   I' = I,  W' = W - I c          both seen from the base                                          (2)
+template <class Pose, class Motion, class I, class W>
+KTE_INLINE constexpr auto carried_stiffly(const Pose& x, const Motion& c, const burden<I, W>& b) {
+  const auto w = b.load - accelerating_wrench(b.inertia, c.acceleration, c.ang_acceleration);
+  return burden{transported(x.rotation, x.position, b.inertia), transmit(x, w)};
+}
+
+/// The same of a joint that gives way under the force f<n>() on its axis n, which moves a further mass m:
+///
+///   I' = I - U D^-1 U^T,  W' = W - I' c - U D^-1 (f + s . W)                                        (3)
+///
+/// D and U as in (1), D with m on its diagonal. Along coordinate axes I' is nothing and W' is -f. `good` becomes false
+/// where an axis has next to nothing to move.
+template <class S, class Core, class C, class Motion, class I, class W, class F, class M, int N>
+KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const Motion& c, const burden<I, W>& b,
+                                           const F& f, const M& m, joint_response<S, N>& response, bool& good) {
+  constexpr auto split = split_of<Core, C>();
+  const auto u = for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA {
+    const auto s = axis_of<K>(core, at);
+    return accelerating_wrench(b.inertia, s.velocity, s.ang_velocity);
+  });
+  const auto gain = respond<S>(core, at, b, u, f, m, response, good);
+  const auto x = core.relative(position_only(at));
+  if constexpr (split.leaves_nothing) {
+    return burden{no_articulated, transmit(x, less_exact<true, 0, N>(no_wrench, core, at, f))};
+  } else {
+    const auto inertia = rest(split, less_dyads<0, N>(b.inertia, u, gain));
+    const auto load =
+        less_rates<0, N>(b.load - accelerating_wrench(inertia, c.acceleration, c.ang_acceleration), u, response);
+    const auto w = less_exact<split.exact, 0, N>(rest(split, load), core, at, f);
+    return burden{transported(x.rotation, x.position, inertia), transmit(x, w)};
+  }
+}
+
+/// Of an element in a position x: the acceleration of the end as far as the base and the velocities make it.
+template <class Pose, class Motion, class A, class AL>
+KTE_INLINE constexpr auto carried_acceleration(const Pose& x, const Motion& c, const acceleration<A, AL>& base) {
+  const auto t = transpose(x.rotation);
+  return acceleration{t * (base.linear + cross(base.angular, x.position)) + c.acceleration,
+                      t * base.angular + c.ang_acceleration};
+}
+
+/// The way down, at a joint: the accelerations of its coordinate, q_ddot(n, value), and that of its end,
+///
+///   A = A' + s q_ddot,   q_ddot = rate - gain . A',   A' from `carried_acceleration`                (4)
+///
+/// Along a coordinate axis A is rate - gain . (rest of A'), whatever A' is.
+template <class S, class Core, class C, int N, class A, class AL, class Put>
+KTE_INLINE constexpr auto accelerated(const Core& core, const C& at, const joint_response<S, N>& response,
+                                      const acceleration<A, AL>& before, const Put& put) {
+  constexpr auto split = split_of<Core, C>();
+  const acceleration others{each_times(split.linear, before.linear), each_times(split.angular, before.angular)};
+  return with_axes<0, N>(core, at, response, before, others, others, put);
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <kte/kernels/joint_vector.hpp>
+#include <kte/math/select.hpp>
+
+#include <limits>
+
+namespace kte::detail {
+
+/// Factorises a symmetric positive definite matrix in place, from its lower triangle:
+///
+///   M = L D L^T,   d_j = m_jj - sum_k l_jk^2 d_k,   l_ij = (m_ij - sum_k l_ik l_jk d_k) / d_j          (1)
+///
+/// Golub and Van Loan, Matrix Computations, 4.1.2. Eigen's LLT is a call of its own and takes as long as all the rest
+/// (docs/decisions/05-forward-dynamics.md). Returns whether no pivot d_j vanishes against m_jj.
+template <class Matrix>
+KTE_INLINE bool factorise(Matrix& m) {
+  using S = typename Matrix::Scalar;
+  const Eigen::Index n = m.rows();
+  const S smallest(std::numeric_limits<S>::epsilon());
+  bool good = true;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const S scale = m(j, j);
+    for (Eigen::Index i = j; i < n; ++i) {
+      S sum = m(i, j);
+      for (Eigen::Index k = 0; k < j; ++k) sum -= m(i, k) * m(k, j);  // above the diagonal: l_jk d_k
+      m(i, j) = sum;
+    }
+    good &= all(m(j, j) > smallest * scale);
+    const S inverse = S(1) / m(j, j);
+    for (Eigen::Index i = j + 1; i < n; ++i) {
+      m(j, i) = m(i, j);
+      m(i, j) *= inverse;
+    }
+  }
+  return good;
+}
+/// Solves M x = b in place, with M factorised.
+template <class Matrix, class Vector>
+KTE_INLINE void substitute(const Matrix& m, Vector& b) {
+  const Eigen::Index n = m.rows();
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index k = 0; k < i; ++k) b[i] -= m(i, k) * b[k];
+  for (Eigen::Index i = n; i-- > 0;) {
+    b[i] /= m(i, i);
+    for (Eigen::Index k = i + 1; k < n; ++k) b[i] -= m(k, i) * b[k];
+  }
+}
+
+/// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws `singular_mass_matrix`
+/// where a coordinate moves no mass, or only what others move too; and `bad_argument` for NaN.
+template <class Matrix, class Vector>
+KTE_INLINE void solve_in_place(Matrix& m, Vector& b) {
+  if (!factorise(m)) [[unlikely]]
+    raise<singular_mass_matrix>("kte: the mass matrix is not positive definite: a coordinate moves no mass of its own");
+  substitute(m, b);
+  check_finite(b, static_cast<std::size_t>(m.rows()), "kte: an acceleration is no finite number: an argument is none");
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <kte/frames/motion.hpp>
+#include <kte/math/rigid_body.hpp>
+
+namespace kte {
+
+/// What a frame must be pushed with to accelerate, where joints beyond it may give way (Featherstone, Rigid Body
+/// Dynamics Algorithms, 2008, section 7.1). About the origin of a frame and in its axes; an acceleration a of the
+/// origin and al of the axes need the force and torque
+///
+///   F = M a + H al,    T = H^T a + J al                       (1)
+///
+/// M and J are symmetric.
+template <class M, class H, class J>
+struct articulated {
+  using geometry = articulated;
+  M linear;
+  H coupling;
+  J angular;
+};
+template <class M, class H, class J>
+articulated(M, H, J) -> articulated<M, H, J>;
+
+inline constexpr articulated<sym3<zero_t>, mat3<zero3>, sym3<zero_t>> no_articulated{};
+
+/// Of bodies without joints between them: M = m 1, H = -[h]x.
+template <class M, class H, class I>
+KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {
+  const auto& h = b.moment;
+  return articulated{diagonal(b.mass, b.mass, b.mass),
+                     mat3{vec3{zero, h.z, -h.y}, vec3{-h.z, zero, h.x}, vec3{h.y, -h.x, zero}}, b.inertia};
+}
+
+template <class... R, class... Q>
+KTE_INLINE constexpr auto operator+(const mat3<R...>& a, const mat3<Q...>& b) {
+  return mat3{a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class M, class H, class J, class N, class K, class L>
+KTE_INLINE constexpr auto operator+(const articulated<M, H, J>& a, const articulated<N, K, L>& b) {
+  return articulated{a.linear + b.linear, a.coupling + b.coupling, a.angular + b.angular};
+}
+
+/// (1)
+template <class M, class H, class J, class A, class AL>
+KTE_INLINE constexpr auto accelerating_wrench(const articulated<M, H, J>& b, const A& a, const AL& al) {
+  return wrench{b.linear * a + b.coupling * al, transpose(b.coupling) * a + b.angular * al};
+}
+
+/// Seen from another frame, in which this one stands at rotation R and position p. With P = [p]x, everything in the
+/// axes of that frame:
+///
+///   M' = M,  H' = H - M P,  J' = J + (P H)^T + P H'           (2)
+template <class R, class P, class M, class H, class J>
+KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
+  const auto r = matrix(rotation);
+  const auto m = congruence(rotation, b.linear);
+  const auto h = transpose(r * transpose(r * b.coupling));
+  const auto j = congruence(rotation, b.angular);
+  const auto f = full(m);
+  const mat3 k{h.x + cross(p, f.x), h.y + cross(p, f.y), h.z + cross(p, f.z)};  // row i of M P is m_i x p
+  const auto hx = transpose(h);  // columns of H; column i of P H is p x h_i
+  const auto kx = transpose(k);
+  const mat3 ph{cross(p, hx.x), cross(p, hx.y), cross(p, hx.z)};  // (P H)^T
+  const mat3 pk{cross(p, kx.x), cross(p, kx.y), cross(p, kx.z)};  // (P H')^T
+  return articulated{m, k,
+                     sym3{j.xx + (ph.x.x + pk.x.x), j.xy + (ph.x.y + pk.y.x), j.xz + (ph.x.z + pk.z.x),
+                          j.yy + (ph.y.y + pk.y.y), j.yz + (ph.y.z + pk.z.y), j.zz + (ph.z.z + pk.z.z)}};
+}
+
+namespace detail {
+/// m - a b^T, of which the upper triangle is wanted.
+template <class... T, class A, class B>
+KTE_INLINE constexpr auto less_dyad(const sym3<T...>& m, const A& a, const B& b) {
+  return sym3{m.xx - a.x * b.x, m.xy - a.x * b.y, m.xz - a.x * b.z,
+              m.yy - a.y * b.y, m.yz - a.y * b.z, m.zz - a.z * b.z};
+}
+template <class... R, class A, class B>
+KTE_INLINE constexpr auto less_dyad(const mat3<R...>& m, const A& a, const B& b) {
+  return mat3{m.x - a.x * b, m.y - a.y * b, m.z - a.z * b};
+}
+template <class M, class H, class J, class W, class V>
+KTE_INLINE constexpr auto less_dyad(const articulated<M, H, J>& m, const W& a, const V& b) {
+  return articulated{less_dyad(m.linear, a.force, b.force), less_dyad(m.coupling, a.force, b.torque),
+                     less_dyad(m.angular, a.torque, b.torque)};
+}
+}  // namespace detail
+
+}  // namespace kte
