@@ -20,13 +20,16 @@ void check_laws() {
           const S e = stretch(a, b);
           return S(k / 2 * e * e);
         }) <= k * by_differences<S>);
+  CHECK(testing::force_is_gradient<S>(spring, draw, energy_of(spring)) <= k * by_differences<S>);
   const auto limited = spring_gen("a", "b", rest, k, most);
   CHECK(testing::loads_are_opposite<S>(limited, draw) == 0);
-  if constexpr (!std::is_same_v<S, double>)  // by differences in double some tries would reach across the kink
+  if constexpr (!std::is_same_v<S, double>) {  // by differences in double some tries would reach across the kink
+    CHECK(testing::force_is_gradient<S>(limited, draw, energy_of(limited)) <= k * by_differences<S>);
     CHECK(testing::force_is_gradient<S>(limited, draw, [&](const auto& a, const auto& b) {
             const S e = stretch(a, b), size = e < 0 ? S(-e) : e, kink = most / k;
             return size < kink ? S(k / 2 * e * e) : S(most * (size - kink / 2));
           }) <= k * by_differences<S>);
+  }
 }
 
 /// The force of a spring on its first anchor, which stands at 0, with the second at q.
@@ -65,6 +68,32 @@ TEST_CASE("a spring saturates", "[elements][spring]") {
   CHECK(pull(spring, -7.0) == -3.0);
   CHECK(pull(spring, -infinity) == -3.0);
   CHECK(pull(spring_gen("a", "b", 0.25, 8.0, 0.0), 100.0) == 798.0);  // no saturation
+}
+
+TEST_CASE("a spring holds energy, beyond saturation as the work of its force", "[elements][spring]") {
+  const auto energy = [](const auto& spring, double q) {
+    return energy_of(spring)(gen_coord<>{.q = 0.0}, gen_coord<>{.q = q});
+  };
+  const auto spring = spring_gen("a", "b", 0.25, 8.0);
+  const auto limited = spring_gen("a", "b", 0.25, 8.0, 3.0);
+  CHECK(energy(spring, 0.75) == 1.0);
+  CHECK(energy(spring, -0.25) == 1.0);
+  CHECK(energy(limited, 0.5) == 0.25);
+  CHECK(energy(limited, 0.625) == 0.5625);              // where it saturates
+  CHECK(energy(limited, 2.625) == 0.5625 + 3.0 * 2.0);  // 2 m further
+  CHECK(energy(limited, -2.125) == 0.5625 + 3.0 * 2.0);
+  CHECK(energy(spring_gen("a", "b", 0.25, 8.0, 0.0), 10.25) == 400.0);  // no saturation
+  CHECK(energy(spring_gen("a", "b", 0.25, 0.0, 3.0), 10.25) == 0.0);
+  CHECK(energy(spring_gen("a", "b", zero, zero, 3.0), 10.25) == 0.0);
+  CHECK(std::isnan(energy(limited, not_a_number)));
+}
+
+TEST_CASE("a spring with typed constants is limited too", "[elements][spring]") {
+  CHECK(pull(spring_gen("a", "b", zero, 8.0, one), 7.0) == 1.0);
+  const auto core = spring_gen("a", "b", one, one, 0.5).core;
+  const coordinate rest{zero, zero, zero, one, zero};
+  CHECK(boost::hana::at_c<0>(core.doForce(rest, rest)) == -0.5);
+  CHECK(core.potential_energy(rest, rest) == 0.375);  // 0.5 N along 1 m, but for the first half
 }
 
 TEST_CASE("a spring keeps NaN", "[elements][spring]") {
