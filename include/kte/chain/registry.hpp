@@ -4,10 +4,12 @@
 #include <kte/elements/base.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
@@ -119,6 +121,8 @@ class element_registry {
     r.add("damper_2D", [](in x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
     r.add("damper_3D", [](in x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
     r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
+    r.add("free_joint_2D", [](in x) { return free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")); });
+    r.add("free_joint_3D", [](in x) { return free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
     r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
     r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
     r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
@@ -146,6 +150,8 @@ class element_registry {
     r.add("rigid_link_3D", [](in x) {
       return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
     });
+    r.add("spherical_joint_3D",
+          [](in x) { return spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
     r.add("spring_gen", [](in x) {
       return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
                         x.number("saturation"));

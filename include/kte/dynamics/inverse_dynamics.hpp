@@ -19,21 +19,24 @@ KTE_INLINE void spread_load(const L& load, Sign sign, X& f) {
 }
 /// The forces of virtual power on all degrees of freedom (`sign` one), or what must be applied for the motion to
 /// happen (minus one).
-template <class S, class Chain, class Given, class Sign>
-KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
-  const local_pass<Chain, Given> pass(c, g);
-  joint_vector<S, Chain::dofs> f;
+template <class S, class Pass, class Sign>
+KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
+  using wiring = typename Pass::chain_type::wiring;
+  joint_vector<S, wiring::dofs> f;
   const auto read = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-    const int done[]{
-        (spread_load<Chain::wiring::template free<I>.what, Chain::wiring::template free<I>.v>(
-             pass.template load<Chain::wiring::template free<I>.what, Chain::wiring::template free<I>.slot>(), sign, f),
-         0)...,
-        0};
+    const int done[]{(spread_load<wiring::template free<I>.what, wiring::template free<I>.v>(
+                          pass.template load<wiring::template free<I>.what, wiring::template free<I>.slot>(), sign, f),
+                      0)...,
+                     0};
     (void)done;
   };
-  read(std::make_index_sequence<Chain::wiring::freedoms>{});
-  check_finite(f, std::size_t{Chain::dofs}, "kte: a force is no finite number: an argument is none, or is too large");
+  read(std::make_index_sequence<wiring::freedoms>{});
+  check_finite(f, std::size_t{wiring::dofs}, "kte: a force is no finite number: an argument is none, or is too large");
   return f;
+}
+template <class S, class Chain, class Given, class Sign>
+KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
+  return forces_of<S>(local_pass<Chain, Given>(c, g), sign);
 }
 }  // namespace detail
 

@@ -2,6 +2,8 @@
 
 #include <kte/chain/transmission.hpp>
 
+#include <limits>
+
 namespace kte {
 
 namespace core {
@@ -26,14 +28,14 @@ struct inertia {
     const auto& [m, c, J] = body;
     const auto& w = x.ang_velocity;
     const auto& al = x.ang_acceleration;
-    const auto a_c = x.acceleration + (cross(al, c) + cross(w, cross(w, c)));  // (1)
-    const auto f = (-m) * a_c;                                                 // (2)
-    return make_loads(wrench{f, cross(c, f) - (J * al + cross(w, J * w))});    // (3)
+    const auto a_c = plus_cross(plus_cross(x.acceleration, al, c), w, cross(w, c));  // (1)
+    const auto f = (-m) * a_c;                                                       // (2)
+    return make_loads(wrench{f, -plus_cross(plus_cross(J * al, w, J * w), f, c)});   // (3)
   }
   /// For the composite-rigid-body algorithm in scalars S; in more than double precision, from the parameters again.
   template <class S>
   KTE_INLINE constexpr auto mass() const {
-    if constexpr (std::is_same_v<S, double> || std::is_same_v<S, float>) {
+    if constexpr (std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits) {
       return at_origin;
     } else {
       return to_composite(lifted<S>(body));

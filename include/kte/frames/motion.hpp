@@ -85,7 +85,7 @@ KTE_INLINE constexpr auto compose(const A& a, const B& b) {
                 a.rotation * b.rotation,
                 t * (a.velocity + cross(w, p)) + b.velocity,
                 w_in_b + b.ang_velocity,
-                t * (a.acceleration + (cross(a.ang_acceleration, p) + cross(w, cross(w, p)))) +
+                t * plus_cross(plus_cross(a.acceleration, a.ang_acceleration, p), w, cross(w, p)) +
                     (constant<2>{} * cross(w_in_b, b.velocity) + b.acceleration),
                 t * a.ang_acceleration + (cross(w_in_b, b.ang_velocity) + b.ang_acceleration)};
 }
@@ -94,7 +94,7 @@ KTE_INLINE constexpr auto compose(const A& a, const B& b) {
 template <class Pose, class F, class T>
 KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b) {
   const auto f = b_in_a.rotation * at_b.force;
-  return wrench{f, b_in_a.rotation * at_b.torque + cross(b_in_a.position, f)};
+  return wrench{f, plus_cross(b_in_a.rotation * at_b.torque, b_in_a.position, f)};
 }
 
 /// A frame at rest relative to its parent.

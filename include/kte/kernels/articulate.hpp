@@ -48,12 +48,6 @@ struct joint_response {
   std::array<S, std::size_t{N}> rate;
 };
 
-/// Axis n of a joint at coordinate c: the motion that its unit rate makes.
-template <int N, class Core, class C>
-KTE_INLINE constexpr auto axis_of(const Core& core, const C& c) {
-  return core.relative(unit_rate<coordinate_kind<Core>, N>(c));
-}
-
 template <int N, class F>
 KTE_INLINE constexpr auto for_axes(const F& f) {
   const auto all_of_them = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {

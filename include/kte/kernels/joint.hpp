@@ -32,4 +32,10 @@ KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const
   return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
 }
 
+/// Axis n of a joint at coordinate c: the motion that its unit rate makes.
+template <int N, class Core, class C>
+KTE_INLINE constexpr auto axis_of(const Core& core, const C& c) {
+  return core.relative(unit_rate<coordinate_kind<Core>, N>(c));
+}
+
 }  // namespace kte::detail

@@ -45,7 +45,7 @@ template <class X>
 KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* what) {
   using S = std::remove_cvref_t<decltype(x[0])>;
   S zero_or_nan(0);
-  for (std::size_t i = 0; i < n; ++i) zero_or_nan += x[i] - x[i];
+  for (std::size_t i = 0; i < n; ++i) zero_or_nan += x[i] * S(0);
   if (!all(zero_or_nan == S(0))) [[unlikely]]
     raise<bad_argument>(what);
 }

@@ -32,10 +32,6 @@ KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {
                      mat3{vec3{zero, h.z, -h.y}, vec3{-h.z, zero, h.x}, vec3{h.y, -h.x, zero}}, b.inertia};
 }
 
-template <class... R, class... Q>
-KTE_INLINE constexpr auto operator+(const mat3<R...>& a, const mat3<Q...>& b) {
-  return mat3{a.x + b.x, a.y + b.y, a.z + b.z};
-}
 template <class M, class H, class J, class N, class K, class L>
 KTE_INLINE constexpr auto operator+(const articulated<M, H, J>& a, const articulated<N, K, L>& b) {
   return articulated{a.linear + b.linear, a.coupling + b.coupling, a.angular + b.angular};

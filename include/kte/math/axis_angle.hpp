@@ -16,7 +16,7 @@ struct axis_angle {
   using geometry = axis_angle;
   S angle = S(0);
   vec3<S> axis{S(1), S(0), S(0)};
-  friend constexpr bool operator==(const axis_angle&, const axis_angle&) = default;
+  friend bool operator==(const axis_angle&, const axis_angle&) = default;
 };
 
 template <class S, class T>

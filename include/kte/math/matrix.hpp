@@ -12,7 +12,7 @@ struct mat3 {
   RX x;
   RY y;
   RZ z;
-  friend constexpr bool operator==(const mat3&, const mat3&) = default;
+  friend bool operator==(const mat3&, const mat3&) = default;
 };
 template <class RX, class RY, class RZ>
 mat3(RX, RY, RZ) -> mat3<RX, RY, RZ>;
@@ -27,7 +27,7 @@ struct sym3 {
   YY yy;
   YZ yz;
   ZZ zz;
-  friend constexpr bool operator==(const sym3&, const sym3&) = default;
+  friend bool operator==(const sym3&, const sym3&) = default;
 };
 template <class XX, class XY, class XZ, class YY, class YZ, class ZZ>
 sym3(XX, XY, XZ, YY, YZ, ZZ) -> sym3<XX, XY, XZ, YY, YZ, ZZ>;
@@ -58,6 +58,33 @@ template <class RX, class RY, class RZ, class QX, class QY, class QZ>
 KTE_INLINE constexpr auto operator*(const mat3<RX, RY, RZ>& a, const mat3<QX, QY, QZ>& b) {
   const auto t = transpose(b);
   return mat3{t * a.x, t * a.y, t * a.z};
+}
+
+template <class... R, class... Q>
+KTE_INLINE constexpr auto operator+(const mat3<R...>& a, const mat3<Q...>& b) {
+  return mat3{a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class... R, class... Q>
+KTE_INLINE constexpr auto operator-(const mat3<R...>& a, const mat3<Q...>& b) {
+  return mat3{a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <entry S, class RX, class RY, class RZ>
+KTE_INLINE constexpr auto operator*(const S& s, const mat3<RX, RY, RZ>& m) {
+  return mat3{s * m.x, s * m.y, s * m.z};
+}
+/// [v]x, by which [v]x u = v x u.
+template <class X, class Y, class Z>
+KTE_INLINE constexpr auto cross_matrix(const vec3<X, Y, Z>& v) {
+  return mat3{vec3{zero, -v.z, v.y}, vec3{v.z, zero, -v.x}, vec3{-v.y, v.x, zero}};
+}
+/// a b^T
+template <class A, class B, class C, class D, class E, class F>
+KTE_INLINE constexpr auto dyad(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
+  return mat3{a.x * b, a.y * b, a.z * b};
+}
+template <class S>
+KTE_INLINE constexpr auto diagonal_matrix(const S& s) {
+  return mat3{vec3{s, zero, zero}, vec3{zero, s, zero}, vec3{zero, zero, s}};
 }
 
 template <class... T>

@@ -16,7 +16,7 @@ struct unit_quaternion {
   S x = S(0);
   S y = S(0);
   S z = S(0);
-  friend constexpr bool operator==(const unit_quaternion&, const unit_quaternion&) = default;
+  friend bool operator==(const unit_quaternion&, const unit_quaternion&) = default;
 };
 template <class S>
 unit_quaternion(S, S, S, S) -> unit_quaternion<S>;

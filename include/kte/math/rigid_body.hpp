@@ -13,7 +13,7 @@ struct rigid_body {
   M mass;
   C com;
   I inertia;
-  friend constexpr bool operator==(const rigid_body&, const rigid_body&) = default;
+  friend bool operator==(const rigid_body&, const rigid_body&) = default;
 };
 template <class M, class C, class I>
 rigid_body(M, C, I) -> rigid_body<M, C, I>;

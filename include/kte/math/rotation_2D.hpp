@@ -13,7 +13,7 @@ struct rotation_2D {
   using geometry = rotation_2D;
   C cos;
   S sin;
-  friend constexpr bool operator==(const rotation_2D&, const rotation_2D&) = default;
+  friend bool operator==(const rotation_2D&, const rotation_2D&) = default;
 };
 template <class C, class S>
 rotation_2D(C, S) -> rotation_2D<C, S>;

@@ -11,7 +11,7 @@ struct vec2 {
   using geometry = vec2;
   X x;
   Y y;
-  friend constexpr bool operator==(const vec2&, const vec2&) = default;
+  friend bool operator==(const vec2&, const vec2&) = default;
 };
 template <class X, class Y>
 vec2(X, Y) -> vec2<X, Y>;
@@ -23,7 +23,7 @@ struct vec3 {
   X x;
   Y y;
   Z z;
-  friend constexpr bool operator==(const vec3&, const vec3&) = default;
+  friend bool operator==(const vec3&, const vec3&) = default;
 };
 template <class X, class Y, class Z>
 vec3(X, Y, Z) -> vec3<X, Y, Z>;
@@ -112,6 +112,16 @@ KTE_INLINE constexpr skip cross(skip, const T&) {
 template <not_skip T>
 KTE_INLINE constexpr skip cross(const T&, skip) {
   return {};
+}
+
+/// v + a x b, as two fused sums a component where the CPU has them.
+template <class V, class A, class B>
+KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {
+  if constexpr (std::is_same_v<V, skip> || std::is_same_v<A, skip> || std::is_same_v<B, skip>) {
+    return v + cross(a, b);
+  } else {
+    return vec3{v.x + a.y * b.z - a.z * b.y, v.y + a.z * b.x - a.x * b.z, v.z + a.x * b.y - a.y * b.x};
+  }
 }
 
 /// a . b

@@ -9,7 +9,7 @@
 ///
 ///   std::mt19937 engine;
 ///   const auto draw = [&] { return engine() * 0x1p-31 - 1; };                       // numbers in [-1, 1)
-///   assert(kte::testing::power_duality<double>(my_joint("q", "base", "end"), draw) < 1e-14);
+///   assert(kte::testing::power_is_kept<double>(my_joint("q", "base", "end"), draw) < 1e-14);
 ///
 /// S is the scalar. Laws with a derivative hold to some 10 eps^(2/3), which is 4e-10 for double, the others to a few
 /// eps. In S of many digits they hold to as many, if the element's parameters have them (a rotation is one only to its

@@ -1,44 +1,11 @@
 #pragma once
 
 #include <kte/dynamics/detail/given.hpp>
+#include <kte/dynamics/detail/tree.hpp>
 #include <kte/kernels/articulate.hpp>
 
 /// The articulated-body algorithm on local variables.
 namespace kte::detail {
-
-/// Whether the algorithm can do a chain: links and joints only move frames, no coordinate follows another or moves two
-/// joints.
-template <class Chain>
-inline constexpr bool is_tree_of_joints = [] {
-  using wiring = typename Chain::wiring;
-  constexpr auto& t = wiring::table;
-  constexpr auto elements = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<std::array<bool, 2>, sizeof...(I)>{{{is_transmission<typename Chain::template core_type<I>>,
-                                                           has_output<typename Chain::template core_type<I>>}...}};
-  }
-  (std::make_index_sequence<Chain::size>{});
-  for (const auto& [stiff, writes] : elements)
-    if (writes && !stiff) return false;
-  for (std::size_t f = 0; f < wiring::freedoms; ++f) {
-    int joints = 0;
-    int p = t.reader[static_cast<std::size_t>(t.free[f].what)][static_cast<std::size_t>(t.free[f].slot)];
-    for (; p >= 0; p = t.previous[static_cast<std::size_t>(p)])
-      joints += elements[static_cast<std::size_t>(t.element[static_cast<std::size_t>(p)])][0];
-    if (joints > 1) return false;
-  }
-  return true;
-}();
-
-/// Whether element I is a joint whose coordinate is a degree of freedom.
-template <class Chain, std::size_t I, class Core = typename Chain::template core_type<I>>
-inline constexpr bool gives_way = [] {
-  if constexpr (is_transmission<Core>) {
-    return coordinates_of<Core> == 1 &&
-           Chain::wiring::template is_free<coordinate_kind<Core>, Chain::wiring::slot(I, 0)>;
-  } else {
-    return false;
-  }
-}();
 
 /// Articulated inertias up the tree, accelerations down the tree. `Given` has positions and rates (`rates_only`).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
@@ -64,31 +31,15 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
   KTE_INLINE void accelerate(const vector& tau, vector& a) {
     tau_ = &tau, a_ = &a;
-    bases<kind::frame_2D>([this]<int Slot>() KTE_INLINE_LAMBDA { (void)carried<kind::frame_2D, Slot>(); });
-    bases<kind::frame_3D>([this]<int Slot>() KTE_INLINE_LAMBDA { (void)carried<kind::frame_3D, Slot>(); });
+    for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     masses(std::make_index_sequence<wiring::freedoms>{});
     if (!good_) [[unlikely]]
       raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
-    bases<kind::frame_2D>([this]<int Slot>() KTE_INLINE_LAMBDA { from_base<kind::frame_2D, Slot>(); });
-    bases<kind::frame_3D>([this]<int Slot>() KTE_INLINE_LAMBDA { from_base<kind::frame_3D, Slot>(); });
+    for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { from_base<K, Slot>(); });
     check_finite(a, std::size_t{Chain::dofs}, "kte: an acceleration is no finite number: an argument is none");
   }
 
  private:
-  template <kind K, class F, int... Slot>
-  KTE_INLINE static void bases(const F& f, std::integer_sequence<int, Slot...>) {
-    [[maybe_unused]] const auto one_of_them = [&]<int I>() KTE_INLINE_LAMBDA {
-      if constexpr (wiring::writer(K, I) < 0) f.template operator()<I>();
-      return 0;
-    };
-    const int done[]{one_of_them.template operator()<Slot>()..., 0};
-    (void)done;
-  }
-  template <kind K, class F>
-  KTE_INLINE static void bases(const F& f) {
-    bases<K>(f, std::make_integer_sequence<int, wiring::count(K)>{});
-  }
-
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
     const int done[]{(without_joint<F>(), 0)..., 0};

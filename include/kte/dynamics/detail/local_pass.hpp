@@ -233,10 +233,12 @@ class local_pass;
 
 template <class Chain, class Given, std::size_t... E>
 class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<Chain, Given> {
+ protected:
   using typename local_motion<Chain, Given>::types;
   using typename local_motion<Chain, Given>::wiring;
 
  public:
+  using chain_type = Chain;
   /// doMotion, then doForce of all elements.
   KTE_INLINE constexpr local_pass(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
     const int done[]{(push<Chain::size - 1 - E>(typename types::template inputs<Chain::size - 1 - E>{}), 0)..., 0};

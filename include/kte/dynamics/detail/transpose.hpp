@@ -7,7 +7,7 @@
 #include <utility>
 
 /// States, each with its numbers in a row, to packs with a number of all states, and back. Done number by number this
-/// took as long as inverse dynamics itself.
+/// took half as long as inverse dynamics of a robot with seven joints.
 namespace kte::batch::detail {
 
 #if defined(__has_builtin)

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <kte/frames/frame_2D.hpp>
-#include <kte/frames/frame_3D.hpp>
-#include <kte/frames/gen_coord.hpp>
+#include <kte/chain/thing.hpp>
 
 #include <array>
 #include <limits>
@@ -13,7 +11,11 @@ namespace kte::testing::detail {
 
 template <class T>
 concept frame = requires(const T& x) {
-  x.position;
+  load_of(x);
+};
+template <class T>
+concept coordinate = requires(T& x) {
+  update_angle(x);
 };
 
 template <class S>
@@ -90,9 +92,15 @@ S off(const Frame& frame, const std::array<S, 12>& first, const std::array<S, 12
 }
 
 /// The power of the load on a thing, and the same of sizes.
-template <class S>
-std::pair<S, S> power(const gen_coord<S>& c) {
-  return {c.f * c.q_dot, magnitude(S(c.f * c.q_dot))};
+template <template <class> class Coordinate, class S>
+requires coordinate<Coordinate<S>> std::pair<S, S> power(const Coordinate<S>& c) {
+  std::array<S, 6> v{}, f{};
+  std::size_t i = 0, j = 0;
+  kte::detail::visit_v(c, [&](const S& x) { v[i++] = x; });
+  kte::detail::visit_f(c, [&](const S& x) { f[j++] = x; });
+  S sum(0), sizes(0);
+  for (std::size_t k = 0; k < i; ++k) sum = sum + f[k] * v[k], sizes = sizes + magnitude(S(f[k] * v[k]));
+  return {sum, sizes};
 }
 template <frame Frame>
 auto power(const Frame& x) {
@@ -136,9 +144,9 @@ S balance(const std::array<S, 7>& sum, const std::array<S, 7>& sizes) {
 }
 
 /// Velocities to zero.
-template <class S>
-void stop(gen_coord<S>& c) {
-  c.q_dot = S(0);
+template <template <class> class Coordinate, class S>
+requires coordinate<Coordinate<S>> void stop(Coordinate<S>& c) {
+  kte::detail::visit_v(c, [](S& x) { x = S(0); });
 }
 template <frame Frame>
 void stop(Frame& x) {

@@ -2,6 +2,7 @@
 
 #include <kte/chain/element.hpp>
 #include <kte/chain/passes.hpp>
+#include <kte/chain/thing.hpp>
 #include <kte/math/axis_angle.hpp>
 
 /// An element alone, to try laws on.
@@ -25,9 +26,61 @@ void move(frame_3D<S>& x, const S& t) {
   x.rotation = x.rotation * matrix(t * (x.ang_velocity + half * x.ang_acceleration));
 }
 template <class S>
+void move(rotation_coord_3D<S>& c, const S& t) {
+  c.rotation = c.rotation * to_quaternion(t * (c.ang_velocity + t / 2 * c.ang_acceleration));
+}
+/// Of poses, whose accelerations are rates of the components of v: p'' = R (a + w x v).
+template <class S>
+void move(pose_coord_2D<S>& c, const S& t) {
+  const S& w = c.ang_velocity;
+  const vec2<S> a{c.acceleration.x - w * c.velocity.y, c.acceleration.y + w * c.velocity.x};
+  c.position = c.position + rotation_by(c.angle) * (t * (c.velocity + t / 2 * a));
+  c.angle = c.angle + t * (w + t / 2 * c.ang_acceleration);
+}
+template <class S>
+void move(pose_coord_3D<S>& c, const S& t) {
+  const auto a = c.acceleration + cross(c.ang_velocity, c.velocity);
+  c.position = c.position + c.rotation * (t * (c.velocity + t / 2 * a));
+  c.rotation = c.rotation * to_quaternion(t * (c.ang_velocity + t / 2 * c.ang_acceleration));
+}
+template <class S>
 void move(S&, const S&) {}  // an input
 
-/// An element alone, with a coordinate, frame or input of its own at every port.
+/// A thing of kind K, of numbers in [-1, 1); rotations by up to some 3 rad.
+template <kind K, class S, class Draw>
+kte::detail::thing_of<K, S> random_thing(Draw& draw) {
+  const auto number = [&draw] { return S(draw()); };
+  const auto in_plane = [&]() -> vec2<S> { return {number(), number()}; };
+  const auto vector = [&]() -> vec3<S> { return {number(), number(), number()}; };
+  const auto turn = [&] { return to_quaternion(S(2) * vector()); };
+  if constexpr (K == kind::gen) {
+    return {number(), number(), number(), S(0), S(1), S(0)};
+  } else if constexpr (K == kind::frame_2D) {
+    return {in_plane(), rotation_by(S(3 * number())), in_plane(), number(), in_plane(), number(), {}, S(0)};
+  } else if constexpr (K == kind::frame_3D) {
+    return {vector(), matrix(S(2) * vector()), vector(), vector(), vector(), vector(), {}, {}};
+  } else if constexpr (K == kind::rotation_3D) {
+    return {.rotation = turn(), .ang_velocity = vector(), .ang_acceleration = vector()};
+  } else if constexpr (K == kind::pose_2D) {
+    return {.position = in_plane(),
+            .angle = 3 * number(),
+            .velocity = in_plane(),
+            .ang_velocity = number(),
+            .acceleration = in_plane(),
+            .ang_acceleration = number()};
+  } else if constexpr (K == kind::pose_3D) {
+    return {.position = vector(),
+            .rotation = turn(),
+            .velocity = vector(),
+            .ang_velocity = vector(),
+            .acceleration = vector(),
+            .ang_acceleration = vector()};
+  } else {
+    return number();
+  }
+}
+
+/// An element alone, with a thing of its own at every port.
 template <class S, class Core>
 class trial {
  public:
@@ -35,25 +88,12 @@ class trial {
 
   template <class Draw>
   trial(const Core& core, Draw& draw) : core_(core) {
-    const auto number = [&draw] { return S(draw()); };
-    const auto vector = [&]() -> vec3<S> { return {number(), number(), number()}; };
-    for (auto& c : coordinates_) c = {number(), number(), number(), S(0), S(1), S(0)};
-    for (auto& x : in_plane_)
-      x = {{number(), number()},
-           rotation_by(S(3 * number())),
-           {number(), number()},
-           number(),
-           {number(), number()},
-           number(),
-           {},
-           S(0)};
-    for (auto& x : in_space_) x = {vector(), matrix(S(2) * vector()), vector(), vector(), vector(), vector(), {}, {}};
-    for (auto& u : inputs_) u = number();
+    draw_all(draw, std::make_index_sequence<kinds>{});
   }
 
   template <kind K>
   auto& get(int port) {
-    return get<K>(*this, static_cast<std::size_t>(port));
+    return kte::detail::of_kind<K>(things_)[static_cast<std::size_t>(port)];
   }
   template <std::size_t P>
   auto& at() {
@@ -98,24 +138,22 @@ class trial {
   auto apply(const F& f, std::index_sequence<P...>) {
     return f(at<P>()...);
   }
-  template <kind K, class Self>
-  static auto& get(Self& s, std::size_t i) {
-    if constexpr (K == kind::gen) {
-      return s.coordinates_[i];
-    } else if constexpr (K == kind::frame_2D) {
-      return s.in_plane_[i];
-    } else if constexpr (K == kind::frame_3D) {
-      return s.in_space_[i];
-    } else {
-      return s.inputs_[i];
-    }
+  template <class Draw, std::size_t... K>
+  void draw_all(Draw& draw, std::index_sequence<K...>) {
+    const auto draw_kind = [&draw]<kind Kind>(auto& things) {
+      for (auto& x : things) x = random_thing<Kind, S>(draw);
+    };
+    (draw_kind.template operator()<static_cast<kind>(K)>(std::get<K>(things_)), ...);
   }
+  template <class Kinds>
+  struct lists;
+  template <std::size_t... K>
+  struct lists<std::index_sequence<K...>> {
+    using type = std::tuple<std::array<kte::detail::thing_of<static_cast<kind>(K), S>, ports>...>;
+  };
 
   Core core_;
-  std::array<gen_coord<S>, ports> coordinates_;
-  std::array<frame_2D<S>, ports> in_plane_;
-  std::array<frame_3D<S>, ports> in_space_;
-  std::array<S, ports> inputs_;
+  typename lists<std::make_index_sequence<kinds>>::type things_;
 };
 
 }  // namespace kte::testing::detail

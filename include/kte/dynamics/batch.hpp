@@ -1,0 +1,136 @@
+#pragma once
+
+#include <kte/dynamics/detail/batch.hpp>
+#include <kte/dynamics/executors.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+
+/// The algorithms on any number of states of a static chain, W states at once in the lanes of packs.
+///
+/// Arguments are arrays of float or double, all of one type, that have data() and size() (vector, array, span, Eigen):
+/// one state after the other, the numbers of state k from k n on, as in an Eigen matrix with a state a column. Results
+/// are written the same way; they may take the place of an input with as many numbers a state.
+///
+/// Results of a state do not depend on the other states, on their number or order, nor on the executor: they are the
+/// same bits, for one W in one program. They differ from those for one state alone by roundings.
+///
+/// Throws `bad_argument` naming an argument of the wrong size, before anything is written. States that have no answer
+/// (NaN, infinity, a singular mass matrix) do not spoil the others: these are all written, in the place of the bad ones
+/// stands NaN, and then the error of the first bad state is thrown, with its number in front: what the algorithm throws
+/// for this state alone, `bad_argument` or `singular_mass_matrix`.
+///
+/// By default W is the number of lanes of the CPU's registers. Not for programs without exceptions.
+namespace kte::batch {
+
+namespace detail {
+
+template <class X>
+using number_in = std::remove_cvref_t<decltype(*std::declval<X&>().data())>;
+
+template <class T, int W>
+using pack_of = pack<T, W == 0 ? kte::detail::widest_pack<T> : W>;
+
+/// Numbers a state: degrees of freedom, and positions, which may be more.
+template <class Chain>
+inline constexpr std::size_t nv = std::size_t{Chain::dofs};
+template <class Chain>
+inline constexpr std::size_t nq = nv<Chain>;
+template <class Chain>
+requires(requires { Chain::nq; }) inline constexpr std::size_t nq<Chain> = std::size_t{Chain::nq};
+
+/// Rejects matrices of which the states are not the columns.
+template <class X>
+void check_layout(const X& x, std::size_t a_state, const char* name) {
+  if constexpr (requires { x.innerStride(), x.outerStride(), x.rows(); }) {
+    static_assert(!X::IsRowMajor || X::IsVectorAtCompileTime, "kte: in a batch the states are the columns of a matrix");
+    if (x.size() == 0) return;
+    if (x.innerStride() != 1 || (!X::IsVectorAtCompileTime && x.outerStride() != x.rows()))
+      kte::detail::raise<bad_argument>(std::string("kte: the numbers of ") + name + " do not lie side by side");
+    if (!X::IsVectorAtCompileTime && a_state % static_cast<std::size_t>(x.rows()) != 0)
+      kte::detail::raise<bad_argument>(std::string("kte: ") + name + " has columns of " + std::to_string(x.rows()) +
+                                       " numbers, a state has " + std::to_string(a_state));
+  }
+}
+/// How many states there are in x.
+template <class X>
+std::size_t states_in(const X& x, std::size_t a_state, const char* name) {
+  check_layout(x, a_state, name);
+  const auto size = static_cast<std::size_t>(x.size());
+  if (a_state == 0 ? size != 0 : size % a_state != 0)
+    kte::detail::raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(size) +
+                                     " numbers, a state has " + std::to_string(a_state));
+  return a_state == 0 ? 0 : size / a_state;
+}
+template <class X>
+void check(const X& x, std::size_t a_state, std::size_t count, const char* name) {
+  check_layout(x, a_state, name);
+  if (static_cast<std::size_t>(x.size()) != a_state * count)
+    kte::detail::raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(x.size()) + " numbers, " +
+                                     std::to_string(count) + " states have " + std::to_string(a_state * count));
+}
+
+template <class Job, class Executor>
+void finish(Job& job, Executor&& executor) {
+  if (job.tasks() > 0) executor(job.tasks(), job);
+  job.raise();
+}
+
+struct inverse_dynamics_of {
+  template <class Chain, class Q, class V>
+  KTE_INLINE auto operator()(const Chain& c, const Q& q, const V& v, const V& a) const {
+    return kte::inverse_dynamics(c, q, v, a);
+  }
+};
+struct forward_dynamics_of {
+  template <class Chain, class Q, class V>
+  KTE_INLINE auto operator()(const Chain& c, const Q& q, const V& v, const V& tau) const {
+    return kte::forward_dynamics(c, q, v, tau);
+  }
+};
+struct mass_matrix_of {
+  template <class Chain, class Q>
+  KTE_INLINE auto operator()(const Chain& c, const Q& q) const {
+    return kte::mass_matrix(c, q);
+  }
+};
+
+}  // namespace detail
+
+/// tau from q, v, a; see `kte::inverse_dynamics`.
+template <int W = 0, class Chain, class Q, class V, class A, class Tau, class Executor = in_this_thread,
+          class P = detail::pack_of<detail::number_in<Q>, W>>
+void inverse_dynamics(const Chain& chain, const Q& q, const V& v, const A& a, Tau&& tau, Executor&& executor = {}) {
+  constexpr std::size_t nq = detail::nq<Chain>, nv = detail::nv<Chain>;
+  const std::size_t n = detail::states_in(q, nq, "q");
+  detail::check(v, nv, n, "v"), detail::check(a, nv, n, "a"), detail::check(tau, nv, n, "tau");
+  detail::job<detail::inverse_dynamics_of, Chain, P, nv, nq, nv, nv> job(chain, n, tau.data(),
+                                                                         {q.data(), v.data(), a.data()});
+  detail::finish(job, executor);
+}
+
+/// Accelerations a from q, v, tau; see `kte::forward_dynamics`.
+template <int W = 0, class Chain, class Q, class V, class Tau, class A, class Executor = in_this_thread,
+          class P = detail::pack_of<detail::number_in<Q>, W>>
+void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau, A&& a, Executor&& executor = {}) {
+  constexpr std::size_t nq = detail::nq<Chain>, nv = detail::nv<Chain>;
+  const std::size_t n = detail::states_in(q, nq, "q");
+  detail::check(v, nv, n, "v"), detail::check(tau, nv, n, "tau"), detail::check(a, nv, n, "a");
+  detail::job<detail::forward_dynamics_of, Chain, P, nv, nq, nv, nv> job(chain, n, a.data(),
+                                                                         {q.data(), v.data(), tau.data()});
+  detail::finish(job, executor);
+}
+
+/// Mass matrices M, all n^2 numbers of each, from q; see `kte::mass_matrix`. They are symmetric, so by columns or rows
+/// is the same.
+template <int W = 0, class Chain, class Q, class M, class Executor = in_this_thread,
+          class P = detail::pack_of<detail::number_in<Q>, W>>
+void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
+  constexpr std::size_t nq = detail::nq<Chain>, nv = detail::nv<Chain>;
+  const std::size_t n = detail::states_in(q, nq, "q");
+  detail::check(m, nv * nv, n, "M");
+  detail::job<detail::mass_matrix_of, Chain, P, nv * nv, nq> job(chain, n, m.data(), {q.data()});
+  detail::finish(job, executor);
+}
+
+}  // namespace kte::batch

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <kte/dynamics/detail/coordinate_derivatives.hpp>
+#include <kte/dynamics/detail/dual_derivatives.hpp>
+#include <kte/dynamics/detail/local_derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+
+namespace kte {
+
+namespace detail {
+/// Whether the derivatives of a chain are known element by element: joints, links and bodies, and elements on
+/// coordinates.
+template <class Chain>
+inline constexpr bool is_analytical = is_tree_of_joints<Chain>&&[]<std::size_t... I>(std::index_sequence<I...>) {
+  const auto known = []<class Core>(std::type_identity<Core>) {
+    return is_transmission<Core> || is_on_coordinates<Core> || has_mass<Core, double> ||
+           Core::ports[0].how == access::base;
+  };
+  const bool all_known[]{known(std::type_identity<typename Chain::template core_type<I>>{})..., true};
+  for (const bool k : all_known)
+    if (!k) return false;
+  return true;
+}
+(std::make_index_sequence<Chain::size>{});
+
+/// At q, v and a, with bases and inputs as given.
+template <class S, class Chain, class At, class Base, class Q, class V, class A>
+KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v, const A& a) {
+  inverse_dynamics_result<S, Chain::dofs> r;
+  if constexpr (is_analytical<Chain>) {
+    r.by_q.setZero(), r.by_v.setZero(), r.by_a.setZero();
+    const given g{at, each<S, V>{v}, each<S, A>{a}, base};
+    using given_type = std::remove_const_t<decltype(g)>;
+    const local_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
+    coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
+    r.tau = forces_of<S>(pass, minus_one);
+  } else {
+    dual_derivatives<S>(c, base, q, v, a, r);
+    r.by_a = local_mass_matrix<S>(c, at);
+  }
+  return r;
+}
+
+/// b = M^-1 b, with M factorised; b by rows.
+template <class M, class B>
+KTE_INLINE void substitute_rows(const M& m, B& b) {
+  for (Eigen::Index i = 0; i < b.rows(); ++i)
+    for (Eigen::Index k = 0; k < i; ++k) b.row(i) -= m(i, k) * b.row(k);
+  for (Eigen::Index i = b.rows(); i-- > 0;) {
+    b.row(i) /= m(i, i);
+    for (Eigen::Index k = i + 1; k < b.rows(); ++k) b.row(i) -= m(k, i) * b.row(k);
+  }
+}
+
+/// From a and the derivatives of inverse dynamics there:
+///
+///   da/dq = -M^-1 dtau/dq,   da/dv = -M^-1 dtau/dv,   da/dtau = M^-1          (1)
+template <class S, int N>
+KTE_INLINE auto inverted(const joint_vector<S, N>& a, inverse_dynamics_result<S, N>& r) {
+  Eigen::Matrix<S, N, 3 * N, Eigen::RowMajor> b;
+  b << -r.by_q, -r.by_v, joint_matrix<S, N>::Identity();
+  if (!factorise(r.by_a)) [[unlikely]]
+    raise<singular_mass_matrix>("kte: the mass matrix is not positive definite: a coordinate moves no mass of its own");
+  substitute_rows(r.by_a, b);
+  return forward_dynamics_result<S, N>{a, b.template leftCols<N>(), b.template middleCols<N>(N),
+                                       b.template rightCols<N>()};
+}
+}  // namespace detail
+
+/// Inverse dynamics and its derivatives; by_a is the mass matrix. Arguments as for `inverse_dynamics`. In a tree of
+/// joints and bodies, with springs, dampers and masses on coordinates, by recursion over the elements
+/// (kernels/variation.hpp); where other forces act between frames, or coordinates follow others, by dual numbers.
+template <class Gravity, class... E, indexable Q, indexable V, indexable A>
+auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  detail::check_configuration<chain_type>(q);
+  check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(a, "a");
+  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  return detail::derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, a);
+}
+/// The same at the positions, rates and accelerations of a state, with its moving bases and its inputs.
+template <class Gravity, class... E, class S>
+auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+  using state = chain_state<S, detail::wiring<E...>>;
+  const auto q = positions(s), v = velocities(s), a = accelerations(s);
+  const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
+  at.check();
+  return detail::derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, a);
+}
+
+/// Forward dynamics and its derivatives, from those of inverse dynamics. Arguments as for `forward_dynamics`. Throws
+/// `singular_mass_matrix`.
+template <class Gravity, class... E, indexable Q, indexable V, indexable T>
+auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  const joint_vector<S, chain_type::dofs> a = forward_dynamics(c, q, v, tau);
+  auto r = inverse_dynamics_derivatives(c, q, v, a);
+  return detail::inverted(a, r);
+}
+/// The same at the positions and rates of a state, with its moving bases and its inputs, and no other forces.
+template <class Gravity, class... E, class S>
+auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+  const joint_vector<S, static_chain<Gravity, E...>::dofs> a = forward_dynamics(c, s);
+  auto accelerated = s;
+  set_accelerations(accelerated, a);
+  auto r = inverse_dynamics_derivatives(c, accelerated);
+  return detail::inverted(a, r);
+}
+
+}  // namespace kte

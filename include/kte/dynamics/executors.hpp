@@ -1,0 +1,64 @@
+#pragma once
+
+#include <kte/errors.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+/// Who does the tasks of a batch: anything that is called as executor(tasks, task), calls task(0) ... task(tasks - 1)
+/// in any order and in any threads, and returns when all are done. A pool of your own needs three lines.
+namespace kte::batch {
+
+/// All tasks one after the other.
+struct in_this_thread {
+  template <class Task>
+  void operator()(std::size_t tasks, Task&& task) const {
+    for (std::size_t i = 0; i < tasks; ++i) task(i);
+  }
+};
+
+/// Tasks on up to n threads, this one among them; the others are started for each call.
+/// All tasks are done even if some throw; then the exception of the first of these is thrown.
+class threads {
+ public:
+  explicit threads(std::size_t n) : n_(n) {
+    if (n == 0) kte::detail::raise<bad_argument>("kte: a batch needs at least one thread");
+  }
+  template <class Task>
+  void operator()(std::size_t tasks, Task&& task) const {
+    std::atomic<std::size_t> next{0};
+    std::mutex guard;
+    std::size_t failed = tasks;
+    std::exception_ptr failure;
+    const auto work = [&] {
+      for (std::size_t i; (i = next.fetch_add(1)) < tasks;) {
+        try {
+          task(i);
+        } catch (...) {
+          const std::lock_guard lock(guard);
+          if (i < failed) failed = i, failure = std::current_exception();
+        }
+      }
+    };
+    const std::size_t helpers = std::max<std::size_t>(std::min(n_, tasks), 1) - 1;
+    std::vector<std::thread> team;
+    team.reserve(helpers);
+    try {
+      while (team.size() < helpers) team.emplace_back(work);
+    } catch (...) {  // no more threads to be had: fewer do the same
+    }
+    work();
+    for (auto& t : team) t.join();
+    if (failure) std::rethrow_exception(failure);
+  }
+
+ private:
+  std::size_t n_;
+};
+
+}  // namespace kte::batch

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <kte/math/detail/pack_registers.hpp>
+
+#include <cstring>
+#include <functional>
+#include <utility>
+
+/// N numbers that go through the same arithmetic at once: a scalar type for the templates of this library. A static
+/// chain that is evaluated on packs is evaluated on N states in about the time of one.
+namespace kte {
+
+/// What a comparison of packs gives: one truth a lane.
+template <class T, int N, class Arch = detail::pack_arch<T, N>>
+class pack_mask {
+  using reg = detail::pack_register<T, Arch>;
+  static constexpr std::size_t count = std::size_t{N} / reg::lanes;
+  using registers = std::make_index_sequence<count>;
+
+ public:
+  pack_mask() = default;
+
+  KTE_INLINE friend pack_mask operator&(const pack_mask& a, const pack_mask& b) { return both(a, b, registers{}); }
+  KTE_INLINE friend pack_mask operator|(const pack_mask& a, const pack_mask& b) { return either(a, b, registers{}); }
+  KTE_INLINE friend pack_mask operator!(const pack_mask& a) { return none(a, registers{}); }
+  KTE_INLINE pack_mask& operator&=(const pack_mask& b) { return *this = *this & b; }
+  KTE_INLINE pack_mask& operator|=(const pack_mask& b) { return *this = *this | b; }
+
+  /// Whether it holds in all lanes, in any.
+  KTE_INLINE friend bool all(const pack_mask& a) { return all_of(a, registers{}); }
+  KTE_INLINE friend bool any(const pack_mask& a) { return !all_of(!a, registers{}); }
+
+ private:
+  template <class, int, class>
+  friend class pack;
+  template <std::size_t... I>
+  KTE_INLINE static pack_mask both(const pack_mask& a, const pack_mask& b, std::index_sequence<I...>) {
+    pack_mask r;
+    ((r.m_[I] = a.m_[I] & b.m_[I]), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE static pack_mask either(const pack_mask& a, const pack_mask& b, std::index_sequence<I...>) {
+    pack_mask r;
+    ((r.m_[I] = a.m_[I] | b.m_[I]), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE static pack_mask none(const pack_mask& a, std::index_sequence<I...>) {
+    pack_mask r;
+    ((r.m_[I] = detail::negated(a.m_[I])), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE static bool all_of(const pack_mask& a, std::index_sequence<I...>) {
+    return detail::all_in((a.m_[I] & ...));
+  }
+  std::array<typename reg::mask, count> m_;
+};
+
+/// N floats or doubles, N a power of two. It converts from any number, so that `2 * x` and `x + 0.5` work; with floats,
+/// the number is rounded to float. It is a type of its own under every set of CPU options (`Arch`), so that units
+/// compiled with different ones can be linked.
+template <class T, int N, class Arch = detail::pack_arch<T, N>>
+class pack {
+  static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "kte: packs are of float or double");
+  static_assert(N > 0 && (N & (N - 1)) == 0, "kte: a pack has 1, 2, 4, 8 ... lanes");
+  using reg = detail::pack_register<T, Arch>;
+  static constexpr std::size_t count = std::size_t{N} / reg::lanes;
+
+ public:
+  using value_type = T;
+  using mask = pack_mask<T, N, Arch>;
+  using register_type = typename reg::type;
+  using register_bits = typename reg::bits;
+  using registers = std::make_index_sequence<count>;
+  static constexpr int lanes = N;
+
+  pack() = default;
+  /// Register by register: as a block of bytes, g++ copies a vector of packs by parts of registers, and loads of whole
+  /// registers then wait for these.
+  KTE_INLINE pack(const pack& x) { copy(x, registers{}); }
+  KTE_INLINE pack& operator=(const pack& x) {
+    copy(x, registers{});
+    return *this;
+  }
+  /// The same number in all lanes.
+  template <class U>
+  requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) { b_.fill(register_type(static_cast<T>(x))); }
+
+  /// N numbers, one after the other, anywhere in memory.
+  KTE_INLINE static pack load(const T* p) { return load(p, registers{}); }
+  KTE_INLINE void store(T* p) const { store(p, registers{}); }
+  /// One lane; slow.
+  KTE_INLINE T operator[](std::size_t i) const {
+    T x;
+    std::memcpy(&x, reinterpret_cast<const char*>(&b_) + i * sizeof(T), sizeof(T));
+    return x;
+  }
+  KTE_INLINE void set(std::size_t i, T x) { std::memcpy(reinterpret_cast<char*>(&b_) + i * sizeof(T), &x, sizeof(T)); }
+
+  KTE_INLINE friend pack operator+(const pack& a, const pack& b) { return map(std::plus<>{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator-(const pack& a, const pack& b) { return map(std::minus<>{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator*(const pack& a, const pack& b) { return map(std::multiplies<>{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator/(const pack& a, const pack& b) { return map(std::divides<>{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator+(const pack& a) { return a; }
+  /// Not by xor, as xsimd does it: compilers do not see through that, and -a * b + c would not become one instruction.
+  KTE_INLINE friend pack operator-(const pack& a) { return pack(T(-0.0)) - a; }
+  KTE_INLINE pack& operator+=(const pack& b) { return *this = *this + b; }
+  KTE_INLINE pack& operator-=(const pack& b) { return *this = *this - b; }
+  KTE_INLINE pack& operator*=(const pack& b) { return *this = *this * b; }
+  KTE_INLINE pack& operator/=(const pack& b) { return *this = *this / b; }
+
+  KTE_INLINE friend mask operator<(const pack& a, const pack& b) { return compare(std::less<>{}, a, b, registers{}); }
+  KTE_INLINE friend mask operator<=(const pack& a, const pack& b) {
+    return compare(std::less_equal<>{}, a, b, registers{});
+  }
+  KTE_INLINE friend mask operator>(const pack& a, const pack& b) { return b < a; }
+  KTE_INLINE friend mask operator>=(const pack& a, const pack& b) { return b <= a; }
+  KTE_INLINE friend mask operator==(const pack& a, const pack& b) {
+    return compare(std::equal_to<>{}, a, b, registers{});
+  }
+  KTE_INLINE friend mask operator!=(const pack& a, const pack& b) { return !(a == b); }  // true for NaN, as it should
+
+  /// a in the lanes where the condition holds, b in the others.
+  KTE_INLINE friend pack select(const mask& condition, const pack& a, const pack& b) {
+    return chosen(condition, a, b, registers{});
+  }
+
+  /// Register i, of registers::size(); f(a) register by register.
+  KTE_INLINE register_type& in_register(std::size_t i) { return b_[i]; }
+  KTE_INLINE const register_type& in_register(std::size_t i) const { return b_[i]; }
+  template <class F>
+  KTE_INLINE static pack map(const F& f, const pack& a) {
+    return map(f, a, registers{});
+  }
+
+ private:
+  template <std::size_t... I>
+  KTE_INLINE void copy(const pack& x, std::index_sequence<I...>) {
+    ((b_[I] = x.b_[I]), ...);
+  }
+  template <class F, std::size_t... I>
+  KTE_INLINE static pack map(const F& f, const pack& a, std::index_sequence<I...>) {
+    pack r;
+    ((r.b_[I] = f(a.b_[I])), ...);
+    return r;
+  }
+  template <class F, std::size_t... I>
+  KTE_INLINE static pack map(const F& f, const pack& a, const pack& b, std::index_sequence<I...>) {
+    pack r;
+    ((r.b_[I] = f(a.b_[I], b.b_[I])), ...);
+    return r;
+  }
+  template <class F, std::size_t... I>
+  KTE_INLINE static mask compare(const F& f, const pack& a, const pack& b, std::index_sequence<I...>) {
+    mask r;
+    ((r.m_[I] = f(a.b_[I], b.b_[I])), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE static pack chosen(const mask& m, const pack& a, const pack& b, std::index_sequence<I...>) {
+    pack r;
+    ((r.b_[I] = detail::chosen(m.m_[I], a.b_[I], b.b_[I])), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE static pack load(const T* p, std::index_sequence<I...>) {
+    pack r;
+    ((r.b_[I] = reg::load(p + I * reg::lanes)), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE void store(T* p, std::index_sequence<I...>) const {
+    (reg::store(p + I * reg::lanes, b_[I]), ...);
+  }
+  std::array<register_type, count> b_;
+};
+
+}  // namespace kte
+
+#include <kte/math/pack_functions.hpp>
