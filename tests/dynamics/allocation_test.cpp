@@ -48,3 +48,36 @@ TEST_CASE("runtime chains allocate nothing once their state is made") {
     CHECK(during([&] { (void)kte::forward_dynamics(c, s, x, x, x); }) == 0);
   }
 }
+
+TEST_CASE("coordinates of several degrees of freedom and springs between frames allocate nothing") {
+  using namespace kte;
+  using models::ground, models::trunk, models::left, models::thigh, models::shank, models::hip, models::slide;
+  static constexpr struct ball_ final : rotation_3D_key<"ball"> {
+  } ball;
+  static constexpr struct floating_ final : pose_3D_key<"floating"> {
+  } floating;
+  constexpr rigid_body body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}};
+  constexpr auto c =
+      chain(revolute_joint_3D(hip, ground, left), inertia_3D(left, body), free_joint_3D(floating, left, trunk),
+            inertia_3D(trunk, body), spherical_joint_3D(ball, trunk, thigh), inertia_3D(thigh, body),
+            prismatic_joint_3D(slide, thigh, shank, axis::x), inertia_3D(shank, body),
+            spring_3D(trunk, shank, 0.1, 20.0), damper_3D(shank, ground, 0.5));
+  const auto q = neutral_configuration(c);
+  const auto v = difference(c, q, q);
+  auto s = make_state(c);
+  CHECK(during([&] { (void)forward_dynamics(c, q, v, v); }) == 0);
+  CHECK(during([&] { (void)forward_dynamics(c, s); }) == 0);
+  CHECK(during([&] { (void)inverse_dynamics(c, q, v, v); }) == 0);
+  CHECK(during([&] { (void)mass_matrix(c, q); }) == 0);
+
+  // as a tree of joints, and with two joints that share a coordinate, by the mass matrix
+  auto model = models::element_by_element(c);
+  for (const bool tree : {true, false}) {
+    if (!tree) model << revolute_joint_3D("hip", "ground", "other", axis::y) << inertia_3D("other", body);
+    auto r = model.make_state();
+    CHECK(during([&] { (void)forward_dynamics(model, r, q, v, v); }) == 0);
+    CHECK(during([&] { (void)forward_dynamics(model, r); }) == 0);
+    CHECK(during([&] { (void)inverse_dynamics(model, r, q, v, v); }) == 0);
+    CHECK(during([&] { (void)mass_matrix(model, r, q); }) == 0);
+  }
+}

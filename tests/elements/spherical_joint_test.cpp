@@ -1,7 +1,6 @@
-#include <kte/elements/spherical_joint.hpp>
-
 #include <kte/chain/from_record.hpp>
 #include <kte/chain/registry.hpp>
+#include <kte/elements/spherical_joint.hpp>
 
 #include "catch.hpp"
 #include "elements/laws.hpp"

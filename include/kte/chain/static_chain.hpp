@@ -91,8 +91,7 @@ class static_chain {
   }
   template <std::size_t I, class S>
   KTE_INLINE constexpr auto stored(S& s) const {
-    using core_type = std::remove_cvref_t<decltype(core<I>())>;
-    return detail::stored_element<core_type, S, where<I>>{core<I>(), s, {}};
+    return detail::stored_element<core_type<I>, S, where<I>>{core<I>(), s, {}};
   }
   template <class F, class S, std::size_t... I>
   KTE_INLINE constexpr void forward(const F& f, S& s, std::index_sequence<I...>) const {

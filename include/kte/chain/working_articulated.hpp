@@ -35,7 +35,7 @@ struct working_articulated : working_element<Core> {
       const auto& at_end = burden_of<end>();
       const burden carried{at_end.inertia, at_end.load + this->template frame<end>().load};
       if constexpr (joint) {
-        if (place.free) return add(give_way(carried));
+        if (place.free) return give_way(carried);
       }
       add(carried_stiffly(this->pose(), this->template frame<end>(), carried));
     }
@@ -45,7 +45,7 @@ struct working_articulated : working_element<Core> {
       auto& to = acceleration_of<end>();
       const auto before = carried_acceleration(this->pose(), this->template frame<end>(), acceleration_of<base>());
       if constexpr (joint) {
-        if (place.free) return set(to, respond(before));
+        if (place.free) return respond(before, to);
       }
       set(to, before);
     }
@@ -76,23 +76,33 @@ struct working_articulated : working_element<Core> {
 
   static constexpr int axes = joint ? joint_dofs<Core> : 0;
   std::size_t row() const { return static_cast<std::size_t>(place.row); }
+  /// f(m) with the further mass on its coordinate, which is mostly none.
+  template <class F>
+  auto with_mass(const F& f) const {
+    if constexpr (at<0>.what == kind::gen) {
+      const double m = state.work.own_mass[row()];
+      if (m != 0) return f(m);
+    }
+    return f(zero);
+  }
   template <class B>
-  auto give_way(const B& carried) const {
+  void give_way(const B& carried) const {
     auto& w = state.work;
     joint_response<double, axes> r;
     const auto force = [this]<int N>() { return state.work.forces[place.row + N]; };
-    const auto b = carried_by_joint<double>(core, this->coordinate(), this->template frame<end>(), carried, force,
-                                            w.own_mass[row()], r, w.good);
+    with_mass([&](const auto& m) {
+      add(carried_by_joint<double>(core, this->coordinate(), this->template frame<end>(), carried, force, m, r,
+                                   w.good));
+    });
     for (std::size_t k = 0; k < std::size_t{axes}; ++k) w.gains[row() + k] = r.gain[k], w.rates[row() + k] = r.rate[k];
-    return b;
   }
-  template <class A>
-  auto respond(const A& before) const {
+  template <class A, class To>
+  void respond(const A& before, To& to) const {
     auto& w = state.work;
     joint_response<double, axes> r;
     for (std::size_t k = 0; k < std::size_t{axes}; ++k) r.gain[k] = w.gains[row() + k], r.rate[k] = w.rates[row() + k];
     const auto put = [this](int k, double x) { state.work.forces[place.row + k] = x; };
-    return accelerated(core, this->coordinate(), r, before, put);
+    with_mass([&](const auto& m) { set(to, accelerated(core, this->coordinate(), r, m, before, put)); });
   }
 };
 

@@ -97,13 +97,29 @@ struct working_element {
       return index[P];
     }
   };
+  template <bool RatesOnly, class C>
+  static decltype(auto) coordinate_seen(const C& c) {
+    if constexpr (requires { c.q; }) {
+      if constexpr (RatesOnly) {
+        return unaccelerated(c);
+      } else {
+        return (c);
+      }
+    } else {
+      if constexpr (RatesOnly) {
+        return unaccelerated(spatial(c));
+      } else {
+        return spatial(c);
+      }
+    }
+  }
   /// As kernels see it.
   template <std::size_t P, bool RatesOnly>
   decltype(auto) seen() const {
-    if constexpr (at<P>.what == kind::gen || at<P>.what == kind::input) {
+    if constexpr (at<P>.what == kind::input) {
       return std::as_const(thing<P>());
     } else if constexpr (!is_frame(at<P>.what)) {
-      return spatial(thing<P>());
+      return coordinate_seen<RatesOnly>(thing<P>());
     } else if constexpr (RatesOnly) {
       return motion{skip{}, skip{}, skip{}, frame<P>().ang_velocity, zero3{}, zero3{}};
     } else {

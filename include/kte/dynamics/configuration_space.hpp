@@ -100,6 +100,7 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
   detail::check_configuration<wiring>(q), check_size<wiring::dofs>(v, "v");
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::integrate_one<S>(wiring::table.free[i], q, v, S(dt), out);
+  detail::check_finite(out, std::size_t{wiring::nq}, "kte: a coordinate is no finite number");
   return out;
 }
 
@@ -112,6 +113,7 @@ auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) 
   detail::check_configuration<wiring>(from), detail::check_configuration<wiring>(to);
   joint_vector<S, wiring::dofs> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::difference_one<S>(wiring::table.free[i], from, to, out);
+  detail::check_finite(out, std::size_t{wiring::dofs}, "kte: a coordinate is no finite number");
   return out;
 }
 

@@ -37,7 +37,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
     r.tau = forces_of<S>(pass, minus_one);
   } else {
     dual_derivatives<S>(c, base, q, v, a, r);
-    r.by_a = local_mass_matrix<S>(c, at);
+    r.by_a = local_mass_matrix<S>(c, at, base);
   }
   return r;
 }

@@ -19,7 +19,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
     local_articulated<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate(tau, a);
   } else {
     a = tau + coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
-    auto m = local_mass_matrix<S>(c, at);
+    auto m = local_mass_matrix<S>(c, at, base);
     solve_in_place(m, a);
   }
   return a;

@@ -17,7 +17,7 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  return detail::local_mass_matrix<S>(c, at);
+  return detail::local_mass_matrix<S>(c, at, detail::base_under_gravity(c));
 }
 
 /// The same at the positions of a state.
@@ -26,7 +26,7 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, deta
   using namespace detail;
   const auto q = positions(s);
   const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
-  return local_mass_matrix<S>(c, at);
+  return local_mass_matrix<S>(c, at, base_of_state<chain_state<S, wiring<E...>>>{s});
 }
 
 }  // namespace kte

@@ -91,6 +91,7 @@ Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double
   detail::check_configuration(c.nq(), c.dofs(), q), check_size(static_cast<std::size_t>(c.dofs()), v, "v");
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::integrate_one<double>(f, q, v, dt, out);
+  detail::check_finite(out, static_cast<std::size_t>(c.nq()), "kte: a coordinate is no finite number");
   return out;
 }
 template <indexable Q>
@@ -98,6 +99,7 @@ Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
   detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
   Eigen::VectorXd out(c.dofs());
   for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
+  detail::check_finite(out, static_cast<std::size_t>(c.dofs()), "kte: a coordinate is no finite number");
   return out;
 }
 inline Eigen::VectorXd neutral_configuration(const kte_map_chain& c) {

@@ -32,6 +32,14 @@ struct inertia {
     const auto f = (-m) * a_c;                                                       // (2)
     return make_loads(wrench{f, -plus_cross(plus_cross(J * al, w, J * w), f, c)});   // (3)
   }
+  /// m |v_c|^2 / 2 + w . I w / 2,  v_c = v + w x c,  J
+  template <class Frame>
+  KTE_INLINE constexpr auto kinetic_energy(const Frame& x) const {
+    const auto& [m, c, J] = body;
+    const auto& w = x.ang_velocity;
+    const auto v_c = plus_cross(x.velocity, w, c);
+    return detail::half(m * dot(v_c, v_c) + dot(w, J * w));
+  }
   /// For the composite-rigid-body algorithm in scalars S; in more than double precision, from the parameters again.
   template <class S>
   KTE_INLINE constexpr auto mass() const {
@@ -71,6 +79,11 @@ struct inertia_gen {
   template <class C>
   KTE_INLINE constexpr auto doForce(const C& c) const {
     return make_loads((-m) * c.q_ddot);
+  }
+  /// m q_dot^2 / 2,  J
+  template <class C>
+  KTE_INLINE constexpr auto kinetic_energy(const C& c) const {
+    return detail::half(m * (c.q_dot * c.q_dot));
   }
   template <class S>
   KTE_INLINE constexpr auto mass() const {

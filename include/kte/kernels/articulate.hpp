@@ -40,10 +40,22 @@ KTE_INLINE constexpr auto operator+(const burden<I, W>& a, const burden<J, V>& b
 }
 inline constexpr auto no_burden = burden{no_articulated, no_wrench};
 
+/// How a joint divides the motions of its end. A further mass m on its coordinate keeps something along its axes, so
+/// that nothing is exact.
+template <class Core, class C, class M>
+constexpr auto division() {
+  if constexpr (std::is_same_v<M, zero_t>) {
+    return split_of<Core, C>();
+  } else {
+    return no_split{};
+  }
+}
+
 /// What is kept of a joint of N axes on the way up for the way down: with U = I s and D = s^T U,
 ///   gain = U D^-1,   rate = D^-1 (f + s . W)                  (1)
 template <class S, int N>
 struct joint_response {
+  std::array<std::array<S, std::size_t{N}>, std::size_t{N}> inverse;  ///< D^-1
   std::array<wrench<vec3<S>, vec3<S>>, std::size_t{N}> gain;
   std::array<S, std::size_t{N}> rate;
 };
@@ -78,6 +90,15 @@ KTE_INLINE constexpr auto less_rates(const W& load, const U& u, const joint_resp
     return less_rates<K + 1, N>(load - wrench{r.rate[K] * w.force, r.rate[K] * w.torque}, u, r);
   }
 }
+/// W - w_0 - w_1 ...
+template <int K, int N, class W, class Ws>
+KTE_INLINE constexpr auto less_all(const W& load, const Ws& ws) {
+  if constexpr (K == N) {
+    return load;
+  } else {
+    return less_all<K + 1, N>(load - axis_at<K>(ws), ws);
+  }
+}
 /// W - s f, for coordinate axes.
 template <bool Exact, int K, int N, class W, class Core, class C, class F>
 KTE_INLINE constexpr auto less_exact(const W& load, const Core& core, const C& at, const F& f) {
@@ -90,7 +111,7 @@ KTE_INLINE constexpr auto less_exact(const W& load, const Core& core, const C& a
   }
 }
 /// A + s (rate - gain . rest)
-template <int K, int N, class S, class Core, class C, class Before, class Others, class Sum, class Put>
+template <bool Exact, int K, int N, class S, class Core, class C, class Before, class Others, class Sum, class Put>
 KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_response<S, N>& r, const Before& before,
                                     const Others& others, const Sum& sum, const Put& put) {
   if constexpr (K == N) {
@@ -98,13 +119,13 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
   } else {
     const auto s = axis_of<K>(core, at);
     const S x = as<S>(r.rate[K] - (dot(r.gain[K].force, others.linear) + dot(r.gain[K].torque, others.angular)));
-    if constexpr (split_of<Core, C>().exact) {
+    if constexpr (Exact) {
       put(K, as<S>(x - (dot(s.velocity, before.linear) + dot(s.ang_velocity, before.angular))));
     } else {
       put(K, x);
     }
     const acceleration next{sum.linear + x * s.velocity, sum.angular + x * s.ang_velocity};
-    return with_axes<K + 1, N>(core, at, r, before, others, next, put);
+    return with_axes<Exact, K + 1, N>(core, at, r, before, others, next, put);
   }
 }
 
@@ -113,13 +134,18 @@ template <class S, class Core, class C, class I, class W, class U, class F, clas
 KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I, W>& b, const U& u, const F& f,
                                   const M& m, joint_response<S, N>& r, bool& good) {
   const auto& j = b.inertia;
-  const S size = as<S>(trace(j.linear) + trace(j.angular));
-  const S least = S(16) * std::numeric_limits<S>::epsilon() * size;
+  // Below this, what moves along an axis is nothing but rounding of what does not.
+  const auto least = [&](const auto& s) KTE_INLINE_LAMBDA {
+    return as<S>(
+        S(16) * std::numeric_limits<S>::epsilon() *
+        as<S>(dot(s.velocity, s.velocity) * trace(j.linear) + dot(s.ang_velocity, s.ang_velocity) * trace(j.angular)));
+  };
   if constexpr (N == 1) {
     const auto s = axis_of<0>(core, at);
     const S d = as<S>(power(s, axis_at<0>(u)) + m);
-    good = good && all(d > least);
+    good = good && all(d > least(s));
     const S inverse = S(1) / d;
+    r.inverse[0][0] = inverse;
     r.rate[0] = inverse * as<S>(f.template operator()<0>() + power(s, b.load));
     const auto gain = wrench{inverse * axis_at<0>(u).force, inverse * axis_at<0>(u).torque};
     r.gain[0] = {as<S>(gain.force), as<S>(gain.torque)};
@@ -144,8 +170,18 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
     };
     fill(std::make_integer_sequence<int, N>{});
     good = factorise(d) && good;
+    const auto check = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+      good = (good && ... && all(d(K, K) > least(axis_of<K>(core, at))));
+    };
+    check(std::make_integer_sequence<int, N>{});
     substitute(d, x);
-    constexpr auto wanted = split_of<Core, C>().leaves;
+    joint_matrix<S, N> one = joint_matrix<S, N>::Identity();
+    for (int k = 0; k < N; ++k) {
+      joint_vector<S, N> column = one.col(k);
+      substitute(d, column);
+      for (int i = 0; i < N; ++i) r.inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = column[i];
+    }
+    constexpr auto wanted = division<Core, C, M>().leaves;
     const auto divide = [&]<std::size_t... R>(std::index_sequence<R...>) KTE_INLINE_LAMBDA {
       const int done[]{((wanted[R] ? substitute(d, rows[R]) : void()), 0)...};
       (void)done;
@@ -179,7 +215,7 @@ KTE_INLINE constexpr auto carried_stiffly(const Pose& x, const Motion& c, const 
 template <class S, class Core, class C, class Motion, class I, class W, class F, class M, int N>
 KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const Motion& c, const burden<I, W>& b,
                                            const F& f, const M& m, joint_response<S, N>& response, bool& good) {
-  constexpr auto split = split_of<Core, C>();
+  constexpr auto split = division<Core, C, M>();
   const auto u = for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA {
     const auto s = axis_of<K>(core, at);
     return accelerating_wrench(b.inertia, s.velocity, s.ang_velocity);
@@ -197,6 +233,32 @@ KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const 
   }
 }
 
+/// A load W at the end of a joint alone, and a force f(n) on its axes: the rate of its response, and what reaches the
+/// base. The same as above for M^-1, where nothing else moves.
+///
+///   rate = D^-1 (f + s . W),   W' = W - gain (f + s . W)                                             (4)
+template <class S, class Core, class C, class M, class F, class T, int N>
+KTE_INLINE constexpr auto transmitted_by_joint(const Core& core, const C& at, const M&, const wrench<F, T>& load,
+                                               const std::array<S, std::size_t(N)>& force, joint_response<S, N>& r) {
+  constexpr auto split = division<Core, C, M>();
+  std::array<S, std::size_t{N}> f = force;
+  const auto add_power = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+    const int done[]{(f[K] = as<S>(f[K] + power(axis_of<K>(core, at), load)), 0)...};
+    (void)done;
+  };
+  add_power(std::make_integer_sequence<int, N>{});
+  for (std::size_t i = 0; i < std::size_t{N}; ++i) {
+    r.rate[i] = S(0);
+    for (std::size_t k = 0; k < std::size_t{N}; ++k) r.rate[i] += r.inverse[i][k] * f[k];
+  }
+  const auto gains = for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA {
+    return wrench{f[K] * r.gain[K].force, f[K] * r.gain[K].torque};
+  });
+  const auto rest_of_load = rest(split, less_all<0, N>(load, gains));
+  const auto given_force = [&]<int K>() KTE_INLINE_LAMBDA { return force[K]; };
+  return transmit(core.relative(position_only(at)), less_exact<split.exact, 0, N>(rest_of_load, core, at, given_force));
+}
+
 /// Of an element in a position x: the acceleration of the end as far as the base and the velocities make it.
 template <class Pose, class Motion, class A, class AL>
 KTE_INLINE constexpr auto carried_acceleration(const Pose& x, const Motion& c, const acceleration<A, AL>& base) {
@@ -207,15 +269,15 @@ KTE_INLINE constexpr auto carried_acceleration(const Pose& x, const Motion& c, c
 
 /// The way down, at a joint: the accelerations of its coordinate, q_ddot(n, value), and that of its end,
 ///
-///   A = A' + s q_ddot,   q_ddot = rate - gain . A',   A' from `carried_acceleration`                (4)
+///   A = A' + s q_ddot,   q_ddot = rate - gain . A',   A' from `carried_acceleration`                (5)
 ///
 /// Along a coordinate axis A is rate - gain . (rest of A'), whatever A' is.
-template <class S, class Core, class C, int N, class A, class AL, class Put>
-KTE_INLINE constexpr auto accelerated(const Core& core, const C& at, const joint_response<S, N>& response,
+template <class S, class Core, class C, int N, class M, class A, class AL, class Put>
+KTE_INLINE constexpr auto accelerated(const Core& core, const C& at, const joint_response<S, N>& response, const M&,
                                       const acceleration<A, AL>& before, const Put& put) {
-  constexpr auto split = split_of<Core, C>();
+  constexpr auto split = division<Core, C, M>();
   const acceleration others{each_times(split.linear, before.linear), each_times(split.angular, before.angular)};
-  return with_axes<0, N>(core, at, response, before, others, others, put);
+  return with_axes<split.exact, 0, N>(core, at, response, before, others, others, put);
 }
 
 }  // namespace kte::detail

@@ -20,8 +20,8 @@ inline constexpr vec3<zero_t, zero_t, constant<-1>> minus_z{};
 ///   R = c 1 + s [u]x + (1 - c) u u^T            (1)
 ///
 /// With typed entries of u, for instance a coordinate axis, (1) folds to a plane rotation.
-template <class X, class Y, class Z, class S>
-KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const S& c, const S& s) {
+template <class X, class Y, class Z, class C, class S>
+KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const C& c, const S& s) {
   constexpr bool coordinate_axis =
       int{!std::is_same_v<X, zero_t>} + int{!std::is_same_v<Y, zero_t>} + int{!std::is_same_v<Z, zero_t>} == 1 &&
       typed_constant<X> && typed_constant<Y> && typed_constant<Z>;
@@ -36,7 +36,7 @@ KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const S& c, con
     return mat3{vec3{d(u.x), -(u.z * s), u.y * s}, vec3{u.z * s, d(u.y), -(u.x * s)},
                 vec3{-(u.y * s), u.x * s, d(u.z)}};
   } else {
-    const auto k = S(S(1) - c);
+    const auto k = one - c;
     const auto t = k * u;
     return mat3{vec3{t.x * u.x + c, t.x * u.y - u.z * s, t.x * u.z + u.y * s},
                 vec3{t.x * u.y + u.z * s, t.y * u.y + c, t.y * u.z - u.x * s},

@@ -53,14 +53,15 @@ KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const vec3<A, B
 }
 
 namespace detail {
-/// (1) for the three axes, with s in place of 2.
+/// (1) for the three axes, with s in place of 2 and `unity` in place of 1.
 template <class S>
-KTE_INLINE constexpr mat3<vec3<S>> turned_axes(const unit_quaternion<S>& q, const S& s) {
+KTE_INLINE constexpr mat3<vec3<S>> turned_axes(const unit_quaternion<S>& q, const S& s, const S& unity = S(1)) {
   const S x = s * q.x, y = s * q.y, z = s * q.z;
   const S xx = x * q.x, xy = x * q.y, xz = x * q.z, yy = y * q.y, yz = y * q.z, zz = z * q.z;
   const S wx = x * q.w, wy = y * q.w, wz = z * q.w;
-  return {
-      {S(1) - (yy + zz), xy - wz, xz + wy}, {xy + wz, S(1) - (xx + zz), yz - wx}, {xz - wy, yz + wx, S(1) - (xx + yy)}};
+  return {{unity - (yy + zz), xy - wz, xz + wy},
+          {xy + wz, unity - (xx + zz), yz - wx},
+          {xz - wy, yz + wx, unity - (xx + yy)}};
 }
 }  // namespace detail
 
@@ -69,10 +70,12 @@ template <class S>
 KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
   return detail::turned_axes(q, S(2));
 }
-/// The same for a quaternion of any length but 0: with 2/|q|^2 in place of 2, errors of the length do not matter.
+/// The same for a quaternion of any length but 0: with 2/|q|^2 in place of 2, errors of the length do not matter. NaN
+/// where |q|^2 is 0 or overflows.
 template <class S>
 KTE_INLINE constexpr mat3<vec3<S>> matrix_of_any_length(const unit_quaternion<S>& q) {
-  return detail::turned_axes(q, S(S(2) / dot(q, q)));
+  const S n = dot(q, q);
+  return detail::turned_axes(q, S(S(2) / n), S(S(1) + S(0) * n));
 }
 template <class S, class RX, class RY, class RZ>
 KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const mat3<RX, RY, RZ>& m) {

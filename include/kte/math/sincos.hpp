@@ -124,7 +124,7 @@ KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
 #endif
   }
   const auto one_by_one = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-    const int done[]{(sincos(angle(I), r.sin[I], r.cos[I]), 0)...};
+    const int done[]{(sincos(angle(I), r.sin[I], r.cos[I]), 0)..., 0};
     (void)done;
   };
   one_by_one(std::make_index_sequence<N>{});

@@ -177,6 +177,28 @@ struct base_of_state {
   }
 };
 
+/// Only the positions of coordinates that are given from outside, and frames of which `Motion` is known.
+template <class Base, class Motion>
+struct only_positions {
+  const Base& base;
+  Motion motion;
+  template <kind, int>
+  KTE_INLINE constexpr const Motion& at() const {
+    return motion;
+  }
+  template <int I>
+  KTE_INLINE constexpr auto fixed() const {
+    const auto c = base.template fixed<I>();
+    return coordinate{c.q, zero, zero, c.cos, c.sin};
+  }
+  template <int I>
+  KTE_INLINE constexpr auto input() const {
+    return base.template input<I>();
+  }
+};
+template <class Base, class Motion>
+only_positions(const Base&, Motion) -> only_positions<Base, Motion>;
+
 /// A base at rest under gravity. Positions and linear velocities are left out unless an element of the chain reads
 /// them.
 template <class Chain>

@@ -7,6 +7,18 @@
 /// The articulated-body algorithm on local variables.
 namespace kte::detail {
 
+/// Whether element I is a joint whose acceleration is asked for: in `Given` it is then a typed zero.
+template <class Chain, class Given, std::size_t I>
+inline constexpr bool gives_way_under = [] {
+  if constexpr (gives_way<Chain, I>) {
+    constexpr freedom at =
+        Chain::wiring::template at<coordinate_kind<typename Chain::template core_type<I>>, Chain::wiring::slot(I, 0)>;
+    return std::is_same_v<decltype(std::declval<const Given&>().a.template at<at.v>()), zero_t>;
+  } else {
+    return false;
+  }
+}();
+
 /// Articulated inertias up the tree, accelerations down the tree. `Given` has positions and rates (`rates_only`).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class local_articulated;
@@ -19,27 +31,113 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   using core_t = typename types::template core<I>;
   template <std::size_t I>
   static constexpr bool stiff = is_transmission<core_t<I>>;
+  /// Whether joint I moves under forces; otherwise its acceleration is given.
+  template <std::size_t I>
+  static constexpr bool yields = gives_way_under<Chain, Given, I>;
 
  public:
   using vector = joint_vector<S, Chain::dofs>;
 
-  /// The motion that the rates make, and the loads of all elements in it.
-  KTE_INLINE constexpr local_articulated(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
-    const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
-    (void)done;
-  }
+  /// The motion that the rates make.
+  KTE_INLINE constexpr local_articulated(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {}
   /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
   KTE_INLINE void accelerate(const vector& tau, vector& a) {
+    const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
+    (void)done;
     tau_ = &tau, a_ = &a;
     for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     masses(std::make_index_sequence<wiring::freedoms>{});
-    if (!good_) [[unlikely]]
-      raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
+    check_good();
     for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { from_base<K, Slot>(); });
     check_finite(a, std::size_t{Chain::dofs}, "kte: an acceleration is no finite number: an argument is none");
   }
 
+  /// The inverse of the mass matrix: column j is what a unit force on axis j does to a chain at rest without other
+  /// loads. Throws as `accelerate` does.
+  template <class Matrix>
+  KTE_INLINE void invert(Matrix& m) {
+    const vector none = vector::Zero();
+    vector column;
+    tau_ = &none, a_ = &column;
+    for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
+    masses(std::make_index_sequence<wiring::freedoms>{});
+    check_good();
+    const int done[]{(unit_forces<E>(m), 0)..., 0};
+    (void)done;
+    masses_inverted(m, std::make_index_sequence<wiring::freedoms>{});
+  }
+
  private:
+  KTE_INLINE void check_good() const {
+    if (!good_) [[unlikely]]
+      raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
+  }
+  /// The columns of joint I.
+  template <std::size_t I, class Matrix>
+  KTE_INLINE void unit_forces(Matrix& m) {
+    if constexpr (yields<I>) unit_forces<I>(m, std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
+  }
+  template <std::size_t I, class Matrix, int... N>
+  KTE_INLINE void unit_forces(Matrix& m, std::integer_sequence<int, N...>) {
+    const auto column = [&](int n) KTE_INLINE_LAMBDA {
+      std::array<S, sizeof...(N)> force{};
+      force[static_cast<std::size_t>(n)] = S(1);
+      const int cleared[]{(clear_rate<E>(), 0)..., 0};
+      (void)cleared;
+      a_->setZero();
+      load_down<I>(no_wrench, force);
+      for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA {
+        accelerate_all<K, Slot>(acceleration{zero3{}, zero3{}}, readers<K, Slot>);
+      });
+      m.col(wiring::template at<kind_of<I>, slot_of<I>>.v + n) = *a_;
+      return 0;
+    };
+    const int done[]{column(N)...};
+    (void)done;
+  }
+  template <std::size_t I>
+  KTE_INLINE void clear_rate() {
+    if constexpr (yields<I>) boost::hana::at_c<I>(responses_).rate = {};
+  }
+  template <std::size_t I, class W, class Force>
+  KTE_INLINE void load_down(const W& load, const Force& force) {
+    constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, port_count<core_t<I>> - 2));
+    if constexpr (yields<I>) {
+      const auto w = transmitted_by_joint<S>(this->chain_.template core<I>(), coordinate<I>(), mass_on<I>(), load,
+                                             force, boost::hana::at_c<I>(responses_));
+      if constexpr (below >= 0) load_further<std::size_t{below}>(w);
+    } else if constexpr (below >= 0) {
+      load_further<std::size_t{below}>(transmit(pose<I>(), load));
+    }
+  }
+  template <std::size_t I, class W>
+  KTE_INLINE void load_further(const W& load) {
+    constexpr int n = yields_axes<I>;
+    if constexpr (is_unrolled<Chain>) {
+      load_down<I>(load, std::array<S, std::size_t{n}>{});
+    } else {
+      load_apart<I>({as<S>(load.force), as<S>(load.torque)});
+    }
+  }
+  template <std::size_t I>
+  [[gnu::noinline]] void load_apart(const wrench<vec3<S>, vec3<S>>& load) {
+    load_down<I>(load, std::array<S, std::size_t{yields_axes<I>}>{});
+  }
+  template <std::size_t I>
+  static constexpr int yields_axes = yields<I> ? joint_dofs<core_t<I>> : 0;
+  template <class Matrix, std::size_t... F>
+  KTE_INLINE void masses_inverted(Matrix& m, std::index_sequence<F...>) {
+    const int done[]{(mass_inverted<F>(m), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t F, class Matrix>
+  KTE_INLINE void mass_inverted(Matrix& m) {
+    constexpr freedom at = wiring::template free<F>;
+    if constexpr (moves_no_joint<F>()) {
+      m.col(at.v).setZero();
+      m(at.v, at.v) = S(1) / as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
+    }
+  }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
     const int done[]{(without_joint<F>(), 0)..., 0};
@@ -97,7 +195,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
     using type = nothing;
   };
   template <std::size_t I>
-  requires(gives_way<Chain, I>) struct response_of_element<I> {
+  requires(yields<I>) struct response_of_element<I> {
     using type = joint_response<S, joint_dofs<core_t<I>>>;
   };
   template <std::size_t I>
@@ -111,6 +209,11 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   template <std::size_t I>
   KTE_INLINE constexpr decltype(auto) coordinate() const {
     return this->template get<kind_of<I>, slot_of<I>>();
+  }
+  /// The further mass on the coordinate of joint I.
+  template <std::size_t I>
+  KTE_INLINE constexpr auto mass_on() const {
+    return coordinate_mass<kind_of<I>, slot_of<I>>(readers<kind_of<I>, slot_of<I>>);
   }
   /// The acceleration that the rates make, at the end of element I.
   template <std::size_t I>
@@ -143,15 +246,30 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   /// What the end of element I carries, seen from its base.
   template <std::size_t I>
   KTE_INLINE constexpr auto through() {
+    if constexpr (is_unrolled<Chain>) {
+      return through_here<I>();
+    } else {
+      return through_apart<I>();
+    }
+  }
+  using dense_burden = burden<articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>, wrench<vec3<S>, vec3<S>>>;
+  template <std::size_t I>
+  [[gnu::noinline]] dense_burden through_apart() {
+    const auto b = through_here<I>();
+    return {{as<S>(b.inertia.linear), as<S>(b.inertia.coupling), as<S>(b.inertia.angular)},
+            {as<S>(b.load.force), as<S>(b.load.torque)}};
+  }
+  template <std::size_t I>
+  KTE_INLINE constexpr auto through_here() {
     const auto b = carried<types::template output_kind<I>, types::template output_slot<I>>();
-    if constexpr (gives_way<Chain, I>) {
+    if constexpr (yields<I>) {
       constexpr kind k = kind_of<I>;
       constexpr int slot = slot_of<I>, v = wiring::template at<k, slot>.v;
       const auto f = coordinate_load<k, slot>(readers<k, slot>);
       return carried_by_joint<S>(
           this->chain_.template core<I>(), coordinate<I>(), bias<I>(), b,
-          [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); },
-          coordinate_mass<k, slot>(readers<k, slot>), boost::hana::at_c<I>(responses_), good_);
+          [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(),
+          boost::hana::at_c<I>(responses_), good_);
     } else {
       return carried_stiffly(pose<I>(), bias<I>(), b);
     }
@@ -165,42 +283,66 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   }
   template <kind K, int Slot, class A, std::size_t... N>
   KTE_INLINE constexpr void accelerate_all(const A& a, std::index_sequence<N...>) {
-    const int done[]{(accelerate_one<loads_on<wiring, K, Slot>[N].element>(a), 0)..., 0};
+    const int done[]{(accelerate<loads_on<wiring, K, Slot>[N].element>(a), 0)..., 0};
     (void)done;
   }
   template <std::size_t I, class A>
-  KTE_INLINE constexpr void accelerate_one(const A& base) {
-    if constexpr (stiff<I>) {
-      constexpr kind k = types::template output_kind<I>;
-      constexpr int end = types::template output_slot<I>;
-      const auto before = carried_acceleration(pose<I>(), bias<I>(), base);
-      if constexpr (gives_way<Chain, I>) {
-        constexpr int v = wiring::template at<kind_of<I>, slot_of<I>>.v;
-        accelerate_all<k, end>(
-            accelerated(this->chain_.template core<I>(), coordinate<I>(), boost::hana::at_c<I>(responses_), before,
-                        [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
-            readers<k, end>);
-      } else {
-        accelerate_all<k, end>(before, readers<k, end>);
-      }
+  KTE_INLINE constexpr void accelerate(const A& base) {
+    if constexpr (!stiff<I>) {
+      return;
+    } else if constexpr (is_unrolled<Chain>) {
+      accelerate_one<I>(base);
+    } else {
+      accelerate_apart<I>({as<S>(base.linear), as<S>(base.angular)});
     }
+  }
+  template <std::size_t I>
+  [[gnu::noinline]] void accelerate_apart(const acceleration<vec3<S>, vec3<S>>& base) {
+    accelerate_one<I>(base);
+  }
+  template <std::size_t I, class A>
+  KTE_INLINE constexpr void accelerate_one(const A& base) {
+    constexpr kind k = types::template output_kind<I>;
+    constexpr int end = types::template output_slot<I>;
+    const auto before = carried_acceleration(pose<I>(), bias<I>(), base);
+    if constexpr (yields<I>) {
+      constexpr int v = wiring::template at<kind_of<I>, slot_of<I>>.v;
+      accelerate_all<k, end>(
+          accelerated(this->chain_.template core<I>(), coordinate<I>(), boost::hana::at_c<I>(responses_), mass_on<I>(),
+                      before, [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
+          readers<k, end>);
+    } else {
+      if constexpr (gives_way<Chain, I>) put_given<I>(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
+      accelerate_all<k, end>(before, readers<k, end>);
+    }
+  }
+  /// The accelerations of a joint that are given.
+  template <std::size_t I, int... N>
+  KTE_INLINE constexpr void put_given(std::integer_sequence<int, N...>) {
+    constexpr int v = wiring::template at<kind_of<I>, slot_of<I>>.v;
+    const int done[]{((*a_)[v + N] = this->given_.a.template at<v + N>(), 0)...};
+    (void)done;
   }
   /// A degree of freedom that moves no joint, only a mass of its own.
   template <std::size_t F>
+  static constexpr bool moves_no_joint() {
+    constexpr bool is_stiff[]{stiff<E>...};
+    for (const auto& place : loads_on<wiring, wiring::template free<F>.what, wiring::template free<F>.slot>)
+      if (is_stiff[place.element]) return false;
+    return true;
+  }
+  template <std::size_t F>
   KTE_INLINE constexpr void without_joint() {
-    constexpr freedom at = wiring::template free<F>;
-    constexpr auto& places = loads_on<wiring, at.what, at.slot>;
-    constexpr bool jointless = [] {
-      const bool is_stiff[]{stiff<E>...};
-      for (const auto& place : places)
-        if (is_stiff[place.element]) return false;
-      return true;
-    }();
-    if constexpr (jointless) {
-      const S m = as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
-      good_ = good_ && all(m > S(0));
-      const auto f = coordinate_load<at.what, at.slot>(readers<at.what, at.slot>);
-      (*a_)[at.v] = as<S>((*tau_)[at.v] + number_of<at.what, 0>(f)) / m;
+    if constexpr (moves_no_joint<F>()) {
+      constexpr freedom at = wiring::template free<F>;
+      if constexpr (!std::is_same_v<decltype(this->given_.a.template at<at.v>()), zero_t>) {
+        (*a_)[at.v] = this->given_.a.template at<at.v>();
+      } else {
+        const S m = as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
+        good_ = good_ && all(m > S(0));
+        const auto f = coordinate_load<at.what, at.slot>(readers<at.what, at.slot>);
+        (*a_)[at.v] = as<S>((*tau_)[at.v] + number_of<at.what, 0>(f)) / m;
+      }
     }
   }
 

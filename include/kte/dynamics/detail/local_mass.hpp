@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/given.hpp>
+#include <kte/dynamics/detail/tree.hpp>
 #include <kte/kernels/joint.hpp>
 #include <kte/kernels/joint_vector.hpp>
 
@@ -19,9 +20,6 @@ class local_mass {
  public:
   static constexpr int coordinates = wiring::dofs + wiring::count(kind::gen) - wiring::gen_dofs;
   using matrix_type = joint_matrix<S, coordinates>;
-  /// Unrolled code grows with the square of the number of joints. Beyond this size every element has a function of its
-  /// own instead, called for all columns (docs/decisions/02-compile-time.md).
-  static constexpr bool unrolled = Chain::size <= 48;
   using dense_wrench = wrench<vec3<S>, vec3<S>>;
   using dense_composite = composite<S, vec3<S>, sym3<S>>;
 
@@ -86,7 +84,7 @@ class local_mass {
   /// The part of it that comes through element I.
   template <std::size_t I>
   KTE_INLINE constexpr auto part() {
-    if constexpr (unrolled) {
+    if constexpr (is_unrolled<Chain>) {
       return part_here<I>();
     } else {
       return part_apart<I>();
@@ -138,7 +136,7 @@ class local_mass {
         for_each_axis<std::size_t{below}>([&]<int N>() KTE_INLINE_LAMBDA {
           put(row_of<std::size_t{below}> + N, column, power(axis<std::size_t{below}, N>(), w));
         });
-      if constexpr (unrolled) {
+      if constexpr (is_unrolled<Chain>) {
         down<std::size_t{below}>(w, column);
       } else {
         down_apart<std::size_t{below}>({as<S>(w.force), as<S>(w.torque)}, column);
@@ -170,11 +168,11 @@ class local_mass {
       (void)done;
     };
     all(std::make_index_sequence<Chain::size>{});
-    for (int c = 0; c < wiring::count(kind::gen); ++c) {
+    constexpr auto& t = wiring::table;
+    for (std::size_t f = 0; f < wiring::freedoms; ++f) {
       int users = 0;
-      for (int p = wiring::table.reader[0][static_cast<std::size_t>(c)]; p >= 0;
-           p = wiring::table.previous[static_cast<std::size_t>(p)])
-        ++users;
+      int p = t.reader[static_cast<std::size_t>(t.free[f].what)][static_cast<std::size_t>(t.free[f].slot)];
+      for (; p >= 0; p = t.previous[static_cast<std::size_t>(p)]) ++users;
       once &= users == 1;
     }
     return once;
@@ -207,11 +205,11 @@ class local_mass {
   const local_motion<Chain, Given> motion_;
 };
 
-/// The mass matrix over the degrees of freedom.
-template <class S, class Chain, class Positions>
-KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at) {
+/// The mass matrix over the degrees of freedom. Of the bases only coordinates that are given matter.
+template <class S, class Chain, class Positions, class Base>
+KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Base& base) {
   at.check();
-  const auto bases = same_base{motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
+  const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};
   using mass_type = local_mass<S, Chain, std::remove_const_t<decltype(g)>>;
   typename mass_type::matrix_type m;

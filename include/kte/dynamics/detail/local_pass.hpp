@@ -216,6 +216,7 @@ class local_motion<Chain, Given, std::index_sequence<E...>> {
     }
   }
   const Chain& chain_;
+  const Given& given_;
 
  private:
   template <std::size_t I, std::size_t... P>
@@ -223,7 +224,6 @@ class local_motion<Chain, Given, std::index_sequence<E...>> {
     if constexpr (has_output<typename types::template core<I>>)
       boost::hana::at_c<I>(motions_) = types::template finish<I>(chain_.template core<I>().doMotion(seen<I, P>()...));
   }
-  const Given& given_;
   boost::hana::tuple<typename types::template written<E>::type...> motions_;
 };
 

@@ -10,10 +10,16 @@ namespace kte {
 namespace detail {
 
 inline void check_positions(const runtime_state& s) {
-  bool finite = true;
-  for_each_runtime_freedom(
-      s, [&finite](const auto& c, const freedom&) { visit_q(c, [&finite](double x) { finite &= x - x == 0; }); });
+  bool finite = true, turned = true;
+  for_each_runtime_freedom(s, [&](const auto& c, const freedom&) {
+    visit_q(c, [&finite](double x) { finite &= x - x == 0; });
+    if constexpr (requires { c.rotation; }) {
+      const double n = dot(c.rotation, c.rotation);
+      turned &= n > 0 && n - n == 0;
+    }
+  });
   if (!finite) throw bad_argument("kte: a coordinate is no finite number");
+  if (!turned) throw bad_argument("kte: the quaternion of a rotation has length 0");
 }
 
 /// Sines, cosines and matrices of the coordinates.

@@ -6,6 +6,11 @@
 /// What the algorithms that run along the tree of joints of a chain ask of it.
 namespace kte::detail {
 
+/// Unrolled code grows faster than the number of joints. Beyond this size every element has functions of its own
+/// instead, on plain numbers (docs/decisions/02-compile-time.md).
+template <class Chain>
+inline constexpr bool is_unrolled = Chain::size <= 48;
+
 /// Whether a chain is a tree of joints: only links and joints move frames, no coordinate follows another or moves two
 /// joints.
 template <class Chain>

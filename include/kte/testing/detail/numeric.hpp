@@ -145,7 +145,8 @@ S balance(const std::array<S, 7>& sum, const std::array<S, 7>& sizes) {
 
 /// Velocities to zero.
 template <template <class> class Coordinate, class S>
-requires coordinate<Coordinate<S>> void stop(Coordinate<S>& c) {
+requires coordinate<Coordinate<S>>
+void stop(Coordinate<S>& c) {
   kte::detail::visit_v(c, [](S& x) { x = S(0); });
 }
 template <frame Frame>

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <kte/dynamics/detail/bodies.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+
+/// The parts of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others: rates, accelerations
+/// and gravity that do not count are typed zeros (Luh, Walker, Paul 1980; Featherstone 2008, section 5.3). In N and Nm;
+/// q and v as for `inverse_dynamics`, bases at rest, inputs zero. For every chain
+///
+///   static_forces(q)         = g(q) - Q(q, 0)                                        (1)
+///   nonlinear_effects(q, v)  = gravity_forces(q) + coriolis_forces(q, v) - Q(q, v)   (2)
+///   inverse_dynamics(q, v, a) = M(q) a + nonlinear_effects(q, v)                     (3)
+///
+/// with Q the forces of elements that are no bodies: springs, dampers, motors.
+namespace kte {
+
+namespace detail {
+template <class S, class Chain, class At, class V, class Base>
+KTE_INLINE auto forces_at_no_acceleration(const Chain& c, const At& at, const V& v, const Base& base) {
+  at.check();
+  return coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, minus_one);
+}
+}  // namespace detail
+
+/// What holds the chain at rest: inverse dynamics for v = a = 0, with gravity and the chain's springs. (1)
+template <class Gravity, class... E, indexable Q>
+auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  check_configuration<chain_type>(q);
+  const configuration<value_of<Q>, typename chain_type::wiring, Q> at(q);
+  return forces_at_no_acceleration<value_of<Q>>(c, at, same<zero_t>{}, base_under_gravity(c));
+}
+
+/// g(q): what holds the bodies of the chain against gravity alone, the gradient of their potential energy,
+///
+///   v . g = d/dt (-sum m gravity . c)          (4)
+template <class Gravity, class... E, indexable Q>
+auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  check_configuration<chain_type>(q);
+  const configuration<value_of<Q>, typename chain_type::wiring, Q> at(q);
+  const with_loads<chain_type, bodies_alone> bodies{c};
+  return forces_at_no_acceleration<value_of<Q>>(bodies, at, same<zero_t>{}, base_under_gravity(bodies));
+}
+
+/// The bias of the equations of motion: inverse dynamics for a = 0. (2)
+template <class Gravity, class... E, indexable Q, indexable V>
+auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  return forces_at_no_acceleration<S>(c, at, each<S, V>{v}, base_under_gravity(c));
+}
+
+/// C(q, v) v: Coriolis and centrifugal forces of the bodies, without gravity and without forces of other elements. It
+/// is quadratic in v, and
+///
+///   v . (C v) = v . (dM/dt v) / 2          (5)
+template <class Gravity, class... E, indexable Q, indexable V>
+auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  const with_loads<chain_type, bodies_alone> bodies{c};
+  return forces_at_no_acceleration<S>(bodies, at, each<S, V>{v}, base_with_acceleration);
+}
+
+}  // namespace kte

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <kte/dynamics/centre_of_mass.hpp>
+#include <kte/dynamics/detail/columns.hpp>
+
+namespace kte {
+
+namespace detail {
+
+/// Composite inertias from the tips to the bases, and at each axis of a joint the momentum that its unit rate makes, in
+/// axes of the bases and about a point, as a column.
+template <class S, class Chain, class Given>
+class local_momenta : columns<S, Chain, Given> {
+  using base = columns<S, Chain, Given>;
+  using typename base::types;
+  using typename base::wiring;
+  template <std::size_t I>
+  using core_t = typename types::template core<I>;
+
+ public:
+  using typename base::matrix_type;
+
+  KTE_INLINE local_momenta(const Chain& c, const Given& g, const vec3<S>& point, matrix_type& m)
+      : base(c, g, m), chain_(c) {
+    from_bases<kind::frame_2D>(point, std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{});
+    from_bases<kind::frame_3D>(point, std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+  }
+
+ private:
+  template <kind K, int... Slot>
+  KTE_INLINE constexpr void from_bases(const vec3<S>& point, std::integer_sequence<int, Slot...>) {
+    const int done[]{(from_base<K, Slot>(point), 0)..., 0};
+    (void)done;
+  }
+  template <kind K, int Slot>
+  KTE_INLINE constexpr void from_base(const vec3<S>& point) {
+    if constexpr (wiring::writer(K, Slot) < 0)
+      (void)carried<K, Slot>(pose{no_rotation{}, -point}, std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+  }
+  /// What a frame carries that stands at x, seen from the point.
+  template <kind K, int Slot, class X, std::size_t... N>
+  KTE_INLINE constexpr auto carried(const X& x, std::index_sequence<N...>) {
+    return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>(x));
+  }
+  template <std::size_t I, class X>
+  KTE_INLINE constexpr auto part(const X& x) {
+    if constexpr (is_body<core_t<I>>) {
+      return chain_.template core<I>().template mass<S>();
+    } else if constexpr (is_transmission<core_t<I>>) {
+      constexpr kind k = types::template output_kind<I>;
+      constexpr int slot = types::template output_slot<I>;
+      const auto relative = this->template pose_of_element<I>();
+      const auto end = compose(x, relative);
+      const auto b = carried<k, slot>(end, std::make_index_sequence<loads_on<wiring, k, slot>.size()>{});
+      base::template for_each_axis<I>([&]<int N>() KTE_INLINE_LAMBDA {
+        const auto h = transmit(end, accelerating_wrench(b, this->template axis<I, N>()));
+        this->template put<I, N>(h.force, h.torque);  // (2)
+      });
+      return transported(relative.rotation, relative.position, b);
+    } else {
+      static_assert(!has_output<core_t<I>>,
+                    "kte: this algorithm needs elements that move frames to be a kte::transmission");
+      return no_mass;
+    }
+  }
+
+  const Chain& chain_;
+};
+
+}  // namespace detail
+
+/// The momentum of all bodies, kg m/s, and their angular momentum about their centre of mass c, kg m^2/s, in axes of
+/// the base, bases at rest: momenta are carried from the tips to the base as forces are, and there
+///
+///   p = sum p_i,  k_G = k_0 - c x p          (1)
+template <class Gravity, class... E, indexable Q, indexable V>
+auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const auto w = weight_of<S>(c, at);
+  const auto h = momentum_at_base<S>(c, at, each<S, V>{v});
+  return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment), h.force));
+}
+
+/// The centroidal momentum matrix A_G, 6 x dofs, linear rows first: centroidal_momentum = A_G(q) v (Orin, Goswami, Lee,
+/// Autonomous Robots 35, 2013, section 3). The column of axis s of a joint is
+///
+///   X I^c s          (2)
+///
+/// with I^c the inertia of all that the joint carries, and X the transport of a momentum, as of a wrench, from the end
+/// of the joint to the centre of mass, in axes of the base.
+template <class Gravity, class... E, indexable Q>
+auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  using pass = local_momenta<S, chain_type, std::remove_const_t<decltype(g)>>;
+  const auto w = weight_of<S>(c, at);
+  typename pass::matrix_type a;
+  pass(c, g, divided_by_mass<S>(w.mass, w.moment), a);
+  return a;
+}
+
+}  // namespace kte

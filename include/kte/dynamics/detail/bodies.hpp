@@ -1,0 +1,93 @@
+#pragma once
+
+#include <kte/dynamics/detail/local_pass.hpp>
+#include <kte/kernels/joint.hpp>
+
+/// A chain in which some elements put other loads, for the passes to be used on.
+namespace kte::detail {
+
+/// An element that puts no loads.
+template <class Core>
+struct silent {
+  static constexpr auto& ports = Core::ports;
+
+  template <class... Inputs>
+  KTE_INLINE constexpr auto doForce(const Inputs&...) const {
+    return none(std::make_index_sequence<sizeof...(Inputs)>{});
+  }
+
+ private:
+  template <std::size_t P>
+  KTE_INLINE static constexpr auto none() {
+    if constexpr (Core::ports[P].what == kind::input) {
+      return boost::hana::tuple<>{};
+    } else {
+      return boost::hana::make_tuple(no_load<Core::ports[P].what>());
+    }
+  }
+  template <std::size_t... P>
+  KTE_INLINE static constexpr auto none(std::index_sequence<P...>) {
+    return boost::hana::flatten(boost::hana::make_tuple(none<P>()...));
+  }
+};
+
+/// Puts its momentum where a body puts its force: that of its mass m, moment h and inertia I about the origin,
+///
+///   (m v + w x h,  I w + h x v)          (1)
+template <class S, class Core>
+struct momentum_of {
+  static constexpr auto& ports = Core::ports;
+  const Core& core;
+
+  template <class Frame>
+  KTE_INLINE constexpr auto doForce(const Frame& x) const {
+    return make_loads(accelerating_wrench(core.template mass<S>(), x));
+  }
+};
+
+template <class Core>
+inline constexpr bool is_body = has_mass<Core, double>&& is_frame(Core::ports[0].what);
+
+/// Only bodies have forces.
+struct bodies_alone {
+  template <class Core>
+  KTE_INLINE static constexpr decltype(auto) of(const Core& core) {
+    if constexpr (has_output<Core> || is_body<Core>) {
+      return (core);
+    } else {
+      return silent<Core>{};
+    }
+  }
+};
+/// Bodies have momenta, and nothing else puts a load.
+template <class S>
+struct momenta {
+  template <class Core>
+  KTE_INLINE static constexpr decltype(auto) of(const Core& core) {
+    if constexpr (has_output<Core>) {
+      return (core);
+    } else if constexpr (is_body<Core>) {
+      return momentum_of<S, Core>{core};
+    } else {
+      return silent<Core>{};
+    }
+  }
+};
+
+template <class Chain, class Loads>
+struct with_loads {
+  using wiring = typename Chain::wiring;
+  static constexpr std::size_t size = Chain::size;
+  static constexpr int dofs = Chain::dofs, nq = Chain::nq;
+  static constexpr bool reads_positions = false;
+
+  const Chain& chain;
+
+  template <std::size_t I>
+  KTE_INLINE constexpr decltype(auto) core() const {
+    return Loads::of(chain.template core<I>());
+  }
+  KTE_INLINE constexpr const auto& gravity() const { return chain.gravity(); }
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kte/dynamics/detail/tree.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+
+/// Matrices with six rows, three linear and three angular, and a column for each degree of freedom.
+namespace kte {
+
+template <class S, int N>
+using six_by_dofs = Eigen::Matrix<S, 6, N>;
+
+namespace detail {
+
+/// The joints and coordinates of a chain as `Given`, and a matrix that takes what the unit rates of joints cause.
+template <class S, class Chain, class Given>
+class columns {
+ public:
+  using types = local_types<Chain, Given>;
+  using wiring = typename Chain::wiring;
+  template <std::size_t I>
+  using core_t = typename types::template core<I>;
+  using matrix_type = six_by_dofs<S, Chain::dofs>;
+
+  KTE_INLINE columns(const Chain& c, const Given& g, matrix_type& m) : chain_(c), given_(g), matrix_(m) { m.setZero(); }
+
+  template <std::size_t I>
+  static constexpr bool moves_by_coordinate = coordinates_of<core_t<I>> == 1;
+  /// A joint or link in its present position.
+  template <std::size_t I>
+  KTE_INLINE constexpr auto pose_of_element() const {
+    static_assert(is_transmission<core_t<I>>,
+                  "kte: this algorithm needs elements that move frames to be a kte::transmission");
+    if constexpr (moves_by_coordinate<I>) {
+      const auto m = chain_.template core<I>().relative(position_only(coordinate_of<I>()));
+      return pose{m.rotation, m.position};
+    } else {
+      const auto m = chain_.template core<I>().relative();
+      return pose{m.rotation, m.position};
+    }
+  }
+  /// Axis N of joint I, in the axes of its end.
+  template <std::size_t I, int N>
+  KTE_INLINE constexpr auto axis() const {
+    return axis_of<N>(chain_.template core<I>(), coordinate_of<I>());
+  }
+  /// f<N>() for each axis of joint I.
+  template <std::size_t I, class F>
+  KTE_INLINE static constexpr void for_each_axis(const F& f) {
+    if constexpr (moves_by_coordinate<I>) {
+      const auto each = [&]<int... N>(std::integer_sequence<int, N...>) KTE_INLINE_LAMBDA {
+        const int done[]{(f.template operator()<N>(), 0)..., 0};
+        (void)done;
+      };
+      each(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
+    }
+  }
+  /// What the unit rate of axis N of joint I causes. A joint whose coordinate follows another counts for that one, by
+  /// the chain rule; joints that share a coordinate add up.
+  template <std::size_t I, int N, class L, class A>
+  KTE_INLINE void put(const L& linear, const A& angular) {
+    put_on<coordinate_kind<core_t<I>>, wiring::slot(I, 0), N>(linear, angular);
+  }
+
+ private:
+  template <kind K, int Slot>
+  KTE_INLINE constexpr auto coordinate() const {
+    return motion_of<types, K, Slot>(chain_, given_);
+  }
+  template <std::size_t I>
+  KTE_INLINE constexpr auto coordinate_of() const {
+    return coordinate<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
+  }
+  template <kind K, int Slot, int N, class L, class A>
+  KTE_INLINE void put_on(const L& linear, const A& angular) {
+    if constexpr (wiring::template is_free<K, Slot>) {
+      constexpr int j = wiring::template at<K, Slot>.v + N;
+      put_number(matrix_(0, j), linear.x), put_number(matrix_(1, j), linear.y), put_number(matrix_(2, j), linear.z);
+      put_number(matrix_(3, j), angular.x), put_number(matrix_(4, j), angular.y), put_number(matrix_(5, j), angular.z);
+    } else if constexpr (wiring::writer(K, Slot) >= 0) {  // q_end' = ratio q_base'
+      constexpr std::size_t w{wiring::writer(K, Slot)};
+      constexpr int base = wiring::slot(w, 0);
+      const auto ratio =
+          chain_.template core<w>().doMotion(unit_rate<kind::gen, 0>(coordinate<kind::gen, base>())).q_dot;
+      put_on<kind::gen, base, 0>(ratio * linear, ratio * angular);
+    }
+  }
+  template <class X>
+  KTE_INLINE static void put_number(S& to, const X& x) {
+    if constexpr (is_tree_of_joints<Chain>) {
+      to = as<S>(x);  // once
+    } else if constexpr (!std::is_same_v<X, zero_t>) {
+      to = as<S>(to + x);
+    }
+  }
+  const Chain& chain_;
+  const Given& given_;
+  matrix_type& matrix_;
+};
+
+}  // namespace detail
+}  // namespace kte

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <kte/dynamics/centre_of_mass.hpp>
+
+namespace kte {
+
+/// J
+template <class S = double>
+struct energies {
+  S kinetic;
+  S potential;
+};
+
+namespace detail {
+
+/// Sum over the elements of a chain of f<I>(), which may be a typed zero.
+template <class Chain, class F>
+KTE_INLINE constexpr auto sum_over_elements(const F& f) {
+  return [&f]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    return (zero + ... + f.template operator()<I>());
+  }
+  (std::make_index_sequence<Chain::size>{});
+}
+
+template <class S, class Chain, class At, class V>
+KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
+  const given g{at, v, same<skip>{}, base_with_velocity};
+  using given_type = std::remove_const_t<decltype(g)>;
+  using types = local_types<Chain, given_type>;
+  const local_motion<Chain, given_type> m(c, g);
+  return sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    const auto& core = c.template core<I>();
+    return [&]<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
+      const auto see = [&m]<std::size_t Port>() KTE_INLINE_LAMBDA -> decltype(auto) {
+        return m.template get<types::template what<I, Port>, Chain::wiring::slot(I, Port)>();
+      };
+      if constexpr (requires { core.kinetic_energy(see.template operator()<P>()...); }) {
+        return core.kinetic_energy(see.template operator()<P>()...);
+      } else {
+        return zero;
+      }
+    }
+    (typename types::template inputs<I>{});
+  });
+}
+
+/// Of gravity, and of the elements that have a potential, of which only the anchors are evaluated.
+template <class S, class Chain, class At>
+KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
+  const auto elastic = sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    const auto& core = c.template core<I>();
+    return [&]<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
+      const auto see = [&]<std::size_t Port>() KTE_INLINE_LAMBDA {
+        return motion_of<types, types::template what<I, Port>, Chain::wiring::slot(I, Port)>(c, g);
+      };
+      if constexpr (requires { core.potential_energy(see.template operator()<P>()...); }) {
+        return core.potential_energy(see.template operator()<P>()...);
+      } else {
+        return zero;
+      }
+    }
+    (typename types::template inputs<I>{});
+  });
+  return elastic - dot(c.gravity(), weight_of<S>(c, at).moment);  // (2)
+}
+template <class S, class X>
+KTE_INLINE S checked_energy(const X& energy) {
+  const S all[]{as<S>(energy)};
+  check_finite(all, 1, "kte: an energy is no finite number: an argument is too large");
+  return all[0];
+}
+
+}  // namespace detail
+
+/// The kinetic energy of all bodies and of masses on coordinates, bases at rest, J:
+///
+///   T = sum m |v_c|^2 / 2 + w . I w / 2 + sum m q_dot^2 / 2  =  v . M(q) v / 2          (1)
+///
+/// over the bodies by the velocities of their frames, without M: a sum of what is not negative, so it keeps its digits.
+template <class Gravity, class... E, indexable Q, indexable V>
+auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  return checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}));
+}
+
+/// The potential energy of gravity, zero with the centre of mass at the origin of the base, and of all springs, J:
+///
+///   V = - gravity . sum m c + sum V_spring          (2)
+///
+/// Elements have a part in it by a function `potential_energy`; dampers and motors have none.
+template <class Gravity, class... E, indexable Q>
+auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  return checked_energy<S>(potential_energy_at<S>(c, at));
+}
+
+/// Both. Where nothing else does work, their sum stays the same.
+template <class Gravity, class... E, indexable Q, indexable V>
+auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  return energies<S>{checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v})),
+                     checked_energy<S>(potential_energy_at<S>(c, at))};
+}
+
+}  // namespace kte

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <kte/dynamics/forward_kinematics.hpp>
+
+/// How a frame moves, and where all frames stand.
+namespace kte {
+
+/// A linear and an angular quantity, such as velocity and angular velocity. A frame in the plane has them as one in
+/// space.
+template <class S = double>
+struct linear_angular {
+  vec3<S> linear;
+  vec3<S> angular;
+};
+
+/// Where all frames of a chain stand, by name: `poses[elbow].position`, `poses[elbow].rotation`.
+template <class S, class Wiring>
+class frame_poses {
+ public:
+  using scalar = S;
+  template <key_type Frame>
+  constexpr const auto& operator[](const Frame&) const {
+    static_assert(is_frame(Frame::what));
+    constexpr int i = Wiring::template find<Frame>();
+    static_assert(i >= 0, "kte: this chain has no frame of this name");
+    return get<Frame::what>()[std::size_t{i < 0 ? 0 : i}];
+  }
+  /// All frames of a kind.
+  template <kind K>
+  constexpr const auto& get() const {
+    if constexpr (K == kind::frame_2D) {
+      return in_plane;
+    } else {
+      return in_space;
+    }
+  }
+
+  std::array<pose<rotation_2D<S>, vec2<S>>, std::size_t{Wiring::count(kind::frame_2D)}> in_plane;
+  std::array<pose<mat3<vec3<S>>, vec3<S>>, std::size_t{Wiring::count(kind::frame_3D)}> in_space;
+};
+
+namespace detail {
+/// Rejects velocities or accelerations of the wrong size, and those that are no finite numbers.
+template <class Chain, class V>
+KTE_INLINE void check_rates(const V& v, const char* name, const char* not_finite) {
+  check_size<Chain::dofs>(v, name);
+  check_finite(v, std::size_t{Chain::dofs}, not_finite);
+}
+template <class Chain, class V>
+KTE_INLINE void check_velocities(const V& v) {
+  check_rates<Chain>(v, "v", "kte: a velocity is no finite number");
+}
+/// Linear and angular, unless they are too large.
+template <class S, class L, class A>
+KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular) {
+  const linear_angular<S> r{as<S>(linear), as<S>(angular)};
+  const S all[]{r.linear.x, r.linear.y, r.linear.z, r.angular.x, r.angular.y, r.angular.z};
+  check_finite(all, 6, "kte: a result is no finite number: an argument is too large");
+  return r;
+}
+template <class Frame, class Chain>
+constexpr int frame_slot() {
+  constexpr int slot = Chain::wiring::template find<Frame>();
+  static_assert(slot >= 0 && is_frame(Frame::what), "kte: this chain has no frame of this name");
+  return slot < 0 ? 0 : slot;
+}
+/// The motion of a frame, of bases and rates of which only what is wanted is no `skip`.
+template <class Frame, class Chain, class Given>
+KTE_INLINE auto motion_at(const Chain& c, const Given& g) {
+  return motion_of<local_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);
+}
+
+inline constexpr same_base base_with_pose{motion{zero3{}, no_rotation{}, skip{}, skip{}, skip{}, skip{}}};
+inline constexpr same_base base_with_velocity{motion{skip{}, skip{}, zero3{}, zero3{}, skip{}, skip{}}};
+inline constexpr same_base base_with_acceleration{motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
+
+template <class S, class Chain, class At>
+KTE_INLINE auto all_poses(const Chain& c, const At& at) {
+  using wiring = typename Chain::wiring;
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  const local_motion<Chain, std::remove_const_t<decltype(g)>> m(c, g);
+  return [&m]<std::size_t... P, std::size_t... Q>(std::index_sequence<P...>, std::index_sequence<Q...>)
+      KTE_INLINE_LAMBDA {
+    return frame_poses<S, wiring>{{pose_of<S, kind::frame_2D>(m.template get<kind::frame_2D, int{P}>())...},
+                                  {pose_of<S, kind::frame_3D>(m.template get<kind::frame_3D, int{Q}>())...}};
+  }
+  (std::make_index_sequence<std::size_t{wiring::count(kind::frame_2D)}>{},
+   std::make_index_sequence<std::size_t{wiring::count(kind::frame_3D)}>{});
+}
+}  // namespace detail
+
+/// Where all frames stand, relative to a base at the origin: a table of rotations and positions (m), by name.
+///
+///   auto poses = kte::forward_kinematics(arm, q);   poses[elbow].position.z
+template <class Gravity, class... E, indexable Q>
+auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  detail::check_configuration<chain_type>(q);
+  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  return detail::all_poses<S>(c, at);
+}
+
+/// The velocity of the origin of a frame (m/s) and its angular velocity (rad/s), in its own axes, bases at rest: the
+/// recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and frame
+/// and no others. It is `jacobian(c, q, frame)` times v.
+template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
+auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const auto m = motion_at<Frame>(c, given{at, each<S, V>{v}, same<skip>{}, base_with_velocity});
+  return checked<S>(m.velocity, m.ang_velocity);
+}
+
+/// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
+/// acceleration (rad/s^2), in its own axes, bases at rest, without gravity: (2), (3), (4) of `compose`. With the world
+/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v).
+template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
+auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  check_rates<chain_type>(a, "a", "kte: an acceleration is no finite number");
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const auto m = motion_at<Frame>(c, given{at, each<S, V>{v}, each<S, A>{a}, base_with_acceleration});
+  return checked<S>(m.acceleration, m.ang_acceleration);
+}
+
+}  // namespace kte

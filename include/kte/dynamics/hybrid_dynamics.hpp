@@ -1,0 +1,90 @@
+#pragma once
+
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+
+namespace kte {
+
+/// The coordinates whose accelerations are given to `hybrid_dynamics`.
+template <key_type... Keys>
+struct prescribed_coordinates {};
+template <key_type... Keys>
+constexpr prescribed_coordinates<Keys...> prescribed(const Keys&...) {
+  return {};
+}
+
+/// All accelerations, and the forces that belong to them.
+template <class S, int N>
+struct hybrid_dynamics_result {
+  joint_vector<S, N> a, tau;
+};
+
+namespace detail {
+/// The accelerations of some coordinates; typed zeros for all others.
+template <class S, class Wiring, class V, class... Keys>
+struct some_accelerations {
+  const V& known;
+  static constexpr auto is_known = [] {
+    std::array<bool, std::size_t{Wiring::dofs} + 1> x{};
+    const auto add = [&x]<class Key>(std::type_identity<Key>) {
+      constexpr int slot = Wiring::template find<Key>();
+      static_assert(is_coordinate(Key::what) && slot >= 0, "kte: this chain has no coordinate of this name");
+      constexpr freedom at = Wiring::freedom_of(Key::what, slot);
+      static_assert(at.what == Key::what, "kte: this coordinate is no degree of freedom: its motion is given already");
+      for (int i = 0; i < nv_of(at.what); ++i) x[static_cast<std::size_t>(at.v + i)] = true;
+      return 0;
+    };
+    const int done[]{add(std::type_identity<Keys>{})..., 0};
+    (void)done;
+    return x;
+  }();
+  template <int I>
+  KTE_INLINE auto at() const {
+    if constexpr (is_known[I]) {
+      return S(known[static_cast<std::size_t>(I)]);
+    } else {
+      return zero;
+    }
+  }
+};
+}  // namespace detail
+
+/// Where some accelerations are known and the forces on all other coordinates: the rest of both (Featherstone, Rigid
+/// Body Dynamics Algorithms, 2008, section 9.2). known: for a prescribed coordinate its accelerations, for others the
+/// forces applied, as tau of `forward_dynamics`:
+///
+///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));
+///
+/// By the articulated-body algorithm, to which a prescribed joint is a link in motion, then inverse dynamics for the
+/// forces. For chains of links and joints, in which coordinates do not follow others.
+template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
+auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
+                     prescribed_coordinates<Keys...>) {
+  using chain_type = static_chain<Gravity, E...>;
+  using wiring = typename chain_type::wiring;
+  using S = value_of<Q>;
+  static_assert(detail::is_tree_of_joints<chain_type>,
+                "kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
+  detail::check_configuration<chain_type>(q);
+  check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(known, "known");
+  using accelerations = detail::some_accelerations<S, wiring, X, Keys...>;
+  const detail::configuration<S, wiring, Q> at(q);
+  at.check();
+  using vector = joint_vector<S, chain_type::dofs>;
+  hybrid_dynamics_result<S, chain_type::dofs> r;
+  vector force;
+  for (int i = 0; i < chain_type::dofs; ++i)
+    force[i] = accelerations::is_known[static_cast<std::size_t>(i)] ? S(0) : S(known[static_cast<std::size_t>(i)]);
+  const auto base = detail::base_under_gravity(c);
+  using base_type = std::remove_const_t<decltype(base)>;
+  using given_type = detail::given<decltype(at), detail::each<S, V>, accelerations, base_type, true>;
+  const given_type g{at, {v}, {known}, base};
+  detail::local_articulated<S, chain_type, given_type>(c, g).accelerate(force, r.a);
+  r.tau = detail::coordinate_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
+                                       minus_one);
+  for (int i = 0; i < chain_type::dofs; ++i)  // what is known is given back as it came
+    if (!accelerations::is_known[static_cast<std::size_t>(i)]) r.tau[i] = force[i];
+  return r;
+}
+
+}  // namespace kte

@@ -1,0 +1,166 @@
+#include <limits>
+
+#include "data/iiwa14.hpp"
+#include "dynamics/small_chains.hpp"
+#include "robots/iiwa14.hpp"
+
+// Poses, velocities and accelerations of frames: against differences, Jacobians and single poses, static and runtime.
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+
+/// Sums of a few products along at most 8 frames, of numbers that are large beside the result where terms cancel: less
+/// than 100 roundings of the largest, which `gap` is relative to, or of 1.
+constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
+
+/// Pose at 50 digits along a motion of given v and a: R^T p', vec(R' R^T) and the second derivatives; the skew part of
+/// R'' R^T is the angular acceleration.
+template <class Chain, class Frame>
+void check_by_differences(const Chain& c, const Frame& frame, unsigned seed, double tolerance = by_differences) {
+  using vector = Eigen::Matrix<big, 3, 1>;
+  using matrix = Eigen::Matrix<big, 3, 3>;
+  random_numbers random(seed);
+  for (int round = 0; round < 5; ++round) {
+    const random_motion_of<big, Chain> m(c, random);
+    const auto at = [&](const big& t) { return in_space(forward_kinematics(c, position_at(c, m, t), frame)); };
+    const auto here = at(0), before = at(-step), after = at(step);
+    const matrix back = here.rotation.transpose();
+    const auto first = [](const auto& a, const auto& b) { return ((b - a) / (2 * step)).eval(); };
+    const auto second = [](const auto& a, const auto& x, const auto& b) {
+      return ((a - 2 * x + b) / (step * step)).eval();
+    };
+    Eigen::Matrix<big, 6, 1> velocity, acceleration;
+    velocity << vector(back * first(before.position, after.position)),
+        vector(back * vector_of_skew(matrix(first(before.rotation, after.rotation) * back)));
+    acceleration << vector(back * second(before.position, here.position, after.position)),
+        vector(back * vector_of_skew(matrix(second(before.rotation, here.rotation, after.rotation) * back)));
+    CHECK(gap(eigen(frame_velocity(c, m.q, m.v, frame)), velocity) < tolerance);
+    CHECK(gap(eigen(frame_acceleration(c, m.q, m.v, m.a, frame)), acceleration) < tolerance);
+    CHECK(gap((jacobian(c, m.q, frame) * m.v).eval(), velocity) < tolerance);
+  }
+}
+
+template <class Chain, class Frame>
+void check_double(const Chain& c, const Frame& frame, unsigned seed) {
+  random_numbers random(seed);
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  for (int round = 0; round < 20; ++round) {
+    const random_motion_of<double, Chain> m(c, random);
+    const auto up = [](const auto& x) { return x.template cast<big>().eval(); };
+    const auto v = eigen(frame_velocity(c, m.q, m.v, frame));
+    const auto a = eigen(frame_acceleration(c, m.q, m.v, m.a, frame));
+    CHECK(gap(v, eigen(frame_velocity(c, up(m.q), up(m.v), frame))) < rounding);
+    CHECK(gap(a, eigen(frame_acceleration(c, up(m.q), up(m.v), up(m.a), frame))) < rounding);
+    CHECK(gap(eigen(frame_velocity(model, s, m.q, m.v, frame.name)), v) < rounding);
+    CHECK(gap(eigen(frame_acceleration(model, s, m.q, m.v, m.a, frame.name)), a) < rounding);
+    CHECK(gap(eigen(frame_velocity(model, s, frame.name)), v) < rounding);
+    CHECK(gap(eigen(frame_acceleration(model, s, frame.name)), a) < rounding);
+  }
+}
+
+/// All poses at once against one alone: the same formulas, which the compiler may contract differently.
+template <class Chain, class Frame>
+void check_poses(const Chain& c, const Frame& frame, unsigned seed) {
+  random_numbers random(seed);
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  for (int round = 0; round < 10; ++round) {
+    const auto q = random_configuration<double>(c, random);
+    const auto one = in_space(forward_kinematics(c, q, frame));
+    const auto same = [&](const auto& pose) {
+      const auto x = in_space(pose);
+      CHECK(gap(x.position, one.position) < rounding);
+      CHECK(gap(x.rotation, one.rotation) < rounding);
+    };
+    same(forward_kinematics(c, q)[frame]);
+    const auto& moved = forward_kinematics(model, s, q);
+    if constexpr (Frame::what == kind::frame_2D) {
+      same(pose{moved.frame_2D(frame.name).rotation, moved.frame_2D(frame.name).position});
+    } else {
+      same(pose{moved.frame_3D(frame.name).rotation, moved.frame_3D(frame.name).position});
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("velocities and accelerations of frames by differences at 50 digits") {
+  check_by_differences(robots::iiwa14, robots::iiwa14_names::tool, 1);
+  check_by_differences(floating, body, 2);
+  check_by_differences(floating, tip, 3);
+  check_by_differences(planar, disc, 4);
+  check_by_differences(geared, palm, 5);
+  check_by_differences(models::tree, models::shank, 6, 1e-14);  // an axis that is a unit vector to half an eps
+}
+
+TEST_CASE("velocities and accelerations of frames in double, and of runtime chains") {
+  check_double(robots::iiwa14, robots::iiwa14_names::tool, 11);
+  check_double(floating, tip, 12);
+  check_double(planar, disc, 13);
+  check_double(geared, palm, 14);
+  check_double(models::tree, models::shank, 15);
+}
+
+TEST_CASE("poses of all frames") {
+  check_poses(robots::iiwa14, robots::iiwa14_names::tool, 21);
+  check_poses(robots::iiwa14, robots::iiwa14_names::link3, 22);
+  check_poses(floating, aside, 23);
+  check_poses(planar, disc, 24);
+  check_poses(planar, cart, 25);
+  check_poses(geared, tip, 26);
+  for (const auto& x : reference::iiwa14) {
+    const auto p = forward_kinematics(robots::iiwa14, x.q)[robots::iiwa14_names::tool].position;
+    CHECK(off(std::array{p.x, p.y, p.z}, x.tool_position, 3) < 1e-15L);  // as one pose (reference_test.cpp)
+  }
+  const auto still = forward_kinematics(planar, neutral_configuration(planar));
+  CHECK(still[table].position == vec2{0.0, 0.0});
+  CHECK(still[rail].position == vec2{0.3, 0.4});
+  CHECK(still.get<kind::frame_2D>().size() == 4);
+  CHECK(still.get<kind::frame_3D>().empty());
+}
+
+TEST_CASE("the base does not move, whatever gravity is") {
+  random_numbers random(31);
+  const random_motion_of<double, std::remove_const_t<decltype(floating)>> m(floating, random);
+  const auto model = models::element_by_element(floating);
+  auto s = model.make_state();
+  CHECK(eigen(frame_velocity(floating, m.q, m.v, ground)).isZero(0));
+  CHECK(eigen(frame_acceleration(floating, m.q, m.v, m.a, ground)).isZero(0));
+  CHECK(eigen(frame_velocity(model, s, m.q, m.v, "ground")).isZero(0));
+  CHECK(eigen(frame_acceleration(model, s, m.q, m.v, m.a, "ground")).isZero(0));
+  CHECK(eigen(frame_acceleration(floating.gravity(along_z(1.0)), m.q, m.v, m.a, tip)) ==
+        eigen(frame_acceleration(floating, m.q, m.v, m.a, tip)));
+}
+
+TEST_CASE("motion of frames for bad arguments") {
+  const auto& c = robots::iiwa14;
+  const auto& tool = robots::iiwa14_names::tool;
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  const std::array<double, 7> good{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  const std::array two{1.0, 2.0};
+  CHECK_THROWS_AS(frame_velocity(c, good, two, tool), bad_argument);
+  CHECK_THROWS_AS(frame_velocity(c, two, good, tool), bad_argument);
+  CHECK_THROWS_AS(frame_acceleration(c, good, good, two, tool), bad_argument);
+  CHECK_THROWS_AS(forward_kinematics(c, two), bad_argument);
+  CHECK_THROWS_AS(forward_kinematics(model, s, two), bad_argument);
+  for (std::size_t i = 0; i < 7; ++i)
+    for (const double x : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
+      auto bad = good;
+      bad[i] = x;
+      CHECK_THROWS_AS(frame_velocity(c, good, bad, tool), bad_argument);
+      CHECK_THROWS_AS(frame_velocity(c, bad, good, tool), bad_argument);
+      CHECK_THROWS_AS(frame_acceleration(c, good, good, bad, tool), bad_argument);
+      CHECK_THROWS_AS(frame_acceleration(c, good, bad, good, tool), bad_argument);
+      CHECK_THROWS_AS(forward_kinematics(c, bad), bad_argument);
+      CHECK_THROWS_AS(frame_velocity(model, s, good, bad, "tool"), bad_argument);
+      CHECK_THROWS_AS(frame_acceleration(model, s, good, good, bad, "tool"), bad_argument);
+      CHECK_THROWS_AS(forward_kinematics(model, s, bad), bad_argument);
+    }
+  auto fast = good;
+  fast[0] = 1e200;
+  CHECK_THROWS_AS(frame_acceleration(c, good, fast, good, tool), bad_argument);  // its square is infinite
+}

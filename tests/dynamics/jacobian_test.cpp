@@ -1,0 +1,129 @@
+#include <limits>
+
+#include "data/solo12.hpp"
+#include "dynamics/small_chains.hpp"
+#include "robots/iiwa14.hpp"
+#include "robots/solo12.hpp"
+
+// Jacobians: against 31 digits, against differences, static against runtime.
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+
+/// By central differences of the pose at 50 digits: d p/dv and (dR/dv) R^T.
+template <class Chain, class Frame>
+void check_by_differences(const Chain& c, const Frame& frame, unsigned seed, double tolerance = by_differences) {
+  constexpr int n = Chain::dofs;
+  random_numbers random(seed);
+  for (int round = 0; round < 3; ++round) {
+    const auto q = random_configuration<big>(c, random);
+    six_by_dofs<big, n> expected;
+    const auto here = in_space(forward_kinematics(c, q, frame));
+    for (int j = 0; j < n; ++j) {
+      const joint_vector<big, n> e = joint_vector<big, n>::Unit(j);
+      const auto at = [&](const big& t) { return in_space(forward_kinematics(c, integrate(c, q, e, t), frame)); };
+      using vector = Eigen::Matrix<big, 3, 1>;
+      using matrix = Eigen::Matrix<big, 3, 3>;
+      const vector v = derivative([&](const big& t) { return vector(at(t).position); });
+      const matrix r = derivative([&](const big& t) { return matrix(at(t).rotation); });
+      expected.col(j) << v, vector_of_skew(matrix(r * here.rotation.transpose()));
+    }
+    CHECK(gap(jacobian(c, q, frame, in_world_axes), expected) < tolerance);
+    six_by_dofs<big, n> own;
+    own << here.rotation.transpose() * expected.template topRows<3>(),
+        here.rotation.transpose() * expected.template bottomRows<3>();
+    CHECK(gap(jacobian(c, q, frame), own) < tolerance);
+  }
+}
+
+/// Static in double against 50 digits and against runtime. Entries are sums of a few products along at most 8 poses
+/// with arms below 2 m: less than 50 roundings.
+constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
+
+template <class Chain, class Frame>
+void check_double(const Chain& c, const Frame& frame, unsigned seed) {
+  random_numbers random(seed);
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  for (int round = 0; round < 20; ++round) {
+    const auto q = random_configuration<double>(c, random);
+    const auto exact = joint_vector<big, Chain::nq>(q.template cast<big>());
+    const auto j = jacobian(c, q, frame), w = jacobian(c, q, frame, in_world_axes);
+    CHECK(gap(j, jacobian(c, exact, frame)) < rounding);
+    CHECK(gap(w, jacobian(c, exact, frame, in_world_axes)) < rounding);
+    CHECK(gap(jacobian(model, s, q, frame.name), j) < rounding);
+    CHECK(gap(jacobian(model, s, q, frame.name, in_world_axes), w) < rounding);
+    CHECK(gap(jacobian(model, s, frame.name), j) < rounding);
+    CHECK(gap(jacobian(model, s, frame.name, in_world_axes), w) < rounding);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Jacobian of a foot of solo12 against 31 digits") {
+  // As for its other numbers (floating_base_test.cpp): a few eps of the largest.
+  constexpr long double bound = 1e-15L;
+  const auto& foot = robots::solo12_names::hr.foot;
+  const auto model = models::element_by_element(robots::solo12);
+  auto s = model.make_state();
+  using by_rows = Eigen::Matrix<double, 6, 18, Eigen::RowMajor>;
+  for (const auto& x : reference::solo12) {
+    const by_rows j = jacobian(robots::solo12, x.q, foot, in_world_axes);
+    CHECK(off(j.data(), x.foot_jacobian, 6 * 18) < bound);
+    const by_rows r = jacobian(model, s, x.q, foot.name, in_world_axes);
+    CHECK(off(r.data(), x.foot_jacobian, 6 * 18) < bound);
+  }
+}
+
+TEST_CASE("Jacobians by differences at 50 digits") {
+  check_by_differences(robots::iiwa14, robots::iiwa14_names::tool, 1);
+  check_by_differences(floating, body, 2);
+  check_by_differences(floating, tip, 3);
+  check_by_differences(floating, aside, 4);
+  check_by_differences(planar, disc, 5);
+  check_by_differences(geared, palm, 6);
+  check_by_differences(geared, tip, 7);
+  // The axis (0.6, 0, 0.8) of the tree is a unit vector to half an eps only.
+  check_by_differences(models::tree, models::shank, 8, 1e-15);
+  check_by_differences(models::tree, models::hand, 9);
+}
+
+TEST_CASE("Jacobians in double, and of runtime chains") {
+  check_double(robots::iiwa14, robots::iiwa14_names::tool, 11);
+  check_double(floating, tip, 12);
+  check_double(planar, disc, 13);
+  check_double(geared, palm, 14);
+  check_double(models::tree, models::shank, 15);
+}
+
+TEST_CASE("Jacobian of frames that do not move") {
+  const auto q = neutral_configuration(floating);
+  CHECK(jacobian(floating, q, ground).isZero(0));
+  const auto j = jacobian(floating, q, aside, in_world_axes);
+  CHECK(j.rightCols<1>() == Eigen::Matrix<double, 6, 1>::Unit(3));
+  CHECK(j.middleCols<4>(6).isZero(0));  // the ball and the slide are on another branch
+  const auto model = models::element_by_element(floating);
+  auto s = model.make_state();
+  CHECK(jacobian(model, s, q, "ground").isZero(0));
+  CHECK(jacobian(model, s, q, "aside", in_world_axes) == j);
+}
+
+TEST_CASE("Jacobians of bad arguments") {
+  const auto& c = robots::iiwa14;
+  const auto& tool = robots::iiwa14_names::tool;
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  std::array<double, 7> q{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  CHECK_THROWS_AS(jacobian(c, std::array{1.0, 2.0}, tool), bad_argument);
+  CHECK_THROWS_AS(jacobian(model, s, std::array{1.0, 2.0}, "tool"), bad_argument);
+  CHECK_THROWS_AS(jacobian(model, s, q, "tol"), unknown_name);
+  for (std::size_t i = 0; i < 7; ++i) {
+    auto bad = q;
+    bad[i] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(jacobian(c, bad, tool), bad_argument);
+    CHECK_THROWS_AS(jacobian(c, bad, tool, in_world_axes), bad_argument);
+    CHECK_THROWS_AS(jacobian(model, s, bad, "tool"), bad_argument);
+  }
+}
