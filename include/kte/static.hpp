@@ -4,10 +4,16 @@
 #include <kte/chain/checks.hpp>
 #include <kte/chain/layout.hpp>
 #include <kte/chain/static_chain.hpp>
+#include <kte/dynamics/bias_forces.hpp>
+#include <kte/dynamics/centre_of_mass.hpp>
+#include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/energy.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/damper.hpp>

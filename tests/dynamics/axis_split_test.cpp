@@ -181,7 +181,7 @@ wide error_of_joint(const Core& core, const C& at, const M& m, draw& random) {
   const detail::acceleration base{random.vector(), random.vector()};
   const auto x = core.relative(detail::position_only(at));
   column q_ddot(n);
-  const auto a = detail::accelerated(core, at, response, detail::carried_acceleration(x, c, base),
+  const auto a = detail::accelerated(core, at, response, m, detail::carried_acceleration(x, c, base),
                                      [&](int k, double value) { q_ddot[k] = value; });
 
   table s(6, n);

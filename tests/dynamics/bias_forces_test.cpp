@@ -48,8 +48,8 @@ void check_power(const Chain& c, unsigned seed, double tolerance = by_difference
   random_numbers random(seed);
   for (int round = 0; round < 3; ++round) {
     const random_motion_of<big, Chain> m(c, random);
-    const big half_change = derivative(
-        [&](const big& t) { return big(m.v.dot(mass_matrix(c, integrate(c, m.q, m.v, t)) * m.v) / 2); });
+    const big half_change =
+        derivative([&](const big& t) { return big(m.v.dot(mass_matrix(c, integrate(c, m.q, m.v, t)) * m.v) / 2); });
     const big power = m.v.dot(coriolis_forces(c, m.q, m.v));
     CHECK(static_cast<double>(abs(big(power - half_change)) / (1 + abs(half_change))) < tolerance);
   }
@@ -66,8 +66,8 @@ void check_sums(const Chain& c, unsigned seed) {
     const auto light = c.gravity(zero3{});
     CHECK(gap(gravity_forces(light, m.q), none) < exact);
     CHECK(gap(coriolis_forces(light, m.q, m.v), coriolis_forces(c, m.q, m.v)) < exact);
-    CHECK(gap(coriolis_forces(c, m.q, joint_vector<big, Chain::dofs>(3 * m.v)), (9 * coriolis_forces(c, m.q, m.v)).eval()) <
-          exact);
+    CHECK(gap(coriolis_forces(c, m.q, joint_vector<big, Chain::dofs>(3 * m.v)),
+              (9 * coriolis_forces(c, m.q, m.v)).eval()) < exact);
   }
 }
 /// Static in double against 50 digits and against runtime.

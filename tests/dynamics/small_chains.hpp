@@ -68,21 +68,21 @@ inline constexpr auto floating =
         .gravity(weight);
 /// The same with springs inside.
 inline constexpr auto floating_with_springs =
-    chain(chain(free_joint_3D(trunk, ground, body), inertia_3D(body, brick),
-                rigid_link_3D(body, socket, vec3{0.3, 0.1, -0.2}, quarter_turn_y),
-                spherical_joint_3D(ball, socket, hand), inertia_3D(hand, stick),
-                prismatic_joint_3D(q1, hand, tip, axis::y), inertia_3D(tip, point_mass(0.4)),
-                revolute_joint_3D(q2, body, aside, axis::x), inertia_3D(aside, point_mass(0.7, along_y(0.3)))),
-          spring_3D(body, tip, 0.2, 30.0), spring_gen(q1, q2, 0.1, 20.0), torsion_spring_3D(body, hand, 5.0))
+    chain(
+        chain(free_joint_3D(trunk, ground, body), inertia_3D(body, brick),
+              rigid_link_3D(body, socket, vec3{0.3, 0.1, -0.2}, quarter_turn_y), spherical_joint_3D(ball, socket, hand),
+              inertia_3D(hand, stick), prismatic_joint_3D(q1, hand, tip, axis::y), inertia_3D(tip, point_mass(0.4)),
+              revolute_joint_3D(q2, body, aside, axis::x), inertia_3D(aside, point_mass(0.7, along_y(0.3)))),
+        spring_3D(body, tip, 0.2, 30.0), spring_gen(q1, q2, 0.1, 20.0), torsion_spring_3D(body, hand, 5.0))
         .gravity(weight);
 /// The same with dampers.
 inline constexpr auto floating_with_dampers =
-    chain(chain(free_joint_3D(trunk, ground, body), inertia_3D(body, brick),
-                rigid_link_3D(body, socket, vec3{0.3, 0.1, -0.2}, quarter_turn_y),
-                spherical_joint_3D(ball, socket, hand), inertia_3D(hand, stick),
-                prismatic_joint_3D(q1, hand, tip, axis::y), inertia_3D(tip, point_mass(0.4)),
-                revolute_joint_3D(q2, body, aside, axis::x), inertia_3D(aside, point_mass(0.7, along_y(0.3)))),
-          damper_3D(ground, tip, 3.0), damper_gen(q1, q2, 2.0), torsion_damper_3D(body, hand, 0.5))
+    chain(
+        chain(free_joint_3D(trunk, ground, body), inertia_3D(body, brick),
+              rigid_link_3D(body, socket, vec3{0.3, 0.1, -0.2}, quarter_turn_y), spherical_joint_3D(ball, socket, hand),
+              inertia_3D(hand, stick), prismatic_joint_3D(q1, hand, tip, axis::y), inertia_3D(tip, point_mass(0.4)),
+              revolute_joint_3D(q2, body, aside, axis::x), inertia_3D(aside, point_mass(0.7, along_y(0.3)))),
+        damper_3D(ground, tip, 3.0), damper_gen(q1, q2, 2.0), torsion_damper_3D(body, hand, 0.5))
         .gravity(weight);
 /// In the plane.
 inline constexpr auto planar =
@@ -93,9 +93,8 @@ inline constexpr auto planar =
         .gravity(vec3{0.7, -9.81, zero});
 /// Coordinates that follow others, followers of followers, and coordinates that two joints share, in one branch.
 inline constexpr auto geared =
-    chain(revolute_joint_3D(q1, ground, body, axis::x), inertia_3D(body, brick),
-          connect(gear{-2.5}, q1, f1), rigid_link_gen(f1, f2, -0.2),
-          rigid_link_3D(body, socket, vec3{0.3, 0.1, -0.2}, quarter_turn_y),
+    chain(revolute_joint_3D(q1, ground, body, axis::x), inertia_3D(body, brick), connect(gear{-2.5}, q1, f1),
+          rigid_link_gen(f1, f2, -0.2), rigid_link_3D(body, socket, vec3{0.3, 0.1, -0.2}, quarter_turn_y),
           revolute_joint_3D(f1, socket, hand, axis::y), inertia_3D(hand, stick),
           prismatic_joint_3D(f2, hand, tip, axis::z), revolute_joint_3D(q2, tip, aside, axis::x),
           prismatic_joint_3D(q1, aside, palm, axis::y), inertia_3D(palm, point_mass(0.4)))

@@ -50,6 +50,10 @@ class kte_element : public kte_map {
   /// Whether its forces depend on positions or linear velocities of frames.
   virtual bool reads_positions() const = 0;
 
+  /// Its own, after doMotion, J; gravity is the chain's.
+  virtual double kinetic_energy(runtime_state&) const = 0;
+  virtual double potential_energy(runtime_state&) const = 0;
+
   // The algorithms, on the working memory of a state; what they do is said in dynamics/runtime.hpp.
   /// Inverse dynamics: motion without positions, forces in it.
   virtual void move(runtime_state&) const = 0;

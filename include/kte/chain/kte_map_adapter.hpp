@@ -30,6 +30,9 @@ class kte_map_adapter final : public kte_element {
   std::span<const port> ports() const override { return Core::ports; }
   bool reads_positions() const override { return detail::reads_positions<Core>; }
 
+  double kinetic_energy(runtime_state& s) const override { return as<double>(on(s).kinetic_energy(inputs{})); }
+  double potential_energy(runtime_state& s) const override { return as<double>(on(s).potential_energy(inputs{})); }
+
   void update_coordinates(runtime_state& s) const override { plain(s).follow(); }
   void move(runtime_state& s) const override { plain(s).move(); }
   void push(runtime_state& s) const override { plain(s).template push<false>(); }

@@ -74,6 +74,23 @@ struct stored_element {
       spread<P...>(core.doForce(input<P>()...));
     }
   }
+  /// Energies, where the element has one; J.
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto kinetic_energy(std::index_sequence<P...>) const {
+    if constexpr (requires { core.kinetic_energy(input<P>()...); }) {
+      return core.kinetic_energy(input<P>()...);
+    } else {
+      return zero;
+    }
+  }
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto potential_energy(std::index_sequence<P...>) const {
+    if constexpr (requires { core.potential_energy(input<P>()...); }) {
+      return core.potential_energy(input<P>()...);
+    } else {
+      return zero;
+    }
+  }
   template <std::size_t... P>
   KTE_INLINE constexpr void clear(std::index_sequence<P...>) const {
     const int done[]{(clear_one<P>(), 0)..., 0};

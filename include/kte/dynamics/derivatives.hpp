@@ -85,7 +85,8 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
 template <class Gravity, class... E, class S>
 auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
-  const auto q = positions(s), v = velocities(s), a = accelerations(s);
+  const auto q = positions(s);
+  const auto v = velocities(s), a = accelerations(s);
   const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
   at.check();
   return detail::derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, a);

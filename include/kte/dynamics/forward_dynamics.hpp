@@ -51,7 +51,8 @@ template <class Gravity, class... E, class S>
 auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
-  const auto q = positions(s), v = velocities(s);
+  const auto q = positions(s);
+  const auto v = velocities(s);
   const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
   using vector = joint_vector<S, state::dofs>;
   return accelerations_under<S>(c, at, each<S, vector>{v}, base_of_state<state>{s}, vector(vector::Zero()));

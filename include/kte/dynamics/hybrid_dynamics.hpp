@@ -26,7 +26,7 @@ struct some_accelerations {
   const V& known;
   static constexpr auto is_known = [] {
     std::array<bool, std::size_t{Wiring::dofs} + 1> x{};
-    const auto add = [&x]<class Key>(std::type_identity<Key>) {
+    [[maybe_unused]] const auto add = [&x]<class Key>(std::type_identity<Key>) {
       constexpr int slot = Wiring::template find<Key>();
       static_assert(is_coordinate(Key::what) && slot >= 0, "kte: this chain has no coordinate of this name");
       constexpr freedom at = Wiring::freedom_of(Key::what, slot);

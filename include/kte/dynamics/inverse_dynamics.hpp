@@ -64,7 +64,8 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 template <class Gravity, class... E, class S>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
-  const auto q = positions(s), v = velocities(s), a = accelerations(s);
+  const auto q = positions(s);
+  const auto v = velocities(s), a = accelerations(s);
   using vector = std::remove_const_t<decltype(v)>;
   const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
   return detail::coordinate_forces<S>(

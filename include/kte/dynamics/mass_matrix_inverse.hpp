@@ -11,7 +11,13 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
   at.check();
   joint_matrix<S, Chain::dofs> m;
   if constexpr (is_tree_of_joints<Chain>) {
-    const auto resting = only_positions{base, motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
+    const auto resting = [&] {
+      if constexpr (Chain::reads_positions) {
+        return only_positions{base, motion{zero3{}, no_rotation{}, zero3{}, zero3{}, zero3{}, zero3{}}};
+      } else {
+        return only_positions{base, motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
+      }
+    }();
     const given<At, same<zero_t>, same<zero_t>, std::remove_const_t<decltype(resting)>, true> g{at, {}, {}, resting};
     local_articulated<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
   } else {

@@ -36,13 +36,13 @@ class pack_mask {
   template <std::size_t... I>
   KTE_INLINE static pack_mask both(const pack_mask& a, const pack_mask& b, std::index_sequence<I...>) {
     pack_mask r;
-    ((r.m_[I] = a.m_[I] & b.m_[I]), ...);
+    ((r.m_[I] = detail::both(a.m_[I], b.m_[I])), ...);
     return r;
   }
   template <std::size_t... I>
   KTE_INLINE static pack_mask either(const pack_mask& a, const pack_mask& b, std::index_sequence<I...>) {
     pack_mask r;
-    ((r.m_[I] = a.m_[I] | b.m_[I]), ...);
+    ((r.m_[I] = detail::either(a.m_[I], b.m_[I])), ...);
     return r;
   }
   template <std::size_t... I>
@@ -53,7 +53,7 @@ class pack_mask {
   }
   template <std::size_t... I>
   KTE_INLINE static bool all_of(const pack_mask& a, std::index_sequence<I...>) {
-    return detail::all_in((a.m_[I] & ...));
+    return (detail::all_in(a.m_[I]) && ...);
   }
   std::array<typename reg::mask, count> m_;
 };

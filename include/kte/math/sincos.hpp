@@ -123,6 +123,7 @@ KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
     }
 #endif
   }
+  if constexpr (!sines<S, N>::simd) r.sin[N] = r.cos[N] = S(0);  // not to copy what was never set
   const auto one_by_one = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
     const int done[]{(sincos(angle(I), r.sin[I], r.cos[I]), 0)..., 0};
     (void)done;

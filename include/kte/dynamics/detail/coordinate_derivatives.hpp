@@ -74,7 +74,7 @@ class coordinate_derivatives {
         if (i >= 0) n.derivative[static_cast<std::size_t>(i)] = S(1);
         return n;
       };
-      if constexpr (requires { c.cos + c.sin + S(1); }) {
+      if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(c.cos)>, skip>) {
         number cosine(as<S>(c.cos)), sine(as<S>(c.sin));
         cosine.derivative[0] = S(-on) * as<S>(c.sin), sine.derivative[0] = S(on) * as<S>(c.cos);
         return coordinate{variable_of(c.q, on - 1), variable_of(c.q_dot, 2 * on - 1), variable_of(c.q_ddot, 3 * on - 1),
@@ -89,7 +89,7 @@ class coordinate_derivatives {
   KTE_INLINE void put(const Loads& loads) const {
     if constexpr (free<I, P>) {
       const auto& f = boost::hana::at_c<load_index<typename types::template core<I>, P>>(loads);
-      if constexpr (!typed_constant<decltype(f)>) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(f)>, number>) {  // else it depends on no coordinate
         by_q(row<I, P>, row<I, L>) -= f.derivative[0];
         by_v(row<I, P>, row<I, L>) -= f.derivative[1];
         by_a(row<I, P>, row<I, L>) -= f.derivative[2];

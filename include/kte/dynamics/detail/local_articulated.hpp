@@ -45,10 +45,10 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
     const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;
     tau_ = &tau, a_ = &a;
-    for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
+    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     masses(std::make_index_sequence<wiring::freedoms>{});
     check_good();
-    for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { from_base<K, Slot>(); });
+    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { from_base<K, Slot>(); });
     check_finite(a, std::size_t{Chain::dofs}, "kte: an acceleration is no finite number: an argument is none");
   }
 
@@ -59,7 +59,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
     const vector none = vector::Zero();
     vector column;
     tau_ = &none, a_ = &column;
-    for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
+    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     masses(std::make_index_sequence<wiring::freedoms>{});
     check_good();
     const int done[]{(unit_forces<E>(m), 0)..., 0};
@@ -86,7 +86,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
       (void)cleared;
       a_->setZero();
       load_down<I>(no_wrench, force);
-      for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA {
+      for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA {
         accelerate_all<K, Slot>(acceleration{zero3{}, zero3{}}, readers<K, Slot>);
       });
       m.col(wiring::template at<kind_of<I>, slot_of<I>>.v + n) = *a_;

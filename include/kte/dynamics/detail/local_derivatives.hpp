@@ -22,7 +22,7 @@ class local_derivatives : local_pass<Chain, Given> {
   /// Adds the derivatives to matrices of zeros.
   KTE_INLINE local_derivatives(const Chain& c, const Given& g, matrix& by_q, matrix& by_v, matrix& by_a)
       : local_pass<Chain, Given>(c, g), by_q_(by_q), by_v_(by_v), by_a_(by_a) {
-    for_each_base<wiring>([this]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
+    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
   }
   /// The forces themselves.
   using local_pass<Chain, Given>::load;

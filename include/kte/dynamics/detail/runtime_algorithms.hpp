@@ -49,13 +49,13 @@ inline void start(runtime_state& s) {
   for_each_runtime_freedom(s, [](auto& c, const freedom&) {
     if constexpr (requires { clear_load(c); }) clear_load(c);
   });
-  for (const auto& [k, i] : s.work.bases) {
-    const auto set = [&]<kind K>(std::integral_constant<kind, K>) {
+  for (const auto& base : s.work.bases) {
+    const auto set = [&s, i = base.second]<kind K>(std::integral_constant<kind, K>) {
       const auto m = spatial(s.get<K>(i));
       s.work.frames.get<K>(i) = {
           as<double>(m.ang_velocity), as<double>(m.acceleration), as<double>(m.ang_acceleration), {}};
     };
-    if (k == kind::frame_2D)
+    if (base.first == kind::frame_2D)
       set(std::integral_constant<kind, kind::frame_2D>{});
     else
       set(std::integral_constant<kind, kind::frame_3D>{});

@@ -34,6 +34,8 @@ struct pack_register {
 
 KTE_INLINE bool all_in(bool x) { return x; }
 KTE_INLINE bool negated(bool x) { return !x; }
+KTE_INLINE bool both(bool a, bool b) { return a && b; }
+KTE_INLINE bool either(bool a, bool b) { return a || b; }
 template <class T>
 KTE_INLINE T chosen(bool condition, T a, T b) {
   return condition ? a : b;
@@ -57,6 +59,14 @@ requires(!std::is_same_v<Arch, plain>) struct pack_register<T, Arch> {
   KTE_INLINE static void store(T* p, const type& x) { x.store_unaligned(p); }
 };
 
+template <class T, class A>
+KTE_INLINE xsimd::batch_bool<T, A> both(const xsimd::batch_bool<T, A>& a, const xsimd::batch_bool<T, A>& b) {
+  return a & b;
+}
+template <class T, class A>
+KTE_INLINE xsimd::batch_bool<T, A> either(const xsimd::batch_bool<T, A>& a, const xsimd::batch_bool<T, A>& b) {
+  return a | b;
+}
 template <class T, class A>
 KTE_INLINE bool all_in(const xsimd::batch_bool<T, A>& x) {
   return xsimd::all(x);

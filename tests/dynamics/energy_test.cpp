@@ -1,0 +1,146 @@
+#include <limits>
+
+#include "data/solo12.hpp"
+#include "dynamics/small_chains.hpp"
+#include "robots/iiwa14.hpp"
+#include "robots/solo12.hpp"
+
+// Energies: against 31 digits, the mass matrix, by hand, and by the work that is done along a motion.
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+
+/// v . M v / 2 at 50 digits.
+template <class Chain>
+void check_by_mass_matrix(const Chain& c, unsigned seed, double tolerance = 1e-45) {
+  random_numbers random(seed);
+  for (int round = 0; round < 3; ++round) {
+    const random_motion_of<big, Chain> m(c, random);
+    const big expected = m.v.dot(mass_matrix(c, m.q) * m.v) / 2;
+    CHECK(abs(big(kinetic_energy(c, m.q, m.v) / expected - 1)) < tolerance);
+    const auto both = energy(c, m.q, m.v);
+    CHECK(both.kinetic == kinetic_energy(c, m.q, m.v));
+    CHECK(both.potential == potential_energy(c, m.q));
+  }
+}
+/// d/dt energy = tau . v + power of what is no spring, along a motion, at 50 digits.
+template <class Chain>
+void check_work(const Chain& c, unsigned seed, double tolerance = by_differences) {
+  random_numbers random(seed);
+  for (int round = 0; round < 3; ++round) {
+    const random_motion_of<big, Chain> m(c, random);
+    const big change = derivative([&](const big& t) {
+      const auto e = energy(c, position_at(c, m, t), velocity_at(m, t));
+      return big(e.kinetic + e.potential);
+    });
+    const big power = m.v.dot(inverse_dynamics(c, m.q, m.v, m.a));
+    CHECK(static_cast<double>(abs(big(change - power)) / (1 + abs(power))) < tolerance);
+  }
+}
+/// Static and runtime in double against 50 digits. That is a sum of what is not negative,
+/// of squares of sums along at most 8 frames; a potential energy may cancel.
+template <class Chain>
+void check_double(const Chain& c, unsigned seed) {
+  constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
+  random_numbers random(seed);
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  for (int round = 0; round < 20; ++round) {
+    const random_motion_of<double, Chain> m(c, random);
+    const auto e = energy(c, m.q, m.v);
+    const auto x = energy(c, m.q.template cast<big>().eval(), m.v.template cast<big>().eval());
+    CHECK(abs(big(e.kinetic / x.kinetic - 1)) < rounding);
+    CHECK(abs(big(e.potential - x.potential)) < rounding * (100 + abs(x.potential)));  // up to 60 N over a few m
+    const auto r = energy(model, s, m.q, m.v);
+    CHECK(std::fabs(r.kinetic / e.kinetic - 1) < rounding);
+    CHECK(abs(big(r.potential - x.potential)) < rounding * (100 + abs(x.potential)));
+    CHECK(potential_energy(model, s, m.q) == r.potential);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("energies of solo12 against 31 digits") {
+  const auto model = models::element_by_element(robots::solo12);
+  auto s = model.make_state();
+  constexpr long double bound = 1e-15L;  // as of its other numbers
+  for (const auto& x : reference::solo12) {
+    const auto e = energy(robots::solo12, x.q, x.v);
+    CHECK(std::fabs(e.kinetic / x.kinetic_energy - 1) < bound);
+    CHECK(std::fabs(e.potential / x.potential_energy - 1) < bound);
+    CHECK(std::fabs(kinetic_energy(robots::solo12, x.q, x.v) / x.kinetic_energy - 1) < bound);
+    CHECK(std::fabs(potential_energy(robots::solo12, x.q) / x.potential_energy - 1) < bound);
+    CHECK(std::fabs(kinetic_energy(model, s, x.q, x.v) / x.kinetic_energy - 1) < bound);
+    CHECK(std::fabs(potential_energy(model, s, x.q) / x.potential_energy - 1) < bound);
+  }
+}
+
+TEST_CASE("kinetic energy by the mass matrix") {
+  check_by_mass_matrix(robots::iiwa14, 1);
+  check_by_mass_matrix(floating, 2);
+  check_by_mass_matrix(planar, 3);
+  check_by_mass_matrix(geared, 4);
+  check_by_mass_matrix(models::tree, 5, 1e-15);  // an axis that is a unit vector to half an eps
+}
+
+TEST_CASE("work along a motion changes the energy") {
+  check_work(robots::iiwa14, 11);
+  check_work(floating, 12);
+  check_work(floating_with_springs, 13);
+  check_work(planar, 14);
+  check_work(geared, 15);
+}
+
+TEST_CASE("energies in double, and of runtime chains") {
+  check_double(robots::iiwa14, 21);
+  check_double(floating_with_springs, 22);
+  check_double(planar, 23);
+  check_double(geared, 24);
+  check_double(models::tree, 25);
+}
+
+TEST_CASE("energies by hand") {
+  const auto c = models::pendulum.gravity(along_y(-10.0));
+  const std::array rest{0.0}, down{-std::acos(0.0)}, fast{2.0};
+  CHECK(kinetic_energy(c, rest, fast) == 0.5);  // 1 kg at 0.5 m, 2 rad/s
+  CHECK(potential_energy(c, rest) == 0);
+  CHECK(std::fabs(potential_energy(c, down) + 5) < 1e-15);
+  CHECK(potential_energy(models::pendulum, down) == 0);  // no gravity
+  // k/2 of the square of the stretch: 10 N/m, 0.2 m beyond rest; with 1 N at most: 1 * 0.2 - 1/20.
+  using models::hip, models::wall, models::ground, models::trunk;
+  const auto sprung = [](const auto&... most) {
+    return chain(base_gen(wall), prismatic_joint_3D(hip, ground, trunk, axis::x),
+                 spring_gen(wall, hip, 0.1, 10.0, most...));
+  };
+  CHECK(std::fabs(potential_energy(sprung(), std::array{0.3}) - 0.2) < 1e-16);
+  CHECK(std::fabs(potential_energy(sprung(1.0), std::array{0.3}) - 0.15) < 1e-16);
+  CHECK(kinetic_energy(sprung(), std::array{0.3}, fast) == 0);  // no mass
+}
+
+TEST_CASE("energies of bad arguments") {
+  const auto& c = robots::iiwa14;
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  const std::array<double, 7> good{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  const std::array two{1.0, 2.0};
+  CHECK_THROWS_AS(energy(c, good, two), bad_argument);
+  CHECK_THROWS_AS(energy(c, two, good), bad_argument);
+  CHECK_THROWS_AS(potential_energy(c, two), bad_argument);
+  CHECK_THROWS_AS(kinetic_energy(model, s, good, two), bad_argument);
+  for (std::size_t i = 0; i < 7; ++i) {
+    auto bad = good;
+    bad[i] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(energy(c, bad, good), bad_argument);
+    CHECK_THROWS_AS(energy(c, good, bad), bad_argument);
+    CHECK_THROWS_AS(kinetic_energy(c, bad, good), bad_argument);
+    CHECK_THROWS_AS(kinetic_energy(c, good, bad), bad_argument);
+    CHECK_THROWS_AS(potential_energy(c, bad), bad_argument);
+    CHECK_THROWS_AS(kinetic_energy(model, s, good, bad), bad_argument);
+    CHECK_THROWS_AS(kinetic_energy(model, s, bad, good), bad_argument);
+  }
+  auto fast = good;
+  fast[0] = 1e200;
+  CHECK_THROWS_AS(kinetic_energy(c, good, fast), bad_argument);  // its square is infinite
+}
