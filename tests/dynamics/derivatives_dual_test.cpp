@@ -20,10 +20,7 @@ namespace keys {
 // clang-format off
 inline constexpr struct q1_     final : coord_key<"q1">           {} q1;
 inline constexpr struct q2_     final : coord_key<"q2">           {} q2;
-inline constexpr struct q3_     final : coord_key<"q3">           {} q3;
-inline constexpr struct q4_     final : coord_key<"q4">           {} q4;
 inline constexpr struct ball_   final : rotation_3D_key<"ball">   {} ball;
-inline constexpr struct slide_  final : pose_2D_key<"slide">      {} sliding;
 inline constexpr struct base_   final : frame_3D_key<"base">      {} base;
 inline constexpr struct a_      final : frame_3D_key<"a">         {} a;
 inline constexpr struct b_      final : frame_3D_key<"b">         {} b;
