@@ -28,19 +28,21 @@ KTE_INLINE constexpr auto turn_of(const mat3<RX, RY, RZ>& rotation) {
     S diagonal, w;
     vec3<S> u;
   };
-  const auto larger = [](const row& p, const row& q) KTE_INLINE_LAMBDA {
-    const auto second = q.diagonal > p.diagonal;
+  const auto larger = [](const row& p, const row& other) KTE_INLINE_LAMBDA {
+    const auto second = other.diagonal > p.diagonal;
     const auto of = [&second](const S& x, const S& y) KTE_INLINE_LAMBDA { return S(select(second, y, x)); };
-    return row{of(p.diagonal, q.diagonal), of(p.w, q.w), {of(p.u.x, q.u.x), of(p.u.y, q.u.y), of(p.u.z, q.u.z)}};
+    return row{of(p.diagonal, other.diagonal),
+               of(p.w, other.w),
+               {of(p.u.x, other.u.x), of(p.u.y, other.u.y), of(p.u.z, other.u.z)}};
   };
-  const row q = larger(larger(row{ww, ww, {wx, wy, wz}}, row{xx, wx, {xx, xy, zx}}),
-                       larger(row{yy, wy, {xy, yy, yz}}, row{zz, wz, {zx, yz, zz}}));
-  const S sign = select(q.w < S(0), S(-1), S(1));  // of q and -q, the one with w >= 0
-  const S w = sign * q.w, square = dot(q.u, q.u);
+  const row largest = larger(larger(row{ww, ww, {wx, wy, wz}}, row{xx, wx, {xx, xy, zx}}),
+                             larger(row{yy, wy, {xy, yy, yz}}, row{zz, wz, {zx, yz, zz}}));
+  const S sign = select(largest.w < S(0), S(-1), S(1));  // of the two quaternions, the one with w >= 0
+  const S w = sign * largest.w, square = dot(largest.u, largest.u);
   const auto none = square == S(0);
   const S n = sqrt(select(none, S(1), square));
   const S k = S(2) * sign * select(none, S(1), S(atan2(n, w))) / select(none, w, n);  // (1)
-  return vec3<S>{k * q.u.x, k * q.u.y, k * q.u.z};
+  return vec3<S>{k * largest.u.x, k * largest.u.y, k * largest.u.z};
 }
 
 /// The same of a rotation about z: an angle in [-pi, pi].

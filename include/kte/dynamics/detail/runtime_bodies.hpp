@@ -82,8 +82,8 @@ void for_each_base_load(const topology& t, runtime_state& s, const F& visit) {
       for (std::size_t e = 0; e < t.elements.size(); ++e) {
         const auto& mover = t.elements[e];
         if (!mover.stiff) continue;
-        const std::size_t base = mover.index.size() - 2;
-        if (mover.ports[base].what == K && mover.index[base] == index)
+        const std::size_t from = mover.index.size() - 2;
+        if (mover.ports[from].what == K && mover.index[from] == index)
           visit(x, composite_3D{}, w.places[e].first, w.places[e].last);
       }
     };
