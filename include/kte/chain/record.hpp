@@ -47,12 +47,12 @@ void append_numbers(std::vector<double>& v, const T& x) {
 template <class X, class Y, class Z>
 void append_numbers(std::vector<double>& v, const vec3<X, Y, Z>& x) {
   const auto d = as<double>(x);
-  v.insert(v.end(), {d.x, d.y, d.z});
+  for (const double number : {d.x, d.y, d.z}) v.push_back(number);
 }
 template <class... T>
 void append_numbers(std::vector<double>& v, const sym3<T...>& x) {
   const auto d = as<double>(x);
-  v.insert(v.end(), {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz});
+  for (const double number : {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz}) v.push_back(number);
 }
 template <geometric R>
 requires requires(const R& r) { matrix(r); }
