@@ -62,11 +62,11 @@ auto part(const V& x, int first, int n) {
 constexpr auto table_of_model = layout(model);
 static_assert(nq == 16 && nv == 14);
 static_assert(table_of_model.size() == 5);
-static_assert(table_of_model[0] == layout_entry{"elbow", kind::gen, 0, 1, 0, 1});
-static_assert(table_of_model[1] == layout_entry{"trunk", kind::pose_3D, 1, 7, 1, 6});
-static_assert(table_of_model[2] == layout_entry{"ball", kind::rotation_3D, 8, 4, 7, 3});
-static_assert(table_of_model[3] == layout_entry{"slide", kind::gen, 12, 1, 10, 1});
-static_assert(table_of_model[4] == layout_entry{"puck", kind::pose_2D, 13, 3, 11, 3});
+static_assert(table_of_model[0] == layout_entry<>{"elbow", kind::gen, 0, 1, 0, 1});
+static_assert(table_of_model[1] == layout_entry<>{"trunk", kind::pose_3D, 1, 7, 1, 6});
+static_assert(table_of_model[2] == layout_entry<>{"ball", kind::rotation_3D, 8, 4, 7, 3});
+static_assert(table_of_model[3] == layout_entry<>{"slide", kind::gen, 12, 1, 10, 1});
+static_assert(table_of_model[4] == layout_entry<>{"puck", kind::pose_2D, 13, 3, 11, 3});
 static_assert(layout(robots::solo12).size() == 13 && decltype(robots::solo12)::nq == 19);
 
 }  // namespace
@@ -86,7 +86,7 @@ TEST_CASE("the layout says where coordinates stand, the same at run time", "[con
         "puck  2D pose  q[13..15]  v[11..13]\n");
   CHECK(text_of_runtime.str() == text.str());
   std::ostringstream one;
-  print(print(one, layout(models::pendulum)), std::array<layout_entry, 0>{}) << "end";
+  print(print(one, layout(models::pendulum)), std::array<layout_entry<>, 0>{}) << "end";
   CHECK(one.str() == "q  coordinate  q[0]  v[0]\nend");
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("coordinates given from outside or written are not in the layout", "[c
   };
   CHECK(names(entries) == "hip slide knee ");
   CHECK(names(layout(models::element_by_element(models::tree))) == "hip slide knee ");
-  CHECK(entries[2] == layout_entry{"knee", kind::gen, 2, 1, 2, 1});
+  CHECK(entries[2] == layout_entry<>{"knee", kind::gen, 2, 1, 2, 1});
 }
 
 TEST_CASE("numbers go to a state and back in the order of the layout", "[configuration]") {

@@ -12,18 +12,23 @@ namespace kte {
 ///   rotation       w, x, y, z of the quaternion; w of the moving frame, in its axes
 ///   pose in space  x, y, z, then the quaternion; v, then w of the moving frame, in its axes
 ///   pose in plane  x, y, angle; v_x, v_y, w, in the axes of the moving frame
+template <class Name = std::string_view>
 struct layout_entry {
-  std::string_view name;
+  Name name;
   kind what;
   int q, nq;
   int v, nv;
-  friend bool operator==(const layout_entry&, const layout_entry&) = default;
+  template <class Other>
+  constexpr bool operator==(const layout_entry<Other>& o) const {
+    return std::string_view(name) == std::string_view(o.name) && what == o.what && q == o.q && nq == o.nq && v == o.v &&
+           nv == o.nv;
+  }
 };
 
 namespace detail {
 template <class Wiring, class... E>
 constexpr auto layout_of() {
-  std::array<layout_entry, Wiring::freedoms> table{};
+  std::array<layout_entry<>, Wiring::freedoms> table{};
   std::array<std::string_view, Wiring::ports + 1> names{};
   std::size_t p = 0;
   const auto append = [&]<class Core, class... Keys>(const element<Core, Keys...>*) {
@@ -52,14 +57,14 @@ constexpr auto layout(const static_chain<Gravity, E...>&) {
 
 /// A line for every coordinate: "trunk  3D pose  q[0..6]  v[0..5]".
 template <class Table>
-requires std::same_as<typename Table::value_type, layout_entry> std::ostream& print(std::ostream& out,
-                                                                                    const Table& table) {
+requires requires { Table::value_type::nq; }
+std::ostream& print(std::ostream& out, const Table& table) {
   const auto range = [&out](char vector, int first, int n) {
     out << "  " << vector << '[' << first;
     if (n > 1) out << ".." << first + n - 1;
     out << ']';
   };
-  for (const layout_entry& e : table) {
+  for (const auto& e : table) {
     out << e.name << "  " << to_string(e.what);
     range('q', e.q, e.nq), range('v', e.v, e.nv);
     out << '\n';

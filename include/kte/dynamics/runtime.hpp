@@ -78,8 +78,8 @@ pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_st
 }
 
 /// The layout of a chain: where its coordinates stand in q and v.
-inline std::vector<layout_entry> layout(const kte_map_chain& c) {
-  std::vector<layout_entry> table;
+inline std::vector<layout_entry<std::string>> layout(const kte_map_chain& c) {
+  std::vector<layout_entry<std::string>> table;
   for (const auto& f : c.wiring().free)
     table.push_back({c.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what, f.q,
                      nq_of(f.what), f.v, nv_of(f.what)});
