@@ -5,6 +5,7 @@
 #include "data/chain8.hpp"
 #include "data/derivatives.hpp"
 #include "data/numbered_chain.hpp"
+#include "dynamics/matrix_error.hpp"
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 
@@ -18,24 +19,11 @@
 // 0.5 times that.
 
 using namespace kte;
+using kte::test::error_of;
 
 namespace {
 
 constexpr long double eps = std::numeric_limits<double>::epsilon();
-
-/// max |x - reference| / max |reference| over a matrix by rows; infinite if an x is no number.
-template <class X>
-long double error_of(const X& x, const long double* reference) {
-  long double difference = 0, size = 0;
-  for (Eigen::Index i = 0; i < x.rows(); ++i)
-    for (Eigen::Index j = 0; j < x.cols(); ++j) {
-      const long double y = reference[i * x.cols() + j];
-      const auto d = std::fabs(static_cast<long double>(x(i, j)) - y);
-      difference = d == d ? std::max(difference, d) : HUGE_VALL;
-      size = std::max(size, std::fabs(y));
-    }
-  return difference / size;
-}
 
 template <int N, std::size_t M, class Chain>
 void check(const char* name, const Chain& c, const reference::state<N>* states,

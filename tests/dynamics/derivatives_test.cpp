@@ -3,30 +3,18 @@
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "data/solo12.hpp"
+#include "dynamics/matrix_error.hpp"
 #include "robots/solo12.hpp"
 
 // Derivatives of the dynamics of a robot that floats against 21 digits, a pendulum by hand, and errors. Arms are in
 // derivatives_robots_test.cpp, chains with everything in derivatives_tree_test.cpp.
 
 using namespace kte;
+using kte::test::error_of;
 
 namespace {
 
 constexpr long double eps = std::numeric_limits<double>::epsilon();
-
-/// max |x - reference| / max |reference| over a matrix by rows; infinite if an x is no number.
-template <class X>
-long double error_of(const X& x, const long double* reference) {
-  long double difference = 0, size = 0;
-  for (Eigen::Index i = 0; i < x.rows(); ++i)
-    for (Eigen::Index j = 0; j < x.cols(); ++j) {
-      const long double y = reference[i * x.cols() + j];
-      const auto d = std::fabs(static_cast<long double>(x(i, j)) - y);
-      difference = d == d ? std::max(difference, d) : HUGE_VALL;
-      size = std::max(size, std::fabs(y));
-    }
-  return difference / size;
-}
 
 }  // namespace
 
