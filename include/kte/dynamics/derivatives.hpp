@@ -42,17 +42,6 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
   return r;
 }
 
-/// b = M^-1 b, with M factorised; b by rows.
-template <class M, class B>
-KTE_INLINE void substitute_rows(const M& m, B& b) {
-  for (Eigen::Index i = 0; i < b.rows(); ++i)
-    for (Eigen::Index k = 0; k < i; ++k) b.row(i) -= m(i, k) * b.row(k);
-  for (Eigen::Index i = b.rows(); i-- > 0;) {
-    b.row(i) /= m(i, i);
-    for (Eigen::Index k = i + 1; k < b.rows(); ++k) b.row(i) -= m(k, i) * b.row(k);
-  }
-}
-
 /// From a and the derivatives of inverse dynamics there:
 ///
 ///   da/dq = -M^-1 dtau/dq,   da/dv = -M^-1 dtau/dv,   da/dtau = M^-1          (1)

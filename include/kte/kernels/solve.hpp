@@ -35,16 +35,25 @@ KTE_INLINE bool factorise(Matrix& m) {
   }
   return good;
 }
-/// Solves M x = b in place, with M factorised.
-template <class Matrix, class Vector>
-KTE_INLINE void substitute(const Matrix& m, Vector& b) {
+/// Solves M x = b in place, with M factorised. at(i) is number i of b, or row i of several.
+template <class Matrix, class At>
+KTE_INLINE void substitute_each(const Matrix& m, const At& at) {
   const Eigen::Index n = m.rows();
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < i; ++k) b[i] -= m(i, k) * b[k];
+    for (Eigen::Index k = 0; k < i; ++k) at(i) -= m(i, k) * at(k);
   for (Eigen::Index i = n; i-- > 0;) {
-    b[i] /= m(i, i);
-    for (Eigen::Index k = i + 1; k < n; ++k) b[i] -= m(k, i) * b[k];
+    at(i) /= m(i, i);
+    for (Eigen::Index k = i + 1; k < n; ++k) at(i) -= m(k, i) * at(k);
   }
+}
+template <class Matrix, class Vector>
+KTE_INLINE void substitute(const Matrix& m, Vector& b) {
+  substitute_each(
+      m, [&b](Eigen::Index i) KTE_INLINE_LAMBDA -> auto& { return b[i]; });
+}
+template <class Matrix, class Rows>
+KTE_INLINE void substitute_rows(const Matrix& m, Rows& b) {
+  substitute_each(m, [&b](Eigen::Index i) KTE_INLINE_LAMBDA { return b.row(i); });
 }
 
 /// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws `singular_mass_matrix`

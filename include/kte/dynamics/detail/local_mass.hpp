@@ -25,8 +25,9 @@ class local_mass {
 
   KTE_INLINE local_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
     M.setZero();
-    from_bases<kind::frame_2D>(std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{});
-    from_bases<kind::frame_3D>(std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA {
+      (void)carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+    });
     coordinate_masses(std::make_index_sequence<Chain::size>{});
   }
 
@@ -66,16 +67,6 @@ class local_mass {
   }
 
   // ---- up the tree: composite inertias, and a column of M at each joint
-  template <kind K, int... Slot>
-  KTE_INLINE void from_bases(std::integer_sequence<int, Slot...>) {
-    const int done[]{(from_base<K, Slot>(), 0)..., 0};
-    (void)done;
-  }
-  template <kind K, int Slot>
-  KTE_INLINE void from_base() {
-    if constexpr (wiring::writer(K, Slot) < 0)
-      (void)carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-  }
   /// The inertia carried by a frame, about it and in its axes.
   template <kind K, int Slot, std::size_t... N>
   KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
