@@ -2,6 +2,7 @@
 
 #include <kte/chain/port.hpp>
 #include <kte/chain/record.hpp>
+#include <kte/chain/steps.hpp>
 
 #include <functional>
 #include <memory>
@@ -44,28 +45,25 @@ class kte_element : public kte_map {
   virtual element_record record() const = 0;
 
   virtual std::span<const port> ports() const = 0;
-  /// Brings followers, and their sines and cosines, up to date with what they follow.
-  virtual void update_coordinates(runtime_state&) const = 0;
-
-  /// Whether its forces depend on positions or linear velocities of frames.
-  virtual bool reads_positions() const = 0;
-
   /// Its own, after doMotion, J; gravity is the chain's.
   virtual double kinetic_energy(runtime_state&) const = 0;
   virtual double potential_energy(runtime_state&) const = 0;
 
-  // The algorithms, on the working memory of a state; what they do is said in dynamics/runtime.hpp.
-  /// Inverse dynamics: motion without positions, forces in it.
-  virtual void move(runtime_state&) const = 0;
-  virtual void push(runtime_state&) const = 0;
-  /// Mass matrix: what is carried, and the columns of all joints further out, one element further in.
-  virtual void carry(runtime_state&) const = 0;
-  /// Masses of coordinates, and followers: their rows and columns to those of what they follow.
-  virtual void carry_coordinate(runtime_state&) const = 0;
-  /// Forward dynamics: motion by rates alone; articulated inertia one element further in; accelerations further out.
-  virtual void move_by_rates(runtime_state&) const = 0;
-  virtual void articulate(runtime_state&) const = 0;
-  virtual void accelerate(runtime_state&) const = 0;
+  // The steps of the algorithms (chain/steps.hpp).
+  virtual void perform(detail::steps::move, runtime_state&) const = 0;
+  virtual void perform(detail::steps::push, runtime_state&) const = 0;
+  virtual void perform(detail::steps::move_fully, runtime_state&) const = 0;
+  virtual void perform(detail::steps::push_fully, runtime_state&) const = 0;
+  virtual void perform(detail::steps::follow, runtime_state&) const = 0;
+  virtual void perform(detail::steps::carry, runtime_state&) const = 0;
+  virtual void perform(detail::steps::carry_coordinate, runtime_state&) const = 0;
+  virtual void perform(detail::steps::move_by_rates, runtime_state&) const = 0;
+  virtual void perform(detail::steps::articulate, runtime_state&) const = 0;
+  virtual void perform(detail::steps::accelerate, runtime_state&) const = 0;
+  virtual void perform(detail::steps::rest, runtime_state&) const = 0;
+  virtual void perform(detail::steps::load_down, runtime_state&) const = 0;
+  virtual void perform(detail::steps::vary, runtime_state&) const = 0;
+  virtual void perform(detail::steps::vary_coordinates, runtime_state&) const = 0;
 };
 
 }  // namespace kte

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <kte/chain/kte_map.hpp>
-#include <kte/chain/working_articulated.hpp>
-#include <kte/chain/working_mass.hpp>
+#include <kte/chain/runtime_state.hpp>
 
 namespace kte {
 
@@ -23,24 +22,33 @@ class kte_map_adapter final : public kte_element {
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.stiff = detail::is_transmission<Core>;
+    c.reads_positions = detail::reads_positions<Core>;
+    c.has_derivatives = detail::has_derivatives<Core>;
+    t.reads_positions |= c.reads_positions;
+    t.has_derivatives &= c.has_derivatives;
     number_ = t.elements.size() - 1;
   }
   element_record record() const override { return record_of(core_, names_); }
 
   std::span<const port> ports() const override { return Core::ports; }
-  bool reads_positions() const override { return detail::reads_positions<Core>; }
 
   double kinetic_energy(runtime_state& s) const override { return as<double>(on(s).kinetic_energy(inputs{})); }
   double potential_energy(runtime_state& s) const override { return as<double>(on(s).potential_energy(inputs{})); }
 
-  void update_coordinates(runtime_state& s) const override { plain(s).follow(); }
-  void move(runtime_state& s) const override { plain(s).move(); }
-  void push(runtime_state& s) const override { plain(s).template push<false>(); }
-  void carry(runtime_state& s) const override { working<detail::working_mass>(s).carry(); }
-  void carry_coordinate(runtime_state& s) const override { working<detail::working_mass>(s).carry_coordinate(); }
-  void move_by_rates(runtime_state& s) const override { working<detail::working_articulated>(s).move_by_rates(); }
-  void articulate(runtime_state& s) const override { working<detail::working_articulated>(s).articulate(); }
-  void accelerate(runtime_state& s) const override { working<detail::working_articulated>(s).accelerate(); }
+  void perform(detail::steps::move step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::push step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::move_fully step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::push_fully step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::follow step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::carry step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::carry_coordinate step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::move_by_rates step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::articulate step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::accelerate step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::rest step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::load_down step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::vary step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::vary_coordinates step, runtime_state& s) const override { take(step, s); }
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
@@ -56,12 +64,9 @@ class kte_map_adapter final : public kte_element {
   auto on(runtime_state& s) const {
     return detail::stored_element<Core, runtime_state, where>{core_, s, {index_.data()}};
   }
-  auto plain(runtime_state& s) const {
-    return detail::working_element<Core>{core_, s, index_.data(), s.work.places[number_]};
-  }
-  template <template <class> class Working>
-  auto working(runtime_state& s) const {
-    return Working<Core>{plain(s)};
+  template <class Step>
+  void take(Step, runtime_state& s) const {
+    detail::perform<Step>(core_, s, index_.data(), s.plan.places[number_]);
   }
 
   Core core_;

@@ -58,6 +58,11 @@ struct stored_element {
   template <std::size_t... P>
   KTE_INLINE constexpr void motion(std::index_sequence<P...>) const {
     update_angles(std::index_sequence<P...>{});
+    move(std::index_sequence<P...>{});
+  }
+  /// With sines, cosines and matrices as they are.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
   }
   /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.

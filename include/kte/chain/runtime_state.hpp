@@ -1,18 +1,59 @@
 #pragma once
 
+#include <kte/chain/memory.hpp>
 #include <kte/chain/state.hpp>
-#include <kte/chain/workspace.hpp>
+#include <kte/chain/topology.hpp>
 
 #include <memory>
 
 namespace kte {
+
+namespace detail {
+/// What `arrange` asks of a runtime chain.
+struct runtime_connections {
+  const topology& t;
+  std::size_t elements() const { return t.elements.size(); }
+  std::span<const port> ports(std::size_t e) const { return t.elements[e].ports; }
+  int index(std::size_t e, std::size_t p) const { return t.elements[e].index[p]; }
+  bool stiff(std::size_t e) const { return t.elements[e].stiff; }
+  int count(kind k) const { return static_cast<int>(t.names[static_cast<std::size_t>(k)].size()); }
+  int writer(kind k, int i) const { return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
+  std::size_t freedoms() const { return t.free.size(); }
+  freedom freedom_at(std::size_t f) const { return t.free[f]; }
+  int dofs() const { return t.nv; }
+  bool is_angle(int i) const { return t.is_angle(i); }
+};
+
+struct runtime_memory : pass_memory<double, growing>,
+                        mass_memory<double, growing>,
+                        articulated_memory<double, growing>,
+                        variation_memory<double, growing> {
+  explicit runtime_memory(const sizes_of_chain& n, std::size_t angles) {
+    pass_memory::make(n), mass_memory::make(n), articulated_memory::make(n), variation_memory::make(n);
+    for (auto* x : {&angle, &sine, &cosine}) x->resize((angles + 3) / 4 * 4);
+  }
+  std::vector<double> angle, sine, cosine;  ///< of `plan::angles`, and zeros up to a multiple of four
+  /// Results that are as large as M or larger: made by the first call that gives them.
+  Eigen::MatrixXd inverse;
+  inverse_dynamics_result<double, Eigen::Dynamic> of_forces;
+  forward_dynamics_result<double, Eigen::Dynamic> of_accelerations;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows;
+};
+}  // namespace detail
 
 /// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 class runtime_state {
  public:
-  explicit runtime_state(std::shared_ptr<const topology> t) : topology_(std::move(t)), work(*topology_) {
+  using scalar = double;
+
+  explicit runtime_state(std::shared_ptr<const topology> t)
+      : topology_(std::move(t)),
+        plan(detail::arrange<detail::growing_list>(detail::runtime_connections{*topology_})),
+        work({topology_->names[1].size(), topology_->names[2].size(), static_cast<std::size_t>(topology_->nv),
+              static_cast<std::size_t>(plan.coordinates), plan.columns},
+             plan.angles.size()) {
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
@@ -58,6 +99,8 @@ class runtime_state {
   int dofs() const { return topology_->nv; }
   int nq() const { return topology_->nq; }
 
+  std::span<const detail::freedom> freedoms() const { return topology_->free; }
+
   /// What this state was made for.
   const std::shared_ptr<const topology>& made_for() const { return topology_; }
 
@@ -78,8 +121,9 @@ class runtime_state {
   std::vector<int> free_coordinates_;
 
  public:
-  /// Working memory of the algorithms; nothing in it needs to be read or kept.
-  detail::workspace work;
+  /// Order of work and working memory of the algorithms; nothing in it needs to be read or kept.
+  detail::runtime_plan plan;
+  detail::runtime_memory work;
 };
 
 }  // namespace kte

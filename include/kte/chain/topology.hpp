@@ -28,15 +28,19 @@ class topology {
   };
   struct connection {
     const kte_element* element = nullptr;
-    std::vector<int> index;       ///< of what each port is connected to
-    std::span<const port> ports;  ///< of the element
-    bool stiff = false;           ///< whether it is a joint or a link
+    std::vector<int> index;        ///< of what each port is connected to
+    std::span<const port> ports;   ///< of the element
+    bool stiff = false;            ///< whether it is a joint or a link
+    bool reads_positions = false;  ///< whether its forces depend on positions or linear velocities of frames
+    bool has_derivatives = false;  ///< whether the derivatives of its forces are known (kernels/variation.hpp)
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
   std::vector<detail::freedom> free;                  ///< the coordinates that are degrees of freedom, in order
   int nq = 0, nv = 0;                                 ///< numbers of a configuration; degrees of freedom
   std::vector<connection> elements;                   ///< in order
+  bool reads_positions = false;                       ///< some element does
+  bool has_derivatives = true;                        ///< all elements do
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 
   /// Equal for chains with the same things in the same order: a new one for every element, the same for copies.

@@ -1,24 +1,28 @@
 #pragma once
 
+#include <kte/chain/memory.hpp>
 #include <kte/chain/passes.hpp>
-#include <kte/chain/runtime_state.hpp>
 
-/// One element in the algorithms on runtime chains: its kernels on the working memory of a state, where frames have no
-/// positions and velocities.
+/// One element in the algorithms that are loops over elements: its kernels on the working memory of a state, where
+/// frames have no positions and velocities. State: `runtime_state`, or `stored_state` of a large static chain.
+///   state.get<K>(i)   thing i of kind K
+///   state.work        its working memory (chain/memory.hpp)
+///   state.plan        the order of work (chain/plan.hpp)
 namespace kte::detail {
 
-template <class F, class T>
-wrench_3D dense(const wrench<F, T>& w) {
-  return {as<double>(w.force), as<double>(w.torque)};
+template <class S, class F, class T>
+dense_wrench<S> dense(const wrench<F, T>& w) {
+  return {as<S>(w.force), as<S>(w.torque)};
 }
 
 /// What it is connected to, its motion and its forces.
-template <class Core>
+template <class Core, class State>
 struct working_element {
+  using S = typename State::scalar;
   const Core& core;
-  runtime_state& state;
+  State& state;
   const int* index;  ///< of what each port is connected to
-  const workspace::place& place;
+  const detail::place& place;
 
   static constexpr std::size_t ports = port_count<Core>;
   template <std::size_t P>
@@ -31,7 +35,7 @@ struct working_element {
 
   template <std::size_t P>
   auto& thing() const {
-    return state.get<at<P>.what>(index[P]);
+    return state.template get<at<P>.what>(index[P]);
   }
   template <std::size_t P>
   auto& frame() const {
@@ -53,12 +57,25 @@ struct working_element {
     }
   }
 
+  /// Whether it is a joint that moves under forces; otherwise its acceleration is given.
+  bool yields() const { return place.free && !state.work.prescribed[static_cast<std::size_t>(place.row)]; }
+
   // ---- motion
   void follow() const {
     if constexpr (writes_coordinate) {
-      stored_element<Core, runtime_state, where>{core, state, {index}}.motion(inputs{});
+      stored().move(inputs{});
       update_angle(thing<end>());
     }
+  }
+  void move_fully() const {
+    if constexpr (writes_coordinate) {
+      follow();
+    } else {
+      stored().move(inputs{});
+    }
+  }
+  void push_fully() const {
+    if constexpr (reads_positions<Core>) stored().force(inputs{});
   }
   void move() const {
     if constexpr (joint) {
@@ -72,7 +89,7 @@ struct working_element {
   /// Leaves in the end's acceleration what the rates alone make; of a coordinate that is given, also its acceleration.
   void move_by_rates() const {
     if constexpr (joint) {
-      if (place.free)
+      if (yields())
         set_motion(compose(seen<base, true>(), core.relative(unaccelerated(coordinate()))));
       else
         set_motion(compose(seen<base, true>(), core.relative(coordinate())));
@@ -97,6 +114,7 @@ struct working_element {
       return index[P];
     }
   };
+  auto stored() const { return stored_element<Core, State, where>{core, state, {index}}; }
   template <bool RatesOnly, class C>
   static decltype(auto) coordinate_seen(const C& c) {
     if constexpr (requires { c.q; }) {
@@ -129,7 +147,7 @@ struct working_element {
   }
   template <class M>
   void set_motion(const M& m) const {
-    frame<end>() = {as<double>(m.ang_velocity), as<double>(m.acceleration), as<double>(m.ang_acceleration), {}};
+    frame<end>() = {as<S>(m.ang_velocity), as<S>(m.acceleration), as<S>(m.ang_acceleration), {}};
   }
   template <bool RatesOnly, std::size_t... P>
   void push(std::index_sequence<P...>) const {
@@ -152,7 +170,7 @@ struct working_element {
     if constexpr (at<P>.what == kind::gen) {
       thing<P>().f = thing<P>().f + boost::hana::at_c<i>(l);
     } else if constexpr (is_frame(at<P>.what)) {
-      frame<P>().load = dense(frame<P>().load + boost::hana::at_c<i>(l));
+      frame<P>().load = dense<S>(frame<P>().load + boost::hana::at_c<i>(l));
     } else if constexpr (at<P>.what != kind::input) {
       add_load(thing<P>(), boost::hana::at_c<i>(l));
     }

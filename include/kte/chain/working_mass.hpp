@@ -4,19 +4,20 @@
 
 namespace kte::detail {
 
-/// One element in the composite-rigid-body algorithm on a runtime chain.
-template <class Core>
-struct working_mass : working_element<Core> {
-  using element = working_element<Core>;
+/// One element in the composite-rigid-body algorithm.
+template <class Core, class State>
+struct working_mass : working_element<Core, State> {
+  using element = working_element<Core, State>;
   using element::base, element::core, element::end, element::joint, element::place, element::state;
+  using typename element::S;
   template <std::size_t P>
   static constexpr port at = Core::ports[P];
 
   /// Adds what the end carries to what the base carries, and takes the columns of the joints beyond one element further
   /// in; a joint adds its own columns, and its own rows to the matrix.
   void carry() const {
-    if constexpr (has_mass<Core, double> && is_frame(at<0>.what)) {
-      add(carried<0>(), core.template mass<double>());
+    if constexpr (has_mass<Core, S> && is_frame(at<0>.what)) {
+      add(carried<0>(), core.template mass<S>());
     } else if constexpr (element::stiff) {
       const auto x = this->pose();
       if constexpr (joint) own_columns(std::make_integer_sequence<int, joint_dofs<Core>>{});
@@ -26,14 +27,14 @@ struct working_mass : working_element<Core> {
   }
   /// A mass on a coordinate; or a follower, whose row and column count for what it follows too: q_e' = ratio q_b'.
   void carry_coordinate() const {
-    if constexpr (at<0>.what == kind::gen && (has_mass<Core, double> || element::writes_coordinate)) {
+    if constexpr (at<0>.what == kind::gen && (has_mass<Core, S> || element::writes_coordinate)) {
       auto& m = matrix();
       const int b = row<0>();
-      if constexpr (has_mass<Core, double>) {
-        m(b, b) += as<double>(core.template mass<double>());
+      if constexpr (has_mass<Core, S>) {
+        m(b, b) += as<S>(core.template mass<S>());
       } else {
         const int e = row<end>();
-        const double ratio = as<double>(core.doMotion(unit_rate<kind::gen, 0>(this->coordinate())).q_dot);
+        const S ratio = as<S>(core.doMotion(unit_rate<kind::gen, 0>(this->coordinate())).q_dot);
         m.row(b) += ratio * m.row(e);
         m.col(b) += ratio * m.col(e);
       }
@@ -46,29 +47,30 @@ struct working_mass : working_element<Core> {
     return state.work.carried.template get<at<P>.what>(this->index[P]);
   }
   template <class C>
-  static void add(composite_3D& to, const C& c) {
-    to = {as<double>(to.mass + c.mass), as<double>(to.moment + c.moment), as<double>(to.inertia + c.inertia)};
+  static void add(dense_composite<S>& to, const C& c) {
+    to = {as<S>(to.mass + c.mass), as<S>(to.moment + c.moment), as<S>(to.inertia + c.inertia)};
   }
-  Eigen::MatrixXd& matrix() const { return state.work.coordinates > state.dofs() ? state.work.all : state.work.mass; }
+  auto& matrix() const { return matrix_over_all(state.work); }
   template <std::size_t P>
   int row() const {
-    return state.work.row_of_gen[static_cast<std::size_t>(this->index[P])];
+    return state.plan.row_of_gen[static_cast<std::size_t>(this->index[P])];
   }
 
   /// The columns, as arrays of their components.
   struct columns {
-    double *fx, *fy, *fz, *tx, *ty, *tz;
-    explicit columns(workspace& w)
+    S *fx, *fy, *fz, *tx, *ty, *tz;
+    template <class Memory>
+    explicit columns(Memory& w)
         : fx(w.column[0].data()),
           fy(w.column[1].data()),
           fz(w.column[2].data()),
           tx(w.column[3].data()),
           ty(w.column[4].data()),
           tz(w.column[5].data()) {}
-    wrench_3D get(std::size_t k) const { return {{fx[k], fy[k], fz[k]}, {tx[k], ty[k], tz[k]}}; }
+    dense_wrench<S> get(std::size_t k) const { return {{fx[k], fy[k], fz[k]}, {tx[k], ty[k], tz[k]}}; }
     template <class W>
     void set(std::size_t k, const W& x) const {
-      const auto w = dense(x);
+      const auto w = dense<S>(x);
       fx[k] = w.force.x, fy[k] = w.force.y, fz[k] = w.force.z;
       tx[k] = w.torque.x, ty[k] = w.torque.y, tz[k] = w.torque.z;
     }
@@ -91,11 +93,11 @@ struct working_mass : working_element<Core> {
     const int* rows = state.work.row_of_column.data();
     const int i = place.row + N;
     auto& m = matrix();
-    double* column = &m(0, i);
+    S* column = &m(0, i);
     const std::size_t own = place.first + std::size_t{N};
-    column[i] += as<double>(power(s, w.get(own)));
+    column[i] += as<S>(power(s, w.get(own)));
     for (std::size_t k = own + 1; k < place.last; ++k) {
-      const double x = as<double>(power(s, w.get(k)));
+      const S x = as<S>(power(s, w.get(k)));
       column[rows[k]] += rows[k] == i ? 2 * x : x;
     }
     return 0;

@@ -20,7 +20,8 @@
 /// stands NaN, and then the error of the first bad state is thrown, with its number in front: what the algorithm throws
 /// for this state alone, `bad_argument` or `singular_mass_matrix`.
 ///
-/// By default W is the number of lanes of the CPU's registers. Not for programs without exceptions.
+/// By default W is the number of lanes of one register of the CPU; of two for forward dynamics, which else waits for
+/// its divisions and sums. Not for programs without exceptions.
 namespace kte::batch {
 
 namespace detail {
@@ -28,8 +29,9 @@ namespace detail {
 template <class X>
 using number_in = std::remove_cvref_t<decltype(*std::declval<X&>().data())>;
 
-template <class T, int W>
-using pack_of = pack<T, W == 0 ? kte::detail::widest_pack<T> : W>;
+/// W lanes, or by default as many as `Registers` have.
+template <class T, int W, int Registers>
+using pack_of = pack<T, W == 0 ? Registers * kte::detail::widest_pack<T> : W>;
 
 /// Numbers a state: degrees of freedom, and positions, which may be more.
 template <class Chain>
@@ -99,7 +101,7 @@ struct mass_matrix_of {
 
 /// tau from q, v, a; see `kte::inverse_dynamics`.
 template <int W = 0, class Chain, class Q, class V, class A, class Tau, class Executor = in_this_thread,
-          class P = detail::pack_of<detail::number_in<Q>, W>>
+          class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void inverse_dynamics(const Chain& chain, const Q& q, const V& v, const A& a, Tau&& tau, Executor&& executor = {}) {
   constexpr std::size_t nq = detail::nq<Chain>, nv = detail::nv<Chain>;
   const std::size_t n = detail::states_in(q, nq, "q");
@@ -111,7 +113,7 @@ void inverse_dynamics(const Chain& chain, const Q& q, const V& v, const A& a, Ta
 
 /// Accelerations a from q, v, tau; see `kte::forward_dynamics`.
 template <int W = 0, class Chain, class Q, class V, class Tau, class A, class Executor = in_this_thread,
-          class P = detail::pack_of<detail::number_in<Q>, W>>
+          class P = detail::pack_of<detail::number_in<Q>, W, 2>>
 void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau, A&& a, Executor&& executor = {}) {
   constexpr std::size_t nq = detail::nq<Chain>, nv = detail::nv<Chain>;
   const std::size_t n = detail::states_in(q, nq, "q");
@@ -124,7 +126,7 @@ void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau
 /// Mass matrices M, all n^2 numbers of each, from q; see `kte::mass_matrix`. They are symmetric, so by columns or rows
 /// is the same.
 template <int W = 0, class Chain, class Q, class M, class Executor = in_this_thread,
-          class P = detail::pack_of<detail::number_in<Q>, W>>
+          class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
   constexpr std::size_t nq = detail::nq<Chain>, nv = detail::nv<Chain>;
   const std::size_t n = detail::states_in(q, nq, "q");

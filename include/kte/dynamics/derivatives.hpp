@@ -9,15 +9,10 @@
 namespace kte {
 
 namespace detail {
-/// Whether the derivatives of a chain are known element by element: joints, links and bodies, and elements on
-/// coordinates.
+/// Whether the derivatives of a chain are known element by element.
 template <class Chain>
 inline constexpr bool is_analytical = is_tree_of_joints<Chain>&&[]<std::size_t... I>(std::index_sequence<I...>) {
-  const auto known = []<class Core>(std::type_identity<Core>) {
-    return is_transmission<Core> || is_on_coordinates<Core> || has_mass<Core, double> ||
-           Core::ports[0].how == access::base;
-  };
-  const bool all_known[]{known(std::type_identity<typename Chain::template core_type<I>>{})..., true};
+  const bool all_known[]{has_derivatives<typename Chain::template core_type<I>>..., true};
   for (const bool k : all_known)
     if (!k) return false;
   return true;
@@ -29,12 +24,16 @@ template <class S, class Chain, class At, class Base, class Q, class V, class A>
 KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v, const A& a) {
   inverse_dynamics_result<S, Chain::dofs> r;
   if constexpr (is_analytical<Chain>) {
-    r.by_q.setZero(), r.by_v.setZero(), r.by_a.setZero();
     const given g{at, each<S, V>{v}, each<S, A>{a}, base};
-    using given_type = std::remove_const_t<decltype(g)>;
-    const local_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
-    coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
-    r.tau = forces_of<S>(pass, minus_one);
+    if constexpr (is_unrolled<Chain, S>) {
+      r.by_q.setZero(), r.by_v.setZero(), r.by_a.setZero();
+      using given_type = std::remove_const_t<decltype(g)>;
+      const local_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
+      coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
+      r.tau = forces_of<S>(pass, minus_one);
+    } else {
+      stored_derivatives<S>(c, g, r);
+    }
   } else {
     dual_derivatives<S>(c, base, q, v, a, r);
     r.by_a = local_mass_matrix<S>(c, at, base);
@@ -49,8 +48,7 @@ template <class S, int N>
 KTE_INLINE auto inverted(const joint_vector<S, N>& a, inverse_dynamics_result<S, N>& r) {
   Eigen::Matrix<S, N, 3 * N, Eigen::RowMajor> b;
   b << -r.by_q, -r.by_v, joint_matrix<S, N>::Identity();
-  if (!factorise(r.by_a)) [[unlikely]]
-    raise<singular_mass_matrix>("kte: the mass matrix is not positive definite: a coordinate moves no mass of its own");
+  factorise_mass(r.by_a);
   substitute_rows(r.by_a, b);
   return forward_dynamics_result<S, N>{a, b.template leftCols<N>(), b.template middleCols<N>(N),
                                        b.template rightCols<N>()};

@@ -8,7 +8,17 @@
 namespace kte {
 
 namespace detail {
-/// By articulated bodies (ABA) where the chain is a tree of joints, otherwise by the factorised mass matrix.
+/// By articulated bodies (ABA).
+template <class S, int N, class Chain, class Given>
+KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const joint_vector<S, N>& tau,
+                                          joint_vector<S, N>& a) {
+  if constexpr (is_unrolled<Chain, S>) {
+    local_articulated<S, Chain, Given>(c, g).accelerate(tau, a);
+  } else {
+    a = stored_accelerations<S>(c, g, tau);
+  }
+}
+/// By articulated bodies where the chain is a tree of joints, otherwise by the factorised mass matrix.
 template <class S, class Chain, class At, class V, class Base>
 KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, const Base& base,
                                     const joint_vector<S, Chain::dofs>& tau) {
@@ -16,7 +26,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   joint_vector<S, Chain::dofs> a;
   if constexpr (is_tree_of_joints<Chain>) {
     const given<At, V, same<zero_t>, Base, true> g{at, v, {}, base};
-    local_articulated<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate(tau, a);
+    articulated_accelerations(c, g, tau, a);
   } else {
     a = tau + coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = local_mass_matrix<S>(c, at, base);

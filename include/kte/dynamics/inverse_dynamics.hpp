@@ -2,6 +2,7 @@
 
 #include <kte/chain/transmission.hpp>
 #include <kte/dynamics/detail/given.hpp>
+#include <kte/dynamics/detail/stored_dynamics.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
 namespace kte {
@@ -36,7 +37,11 @@ KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
 }
 template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
-  return forces_of<S>(local_pass<Chain, Given>(c, g), sign);
+  if constexpr (is_unrolled<Chain, S>) {
+    return forces_of<S>(local_pass<Chain, Given>(c, g), sign);
+  } else {
+    return stored_forces<S>(c, g, sign);
+  }
 }
 }  // namespace detail
 

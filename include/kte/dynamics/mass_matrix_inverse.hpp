@@ -19,16 +19,14 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
       }
     }();
     const given<At, same<zero_t>, same<zero_t>, std::remove_const_t<decltype(resting)>, true> g{at, {}, {}, resting};
-    local_articulated<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
+    if constexpr (is_unrolled<Chain, S>) {
+      local_articulated<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
+    } else {
+      m = stored_inverse_mass<S>(c, g);
+    }
   } else {
     auto factors = local_mass_matrix<S>(c, at, base);
-    m.setIdentity();
-    if (!factorise(factors)) [[unlikely]]
-      raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
-    for (int j = 0; j < Chain::dofs; ++j) {
-      auto column = m.col(j);
-      substitute(factors, column);
-    }
+    invert_by_factors(factors, m);
   }
   return m;
 }

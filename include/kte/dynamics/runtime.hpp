@@ -11,7 +11,7 @@ namespace kte {
 /// Inverse dynamics (RNEA) at the state's positions, rates and accelerations. As `inverse_dynamics` on a static chain.
 inline const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s) {
   detail::coordinate_forces(c, s);
-  detail::read_numbers<detail::vector_of::f>(s, s.work.forces);
+  detail::read_listed_numbers<detail::vector_of::f>(s, s.work.forces);
   s.work.forces = -s.work.forces;
   detail::check_finite(s.work.forces, static_cast<std::size_t>(s.dofs()),
                        "kte: a force is no finite number: an argument is none, or is too large");
@@ -28,7 +28,7 @@ const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s
 inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s) {
   c.check(s);
   detail::check_positions(s);
-  detail::mass_of_coordinates(c.wiring(), s);
+  detail::mass_of_coordinates(c, s);
   return s.work.mass;
 }
 /// The same at q, which is put into the state.

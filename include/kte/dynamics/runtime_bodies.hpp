@@ -46,7 +46,7 @@ inline double potential_energy(const kte_map_chain& c, runtime_state& s) {
   c.doMotion(s);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->potential_energy(s);
-  detail::mass_of_coordinates(c.wiring(), s);
+  detail::mass_of_coordinates(c, s);
   return detail::checked_energy<double>(sum - dot(c.gravity(), detail::weight_of(c.wiring(), s).moment));
 }
 inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
@@ -57,19 +57,19 @@ inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
 /// By composite inertias, with those of the mass matrix.
 inline mass_centre<> centre_of_mass(const kte_map_chain& c, runtime_state& s) {
   c.check(s), detail::check_positions(s);
-  detail::mass_of_coordinates(c.wiring(), s);
+  detail::mass_of_coordinates(c, s);
   const auto w = detail::weight_of(c.wiring(), s);
   return {w.mass, detail::divided_by_mass<double>(w.mass, w.moment)};
 }
 inline vec3<> centre_of_mass_velocity(const kte_map_chain& c, runtime_state& s) {
   c.check(s), detail::check_state_velocities(s);
-  detail::mass_of_coordinates(c.wiring(), s);
+  detail::mass_of_coordinates(c, s);
   return detail::divided_by_mass<double>(detail::weight_of(c.wiring(), s).mass,
                                          detail::momentum_of_coordinates(c.wiring(), s).force);
 }
 inline linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_state& s) {
   c.check(s), detail::check_state_velocities(s);
-  detail::mass_of_coordinates(c.wiring(), s);
+  detail::mass_of_coordinates(c, s);
   const auto w = detail::weight_of(c.wiring(), s);
   const auto h = detail::momentum_of_coordinates(c.wiring(), s);
   return detail::checked<double>(h.force, h.torque - cross(detail::divided_by_mass<double>(w.mass, w.moment), h.force));
@@ -77,26 +77,26 @@ inline linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_stat
 inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s) {
   c.check(s), detail::check_positions(s);
   const auto& t = c.wiring();
-  detail::mass_of_coordinates(t, s);
+  detail::mass_of_coordinates(c, s);
   const auto w = detail::weight_of(t, s);
   const vec3<> centre = detail::divided_by_mass<double>(w.mass, w.moment);
-  runtime_jacobian a = runtime_jacobian::Zero(6, s.work.coordinates);
-  detail::for_each_momentum(t, s, [&](int row, const wrench_3D& h) {
+  runtime_jacobian a = runtime_jacobian::Zero(6, s.plan.coordinates);
+  detail::for_each_momentum(t, s, [&](int row, const detail::dense_wrench<double>& h) {
     const vec3<> k = h.torque - cross(centre, h.force);
     a(0, row) += h.force.x, a(1, row) += h.force.y, a(2, row) += h.force.z;
     a(3, row) += k.x, a(4, row) += k.y, a(5, row) += k.z;
   });
-  if (s.work.coordinates == s.dofs()) return a;
+  if (s.plan.coordinates == s.dofs()) return a;
   runtime_jacobian folded(6, s.dofs());  // rows as forces, from followers to what they follow
   for (int i = 0; i < 6; ++i) {
-    detail::for_each_runtime_freedom(s, [&](auto& x, const detail::freedom& at) {
+    detail::for_each_listed_freedom(s, [&](auto& x, const detail::freedom& at) {
       int j = at.v;
       detail::visit_f(x, [&](double& f) { f = a(i, j++); });
     });
-    for (std::size_t g = 0; g < s.work.row_of_gen.size(); ++g)
-      s.get<kind::gen>(static_cast<int>(g)).f = a(i, s.work.row_of_gen[g]);
+    for (std::size_t g = 0; g < s.plan.row_of_gen.size(); ++g)
+      s.get<kind::gen>(static_cast<int>(g)).f = a(i, s.plan.row_of_gen[g]);
     detail::push_followers(t, s);
-    detail::read_numbers<detail::vector_of::f>(s, s.work.forces);
+    detail::read_listed_numbers<detail::vector_of::f>(s, s.work.forces);
     folded.row(i) = s.work.forces.transpose();
   }
   return folded;

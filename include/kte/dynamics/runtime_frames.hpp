@@ -28,8 +28,7 @@ auto with_motion(runtime_state& s, const runtime_frame& x, const F& f) {
 template <class X>
 void check_state(const runtime_state& s, const X& visit, const char* what) {
   bool finite = true;
-  for_each_runtime_freedom(s,
-                           [&](const auto& c, const freedom&) { visit(c, [&](double x) { finite &= x - x == 0; }); });
+  for_each_listed_freedom(s, [&](const auto& c, const freedom&) { visit(c, [&](double x) { finite &= x - x == 0; }); });
   if (!finite) throw bad_argument(what);
 }
 inline void check_state_velocities(const runtime_state& s) {
@@ -40,20 +39,20 @@ inline void check_state_velocities(const runtime_state& s) {
 
 /// Forces on followers, to what they follow.
 inline void push_followers(const topology& t, runtime_state& s) {
-  for (const int e : s.work.weights) {  // from the last to the first
+  for (const int e : s.plan.weights) {  // from the last to the first
     const auto& follower = t.elements[static_cast<std::size_t>(e)];
-    if (follower.ports.back().how == access::out) follower.element->push(s);
+    if (follower.ports.back().how == access::out) follower.element->perform(steps::push{}, s);
   }
 }
 /// A load of six numbers on a frame, felt by the coordinates: from the frame to its base by the elements between them,
 /// then from followers to what they follow. Leaves forces in the coordinates of the state.
-inline void transmit_load(const topology& t, runtime_state& s, const runtime_frame& x, const wrench_3D& load) {
-  auto& w = s.work;
-  for (std::size_t i = 0; i < w.row_of_gen.size(); ++i) s.get<kind::gen>(static_cast<int>(i)).f = 0;
-  for_each_runtime_freedom(s, [](auto& c, const freedom&) {
+inline void transmit_load(const topology& t, runtime_state& s, const runtime_frame& x,
+                          const dense_wrench<double>& load) {
+  for (std::size_t i = 0; i < s.plan.row_of_gen.size(); ++i) s.get<kind::gen>(static_cast<int>(i)).f = 0;
+  for_each_listed_freedom(s, [](auto& c, const freedom&) {
     if constexpr (requires { clear_load(c); }) clear_load(c);
   });
-  const auto load_on = [&w](kind k, int i) -> wrench_3D& {
+  const auto load_on = [&w = s.work](kind k, int i) -> dense_wrench<double>& {
     return (k == kind::frame_2D ? w.frames.get<kind::frame_2D>(i) : w.frames.get<kind::frame_3D>(i)).load;
   };
   load_on(x.what, x.index) = load;
@@ -64,7 +63,7 @@ inline void transmit_load(const topology& t, runtime_state& s, const runtime_fra
     const std::size_t base = mover.index.size() - 2;
     k = mover.ports[base].what, i = mover.index[base];
     load_on(k, i) = {};
-    mover.element->push(s);
+    mover.element->perform(steps::push{}, s);
   }
   push_followers(t, s);
 }
@@ -138,8 +137,8 @@ inline runtime_jacobian jacobian_by_rows(const kte_map_chain& c, runtime_state& 
   const vec3<> unit[]{columns_of_axes.x, columns_of_axes.y, columns_of_axes.z};
   runtime_jacobian j(6, s.dofs());
   for (int i = 0; i < 6; ++i) {
-    transmit_load(c.wiring(), s, x, i < 3 ? wrench_3D{unit[i], {}} : wrench_3D{{}, unit[i - 3]});
-    read_numbers<vector_of::f>(s, s.work.forces);
+    transmit_load(c.wiring(), s, x, i < 3 ? dense_wrench<double>{unit[i], {}} : dense_wrench<double>{{}, unit[i - 3]});
+    read_listed_numbers<vector_of::f>(s, s.work.forces);
     j.row(i) = s.work.forces.transpose();
   }
   return j;

@@ -7,34 +7,10 @@
 namespace kte {
 
 namespace detail {
-/// visit(coordinate, freedom) for the coordinates of a state that are degrees of freedom.
-template <class State, class Visit>
-void for_each_runtime_freedom(State& s, const Visit& visit) {
-  for (const auto& f : s.made_for()->free) switch (f.what) {
-      case kind::gen:
-        visit(s.template get<kind::gen>(f.slot), f);
-        break;
-      case kind::rotation_3D:
-        visit(s.template get<kind::rotation_3D>(f.slot), f);
-        break;
-      case kind::pose_2D:
-        visit(s.template get<kind::pose_2D>(f.slot), f);
-        break;
-      default:
-        visit(s.template get<kind::pose_3D>(f.slot), f);
-    }
-}
-template <vector_of Which>
-void read_numbers(const runtime_state& s, Eigen::VectorXd& x) {
-  for_each_runtime_freedom(s, [&x](const auto& c, const freedom& at) {
-    auto i = begin_of<Which>(at);
-    visit_numbers<Which>(c, [&](double number) { x[Eigen::Index(i++)] = number; });
-  });
-}
 template <vector_of Which>
 Eigen::VectorXd read_numbers(const runtime_state& s) {
   Eigen::VectorXd x(Which == vector_of::q ? s.nq() : s.dofs());
-  read_numbers<Which>(s, x);
+  read_listed_numbers<Which>(s, x);
   return x;
 }
 template <vector_of Which, indexable X>
@@ -43,7 +19,7 @@ void write_numbers(runtime_state& s, const X& x, const char* name) {
     check_configuration(s.nq(), s.dofs(), x);
   else
     check_size(static_cast<std::size_t>(s.dofs()), x, name);
-  for_each_runtime_freedom(s, [&x](auto& c, const freedom& at) {
+  for_each_listed_freedom(s, [&x](auto& c, const freedom& at) {
     auto i = begin_of<Which>(at);
     visit_numbers<Which>(c, [&](double& number) { number = static_cast<double>(x[i++]); });
   });

@@ -20,6 +20,23 @@ KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
   };
   all(std::make_index_sequence<wiring::freedoms>{});
 }
+/// The same in a loop, for states that list their `freedoms()`.
+template <class State, class Visit>
+void for_each_listed_freedom(State& s, const Visit& visit) {
+  for (const freedom& f : s.freedoms()) switch (f.what) {
+      case kind::gen:
+        visit(s.template get<kind::gen>(f.slot), f);
+        break;
+      case kind::rotation_3D:
+        visit(s.template get<kind::rotation_3D>(f.slot), f);
+        break;
+      case kind::pose_2D:
+        visit(s.template get<kind::pose_2D>(f.slot), f);
+        break;
+      default:
+        visit(s.template get<kind::pose_3D>(f.slot), f);
+    }
+}
 /// q has as many numbers as a configuration: one a degree of freedom, but for rotations in space.
 template <indexable Q>
 constexpr void check_configuration(int nq, int dofs, const Q& q) {
@@ -55,6 +72,13 @@ KTE_INLINE auto read_numbers(const chain_state<S, W>& s) {
     visit_numbers<Which>(c, [&](const auto& number) KTE_INLINE_LAMBDA { x[Eigen::Index(i++)] = number; });
   });
   return x;
+}
+template <vector_of Which, class State, class X>
+void read_listed_numbers(const State& s, X& x) {
+  for_each_listed_freedom(s, [&x](const auto& c, const freedom& at) {
+    auto i = begin_of<Which>(at);
+    visit_numbers<Which>(c, [&](const auto& number) { x[Eigen::Index(i++)] = number; });
+  });
 }
 template <vector_of Which, class State, class X>
 KTE_INLINE constexpr void write_numbers(State& s, const X& x) {

@@ -56,12 +56,32 @@ KTE_INLINE void substitute_rows(const Matrix& m, Rows& b) {
   substitute_each(m, [&b](Eigen::Index i) KTE_INLINE_LAMBDA { return b.row(i); });
 }
 
-/// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws `singular_mass_matrix`
-/// where a coordinate moves no mass, or only what others move too; and `bad_argument` for NaN.
+[[noreturn]] inline void raise_singular_mass_matrix() {
+  raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
+}
+/// Factorises a mass matrix. Throws `singular_mass_matrix` where a coordinate moves no mass, or only what others move
+/// too.
+template <class Matrix>
+KTE_INLINE void factorise_mass(Matrix& m) {
+  if (!factorise(m)) [[unlikely]]
+    raise_singular_mass_matrix();
+}
+/// M^-1; M is used up.
+template <class Matrix, class Inverse>
+KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse) {
+  factorise_mass(m);
+  inverse.setIdentity();
+  for (Eigen::Index j = 0; j < inverse.cols(); ++j) {
+    auto column = inverse.col(j);
+    substitute(m, column);
+  }
+}
+
+/// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws as
+/// `factorise_mass`, and `bad_argument` for NaN.
 template <class Matrix, class Vector>
 KTE_INLINE void solve_in_place(Matrix& m, Vector& b) {
-  if (!factorise(m)) [[unlikely]]
-    raise<singular_mass_matrix>("kte: the mass matrix is not positive definite: a coordinate moves no mass of its own");
+  factorise_mass(m);
   substitute(m, b);
   check_finite(b, static_cast<std::size_t>(m.rows()), "kte: an acceleration is no finite number: an argument is none");
 }

@@ -3,7 +3,6 @@
 #include <kte/math/detail/pack_registers.hpp>
 
 #include <cstring>
-#include <functional>
 #include <utility>
 
 /// N numbers that go through the same arithmetic at once: a scalar type for the templates of this library. A static
@@ -36,26 +35,26 @@ class pack_mask {
   template <std::size_t... I>
   KTE_INLINE static pack_mask both(const pack_mask& a, const pack_mask& b, std::index_sequence<I...>) {
     pack_mask r;
-    ((r.m_[I] = detail::both(a.m_[I], b.m_[I])), ...);
+    ((r.m_[I] = reg::both(a.m_[I], b.m_[I])), ...);
     return r;
   }
   template <std::size_t... I>
   KTE_INLINE static pack_mask either(const pack_mask& a, const pack_mask& b, std::index_sequence<I...>) {
     pack_mask r;
-    ((r.m_[I] = detail::either(a.m_[I], b.m_[I])), ...);
+    ((r.m_[I] = reg::either(a.m_[I], b.m_[I])), ...);
     return r;
   }
   template <std::size_t... I>
   KTE_INLINE static pack_mask none(const pack_mask& a, std::index_sequence<I...>) {
     pack_mask r;
-    ((r.m_[I] = detail::negated(a.m_[I])), ...);
+    ((r.m_[I] = reg::negated(a.m_[I])), ...);
     return r;
   }
   template <std::size_t... I>
   KTE_INLINE static bool all_of(const pack_mask& a, std::index_sequence<I...>) {
-    return (detail::all_in(a.m_[I]) && ...);
+    return (reg::in_all(a.m_[I]) && ...);
   }
-  std::array<typename reg::mask, count> m_;
+  typename reg::mask m_[count];
 };
 
 /// N floats or doubles, N a power of two. It converts from any number, so that `2 * x` and `x + 0.5` work; with floats,
@@ -71,6 +70,7 @@ class pack {
  public:
   using value_type = T;
   using mask = pack_mask<T, N, Arch>;
+  using register_functions = reg;
   using register_type = typename reg::type;
   using register_bits = typename reg::bits;
   using registers = std::make_index_sequence<count>;
@@ -86,7 +86,7 @@ class pack {
   }
   /// The same number in all lanes.
   template <class U>
-  requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) { b_.fill(register_type(static_cast<T>(x))); }
+  requires std::is_arithmetic_v<U> KTE_INLINE explicit(false) pack(U x) { fill(static_cast<T>(x), registers{}); }
 
   /// N numbers, one after the other, anywhere in memory.
   KTE_INLINE static pack load(const T* p) { return load(p, registers{}); }
@@ -99,27 +99,22 @@ class pack {
   }
   KTE_INLINE void set(std::size_t i, T x) { std::memcpy(reinterpret_cast<char*>(&b_) + i * sizeof(T), &x, sizeof(T)); }
 
-  KTE_INLINE friend pack operator+(const pack& a, const pack& b) { return map(std::plus<>{}, a, b, registers{}); }
-  KTE_INLINE friend pack operator-(const pack& a, const pack& b) { return map(std::minus<>{}, a, b, registers{}); }
-  KTE_INLINE friend pack operator*(const pack& a, const pack& b) { return map(std::multiplies<>{}, a, b, registers{}); }
-  KTE_INLINE friend pack operator/(const pack& a, const pack& b) { return map(std::divides<>{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator+(const pack& a, const pack& b) { return map(detail::plus{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator-(const pack& a, const pack& b) { return map(detail::minus{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator*(const pack& a, const pack& b) { return map(detail::times{}, a, b, registers{}); }
+  KTE_INLINE friend pack operator/(const pack& a, const pack& b) { return map(detail::over{}, a, b, registers{}); }
   KTE_INLINE friend pack operator+(const pack& a) { return a; }
-  /// Not by xor, as xsimd does it: compilers do not see through that, and -a * b + c would not become one instruction.
-  KTE_INLINE friend pack operator-(const pack& a) { return pack(T(-0.0)) - a; }
+  KTE_INLINE friend pack operator-(const pack& a) { return map(detail::negative{}, a, registers{}); }
   KTE_INLINE pack& operator+=(const pack& b) { return *this = *this + b; }
   KTE_INLINE pack& operator-=(const pack& b) { return *this = *this - b; }
   KTE_INLINE pack& operator*=(const pack& b) { return *this = *this * b; }
   KTE_INLINE pack& operator/=(const pack& b) { return *this = *this / b; }
 
-  KTE_INLINE friend mask operator<(const pack& a, const pack& b) { return compare(std::less<>{}, a, b, registers{}); }
-  KTE_INLINE friend mask operator<=(const pack& a, const pack& b) {
-    return compare(std::less_equal<>{}, a, b, registers{});
-  }
+  KTE_INLINE friend mask operator<(const pack& a, const pack& b) { return less(a, b, registers{}); }
+  KTE_INLINE friend mask operator<=(const pack& a, const pack& b) { return less_equal(a, b, registers{}); }
   KTE_INLINE friend mask operator>(const pack& a, const pack& b) { return b < a; }
   KTE_INLINE friend mask operator>=(const pack& a, const pack& b) { return b <= a; }
-  KTE_INLINE friend mask operator==(const pack& a, const pack& b) {
-    return compare(std::equal_to<>{}, a, b, registers{});
-  }
+  KTE_INLINE friend mask operator==(const pack& a, const pack& b) { return equal(a, b, registers{}); }
   KTE_INLINE friend mask operator!=(const pack& a, const pack& b) { return !(a == b); }  // true for NaN, as it should
 
   /// a in the lanes where the condition holds, b in the others.
@@ -140,6 +135,10 @@ class pack {
   KTE_INLINE void copy(const pack& x, std::index_sequence<I...>) {
     ((b_[I] = x.b_[I]), ...);
   }
+  template <std::size_t... I>
+  KTE_INLINE void fill(T x, std::index_sequence<I...>) {
+    ((b_[I] = reg::of(x)), ...);
+  }
   template <class F, std::size_t... I>
   KTE_INLINE static pack map(const F& f, const pack& a, std::index_sequence<I...>) {
     pack r;
@@ -152,29 +151,41 @@ class pack {
     ((r.b_[I] = f(a.b_[I], b.b_[I])), ...);
     return r;
   }
-  template <class F, std::size_t... I>
-  KTE_INLINE static mask compare(const F& f, const pack& a, const pack& b, std::index_sequence<I...>) {
+  template <std::size_t... I>
+  KTE_INLINE static mask less(const pack& a, const pack& b, std::index_sequence<I...>) {
     mask r;
-    ((r.m_[I] = f(a.b_[I], b.b_[I])), ...);
+    ((r.m_[I] = reg::less(a.b_[I], b.b_[I])), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE static mask less_equal(const pack& a, const pack& b, std::index_sequence<I...>) {
+    mask r;
+    ((r.m_[I] = reg::less_equal(a.b_[I], b.b_[I])), ...);
+    return r;
+  }
+  template <std::size_t... I>
+  KTE_INLINE static mask equal(const pack& a, const pack& b, std::index_sequence<I...>) {
+    mask r;
+    ((r.m_[I] = reg::equal(a.b_[I], b.b_[I])), ...);
     return r;
   }
   template <std::size_t... I>
   KTE_INLINE static pack chosen(const mask& m, const pack& a, const pack& b, std::index_sequence<I...>) {
     pack r;
-    ((r.b_[I] = detail::chosen(m.m_[I], a.b_[I], b.b_[I])), ...);
+    ((r.b_[I] = reg::chosen(m.m_[I], a.b_[I], b.b_[I])), ...);
     return r;
   }
   template <std::size_t... I>
   KTE_INLINE static pack load(const T* p, std::index_sequence<I...>) {
     pack r;
-    ((r.b_[I] = reg::load(p + I * reg::lanes)), ...);
+    (std::memcpy(&r.b_[I], p + I * reg::lanes, sizeof(register_type)), ...);
     return r;
   }
   template <std::size_t... I>
   KTE_INLINE void store(T* p, std::index_sequence<I...>) const {
-    (reg::store(p + I * reg::lanes, b_[I]), ...);
+    (std::memcpy(p + I * reg::lanes, &b_[I], sizeof(register_type)), ...);
   }
-  std::array<register_type, count> b_;
+  register_type b_[count];
 };
 
 }  // namespace kte

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <concepts>
 #include <limits>
 
 /// Functions of packs, and what std and Eigen want to know of them.
@@ -13,11 +14,11 @@ namespace kte {
 
 template <class T, int N, class A>
 KTE_INLINE pack<T, N, A> sqrt(const pack<T, N, A>& x) {
-  return x.map([](const auto& a) KTE_INLINE_LAMBDA { return detail::root(a); }, x);
+  return x.map([](const auto& a) KTE_INLINE_LAMBDA { return pack<T, N, A>::register_functions::root(a); }, x);
 }
 template <class T, int N, class A>
 KTE_INLINE pack<T, N, A> abs(const pack<T, N, A>& x) {
-  return x.map([](const auto& a) KTE_INLINE_LAMBDA { return detail::magnitude(a); }, x);
+  return x.map([](const auto& a) KTE_INLINE_LAMBDA { return pack<T, N, A>::register_functions::magnitude(a); }, x);
 }
 template <class T, int N, class A>
 KTE_INLINE pack<T, N, A> fabs(const pack<T, N, A>& x) {
@@ -36,10 +37,10 @@ KTE_INLINE pack<T, N, A> max(const pack<T, N, A>& a, const pack<T, N, A>& b) {
 namespace detail {
 
 /// c[0] z^n + ... + c[n]
-template <class R, class... C>
-KTE_INLINE R horner(const R& z, const R& first, C... c) {
-  R sum = first;
-  ((sum = sum * z + R(c)), ...);
+template <class R, class T, std::same_as<T>... C>
+KTE_INLINE R horner(const R& z, T first, T second, C... c) {
+  R sum = z * first + second;
+  ((sum = sum * z + c), ...);
   return sum;
 }
 
@@ -54,12 +55,12 @@ struct sincos_numbers<double> {
                                     6.07710050630396597660e-11, 2.02226624879595063154e-21};
   template <class R>
   KTE_INLINE static R p(const R& z) {
-    return horner(z, R(1.58962301576546568060e-10), -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+    return horner(z, 1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
                   -1.98412698295895385996e-4, 8.33333333332211858878e-3, -1.66666666666666307295e-1);
   }
   template <class R>
   KTE_INLINE static R q(const R& z) {
-    return horner(z, R(-1.13585365213876817300e-11), 2.08757008419747316778e-9, -2.75573141792967388112e-7,
+    return horner(z, -1.13585365213876817300e-11, 2.08757008419747316778e-9, -2.75573141792967388112e-7,
                   2.48015872888517045348e-5, -1.38888888888730564116e-3, 4.16666666666665929218e-2);
   }
 };
@@ -70,11 +71,11 @@ struct sincos_numbers<float> {
   static constexpr float half_pi[]{1.5703125f, 4.837512969970703125e-4f, 7.54978995489188216e-8f};  // 8, 11, 24 bits
   template <class R>
   KTE_INLINE static R p(const R& z) {
-    return horner(z, R(-1.9515295891e-4f), 8.3321608736e-3f, -1.6666654611e-1f);
+    return horner(z, -1.9515295891e-4f, 8.3321608736e-3f, -1.6666654611e-1f);
   }
   template <class R>
   KTE_INLINE static R q(const R& z) {
-    return horner(z, R(2.443315711809948e-5f), -1.388731625493765e-3f, 4.166664568298827e-2f);
+    return horner(z, 2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f);
   }
 };
 
@@ -84,17 +85,21 @@ KTE_INLINE void reduced_sincos(const Register& x, Register& sine, Register& cosi
   using R = Register;
   using numbers = sincos_numbers<T>;
   constexpr int to_sign = sizeof(T) * 8 - 2;
-  const R shifted = x * R(T(0.63661977236758134308)) + R(numbers::to_integer);
-  const Bits k = std::bit_cast<Bits>(shifted);
-  const R n = shifted - R(numbers::to_integer);
-  const R r = ((x - n * R(numbers::half_pi[0])) - n * R(numbers::half_pi[1])) - n * R(numbers::half_pi[2]);
+  const R shifted = x * T(0.63661977236758134308) + numbers::to_integer;
+  const Bits k = __builtin_bit_cast(Bits, shifted);
+  const R n = shifted - numbers::to_integer;
+  const R r = ((x - n * numbers::half_pi[0]) - n * numbers::half_pi[1]) - n * numbers::half_pi[2];
   const R z = r * r;
-  const Bits s = std::bit_cast<Bits>(R(numbers::p(z) * (z * r) + r));
-  const Bits c = std::bit_cast<Bits>(R((numbers::q(z) * z - R(T(0.5))) * z + R(T(1))));
-  const Bits one(bits_of<T>{1}), sign(bits_of<T>{1} << (to_sign + 1));
-  const Bits exchange = (s ^ c) & (Bits(bits_of<T>{0}) - (k & one));  // all of it for odd k, else nothing
-  sine = std::bit_cast<R>(Bits(s ^ exchange ^ (shifted_left(k, to_sign) & sign)));
-  cosine = std::bit_cast<R>(Bits(c ^ exchange ^ (shifted_left(k + one, to_sign) & sign)));
+  const R sine_of_r = numbers::p(z) * (z * r) + r;
+  const R cosine_of_r = (numbers::q(z) * z - T(0.5)) * z + T(1);
+  const Bits s = __builtin_bit_cast(Bits, sine_of_r);
+  const Bits c = __builtin_bit_cast(Bits, cosine_of_r);
+  constexpr bits_of<T> one = 1, sign = one << (to_sign + 1);
+  const Bits exchange = (s ^ c) & -(k & one);  // all of it for odd k, else nothing
+  const Bits sine_bits = s ^ exchange ^ ((k << to_sign) & sign);
+  const Bits cosine_bits = c ^ exchange ^ (((k + one) << to_sign) & sign);
+  sine = __builtin_bit_cast(R, sine_bits);
+  cosine = __builtin_bit_cast(R, cosine_bits);
 }
 
 /// The lanes that are too large for it, infinite or NaN. The other lanes stay as they are: a state must not depend on

@@ -70,7 +70,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
  private:
   KTE_INLINE void check_good() const {
     if (!good_) [[unlikely]]
-      raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
+      raise_singular_mass_matrix();
   }
   /// The columns of joint I.
   template <std::size_t I, class Matrix>
@@ -112,19 +112,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   }
   template <std::size_t I, class W>
   KTE_INLINE void load_further(const W& load) {
-    constexpr int n = yields_axes<I>;
-    if constexpr (is_unrolled<Chain>) {
-      load_down<I>(load, std::array<S, std::size_t{n}>{});
-    } else {
-      load_apart<I>({as<S>(load.force), as<S>(load.torque)});
-    }
+    load_down<I>(load, std::array<S, std::size_t{yields<I> ? joint_dofs<core_t<I>> : 0}>{});
   }
-  template <std::size_t I>
-  [[gnu::noinline]] void load_apart(const wrench<vec3<S>, vec3<S>>& load) {
-    load_down<I>(load, std::array<S, std::size_t{yields_axes<I>}>{});
-  }
-  template <std::size_t I>
-  static constexpr int yields_axes = yields<I> ? joint_dofs<core_t<I>> : 0;
   template <class Matrix, std::size_t... F>
   KTE_INLINE void masses_inverted(Matrix& m, std::index_sequence<F...>) {
     const int done[]{(mass_inverted<F>(m), 0)..., 0};
@@ -246,21 +235,6 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   /// What the end of element I carries, seen from its base.
   template <std::size_t I>
   KTE_INLINE constexpr auto through() {
-    if constexpr (is_unrolled<Chain>) {
-      return through_here<I>();
-    } else {
-      return through_apart<I>();
-    }
-  }
-  using dense_burden = burden<articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>, wrench<vec3<S>, vec3<S>>>;
-  template <std::size_t I>
-  [[gnu::noinline]] dense_burden through_apart() {
-    const auto b = through_here<I>();
-    return {{as<S>(b.inertia.linear), as<S>(b.inertia.coupling), as<S>(b.inertia.angular)},
-            {as<S>(b.load.force), as<S>(b.load.torque)}};
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto through_here() {
     const auto b = carried<types::template output_kind<I>, types::template output_slot<I>>();
     if constexpr (yields<I>) {
       constexpr kind k = kind_of<I>;
@@ -288,17 +262,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   }
   template <std::size_t I, class A>
   KTE_INLINE constexpr void accelerate(const A& base) {
-    if constexpr (!stiff<I>) {
-      return;
-    } else if constexpr (is_unrolled<Chain>) {
-      accelerate_one<I>(base);
-    } else {
-      accelerate_apart<I>({as<S>(base.linear), as<S>(base.angular)});
-    }
-  }
-  template <std::size_t I>
-  [[gnu::noinline]] void accelerate_apart(const acceleration<vec3<S>, vec3<S>>& base) {
-    accelerate_one<I>(base);
+    if constexpr (stiff<I>) accelerate_one<I>(base);
   }
   template <std::size_t I, class A>
   KTE_INLINE constexpr void accelerate_one(const A& base) {

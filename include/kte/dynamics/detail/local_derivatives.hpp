@@ -86,22 +86,6 @@ class local_derivatives : local_pass<Chain, Given> {
   }
   template <std::size_t I>
   KTE_INLINE constexpr auto part() {
-    if constexpr (is_unrolled<Chain> || !is_transmission<core_t<I>>) {
-      return part_here<I>();
-    } else {
-      return part_apart<I>();
-    }
-  }
-  using vector = vec3<S>;
-  using dense_body = turning_body<composite<S, vector, sym3<S>>, gyration<mat3<vector>, mat3<vector>>>;
-  template <std::size_t I>
-  [[gnu::noinline]] dense_body part_apart() {
-    const auto b = part_here<I>();
-    return {{as<S>(b.inertia.mass), as<S>(b.inertia.moment), as<S>(b.inertia.inertia)},
-            {as<S>(b.gyration.force), as<S>(b.gyration.torque)}};
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto part_here() {
     if constexpr (is_transmission<core_t<I>>) {
       const auto c = carried<frame_kind<I>, types::template output_slot<I>>();
       repeat<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { own<I, N>(c); });
@@ -156,18 +140,8 @@ class local_derivatives : local_pass<Chain, Given> {
         const auto m = power(s, y.to_acceleration);
         put(by_a_, i, j, m), put(by_a_, j, i, m);
       });
-      if constexpr (is_unrolled<Chain>) {
-        down<b>(q, v, y, j);
-      } else {
-        const auto dense = [](const auto& w) { return wrench<vector, vector>{as<S>(w.force), as<S>(w.torque)}; };
-        down_apart<b>(dense(q), dense(v), {dense(y.to_acceleration), as<S>(y.to_rate)}, j);
-      }
+      down<b>(q, v, y, j);
     }
-  }
-  template <std::size_t I>
-  [[gnu::noinline]] void down_apart(const wrench<vector, vector>& by_q, const wrench<vector, vector>& by_v,
-                                    const sensitivity<vector, vector, vector>& z, int j) {
-    down<I>(by_q, by_v, z, j);
   }
 
   matrix& by_q_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/given.hpp>
+#include <kte/dynamics/detail/stored_dynamics.hpp>
 #include <kte/dynamics/detail/tree.hpp>
 #include <kte/kernels/joint.hpp>
 #include <kte/kernels/joint_vector.hpp>
@@ -20,8 +21,6 @@ class local_mass {
  public:
   static constexpr int coordinates = wiring::dofs + wiring::count(kind::gen) - wiring::gen_dofs;
   using matrix_type = joint_matrix<S, coordinates>;
-  using dense_wrench = wrench<vec3<S>, vec3<S>>;
-  using dense_composite = composite<S, vec3<S>, sym3<S>>;
 
   KTE_INLINE local_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
     M.setZero();
@@ -75,19 +74,6 @@ class local_mass {
   /// The part of it that comes through element I.
   template <std::size_t I>
   KTE_INLINE constexpr auto part() {
-    if constexpr (is_unrolled<Chain>) {
-      return part_here<I>();
-    } else {
-      return part_apart<I>();
-    }
-  }
-  template <std::size_t I>
-  [[gnu::noinline]] dense_composite part_apart() {
-    const auto c = part_here<I>();
-    return {as<S>(c.mass), as<S>(c.moment), as<S>(c.inertia)};
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto part_here() {
     if constexpr (has_mass<core_t<I>, S>) {
       return chain_.template core<I>().template mass<S>();
     } else if constexpr (is_transmission<core_t<I>>) {
@@ -99,8 +85,6 @@ class local_mass {
       const auto x = pose<I>();
       return transported(x.rotation, x.position, c);
     } else {
-      static_assert(!has_output<core_t<I>>,
-                    "kte: the mass matrix needs elements that move frames to be a kte::transmission");
       return no_mass;
     }
   }
@@ -127,16 +111,8 @@ class local_mass {
         for_each_axis<std::size_t{below}>([&]<int N>() KTE_INLINE_LAMBDA {
           put(row_of<std::size_t{below}> + N, column, power(axis<std::size_t{below}, N>(), w));
         });
-      if constexpr (is_unrolled<Chain>) {
-        down<std::size_t{below}>(w, column);
-      } else {
-        down_apart<std::size_t{below}>({as<S>(w.force), as<S>(w.torque)}, column);
-      }
+      down<std::size_t{below}>(w, column);
     }
-  }
-  template <std::size_t I>
-  [[gnu::noinline]] void down_apart(const dense_wrench& at_end, int column) {
-    down<I>(at_end, column);
   }
   /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
   template <class T>
@@ -202,13 +178,19 @@ KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Bas
   at.check();
   const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};
-  using mass_type = local_mass<S, Chain, std::remove_const_t<decltype(g)>>;
-  typename mass_type::matrix_type m;
-  mass_type(c, g, m);
-  if constexpr (mass_type::coordinates == Chain::dofs) {
-    return m;
+  static_assert(moves_frames_stiffly<Chain>,
+                "kte: the mass matrix needs elements that move frames to be a kte::transmission");
+  if constexpr (is_unrolled<Chain, S>) {
+    using mass_type = local_mass<S, Chain, std::remove_const_t<decltype(g)>>;
+    typename mass_type::matrix_type m;
+    mass_type(c, g, m);
+    if constexpr (mass_type::coordinates == Chain::dofs) {
+      return m;
+    } else {
+      return joint_matrix<S, Chain::dofs>(m.template block<Chain::dofs, Chain::dofs>(0, 0));
+    }
   } else {
-    return joint_matrix<S, Chain::dofs>(m.template block<Chain::dofs, Chain::dofs>(0, 0));
+    return stored_mass_matrix<S>(c, g);
   }
 }
 

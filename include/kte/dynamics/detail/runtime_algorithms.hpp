@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/chain/kte_map_chain.hpp>
+#include <kte/dynamics/detail/stored_algorithms.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
-#include <kte/kernels/solve.hpp>
 
 /// The algorithms on runtime chains: loops over elements, which do their part in the working memory of a state.
 namespace kte {
@@ -11,7 +11,7 @@ namespace detail {
 
 inline void check_positions(const runtime_state& s) {
   bool finite = true, turned = true;
-  for_each_runtime_freedom(s, [&](const auto& c, const freedom&) {
+  for_each_listed_freedom(s, [&](const auto& c, const freedom&) {
     visit_q(c, [&finite](double x) { finite &= x - x == 0; });
     if constexpr (requires { c.rotation; }) {
       const double n = dot(c.rotation, c.rotation);
@@ -25,10 +25,11 @@ inline void check_positions(const runtime_state& s) {
 /// Sines, cosines and matrices of the coordinates.
 inline void update_angles(runtime_state& s) {
   auto& w = s.work;
-  for (std::size_t i = 0; i < w.angles.size(); ++i) w.angle[i] = s.get<kind::gen>(w.angles[i]).q;
+  const auto& angles = s.plan.angles;
+  for (std::size_t i = 0; i < angles.size(); ++i) w.angle[i] = s.get<kind::gen>(angles[i]).q;
   sincos_each(w.angle.data(), w.sine.data(), w.cosine.data(), w.angle.size());
-  for (std::size_t i = 0; i < w.angles.size(); ++i) {
-    auto& c = s.get<kind::gen>(w.angles[i]);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    auto& c = s.get<kind::gen>(angles[i]);
     c.sin = w.sine[i], c.cos = w.cosine[i];
   }
   const auto& t = *s.made_for();
@@ -40,16 +41,16 @@ inline void update_angles(runtime_state& s) {
   // given from outside, by base_gen
   const auto& writers = t.writers[static_cast<std::size_t>(kind::gen)];
   for (std::size_t i = 0; i < writers.size(); ++i)
-    if (w.row_of_gen[i] >= t.nv && writers[i] < 0) update_angle(s.get<kind::gen>(static_cast<int>(i)));
+    if (s.plan.row_of_gen[i] >= t.nv && writers[i] < 0) update_angle(s.get<kind::gen>(static_cast<int>(i)));
 }
 
 /// Frames that no element writes, into the working memory; no forces anywhere.
 inline void start(runtime_state& s) {
-  for (std::size_t i = 0; i < s.work.row_of_gen.size(); ++i) s.get<kind::gen>(static_cast<int>(i)).f = 0;
-  for_each_runtime_freedom(s, [](auto& c, const freedom&) {
+  for (std::size_t i = 0; i < s.plan.row_of_gen.size(); ++i) s.get<kind::gen>(static_cast<int>(i)).f = 0;
+  for_each_listed_freedom(s, [](auto& c, const freedom&) {
     if constexpr (requires { clear_load(c); }) clear_load(c);
   });
-  for (const auto& base : s.work.bases) {
+  for (const auto& base : s.plan.bases) {
     const auto set = [&s, i = base.second]<kind K>(std::integral_constant<kind, K>) {
       const auto m = spatial(s.get<K>(i));
       s.work.frames.get<K>(i) = {
@@ -62,104 +63,82 @@ inline void start(runtime_state& s) {
   }
 }
 
-/// The forces of elements that read positions, by the full passes; those on frames are still to be added.
-inline void forces_by_positions(const kte_map_chain& c, runtime_state& s) {
-  c.doMotion(s);
-  c.clearForce(s);
-  for (const auto& e : c.wiring().elements)
-    if (e.element->reads_positions()) e.element->doForce(s);
-}
-inline void add_forces_by_positions(runtime_state& s) {
-  const auto add = [&s]<kind K>(std::integral_constant<kind, K>, std::size_t n) {
-    for (int i = 0; i < static_cast<int>(n); ++i) {
-      auto& load = s.work.frames.get<K>(i).load;
-      load = dense(load + load_of(s.get<K>(i)));
-    }
-  };
-  add(std::integral_constant<kind, kind::frame_2D>{}, s.work.frames.in_plane.size());
-  add(std::integral_constant<kind, kind::frame_3D>{}, s.work.frames.in_space.size());
-}
+/// The elements of a runtime chain, in the loops of dynamics/detail/stored_algorithms.hpp.
+struct runtime_elements {
+  const kte_map_chain& chain;
 
-/// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state.
+  template <class Step>
+  void forward(runtime_state& s) const {
+    const auto& elements = chain.wiring().elements;
+    if constexpr (Step::of == who::movers) {
+      for (const int e : s.plan.movers) elements[static_cast<std::size_t>(e)].element->perform(Step{}, s);
+    } else if constexpr (Step::of == who::weights) {
+      for (const int e : s.plan.weights) elements[static_cast<std::size_t>(e)].element->perform(Step{}, s);
+    } else {
+      for (const auto& e : elements) e.element->perform(Step{}, s);
+    }
+  }
+  template <class Step>
+  void backward(runtime_state& s) const {
+    const auto& elements = chain.wiring().elements;
+    if constexpr (Step::of == who::weights) {
+      forward<Step>(s);  // which are listed from the last
+    } else {
+      for (auto e = elements.rbegin(); e != elements.rend(); ++e) e->element->perform(Step{}, s);
+    }
+  }
+  template <class Step>
+  void down_from(int e, runtime_state& s) const {
+    const auto& elements = chain.wiring().elements;
+    for (; e >= 0; e = s.plan.places[static_cast<std::size_t>(e)].below)
+      elements[static_cast<std::size_t>(e)].element->perform(Step{}, s);
+  }
+  bool reads_positions() const { return chain.wiring().reads_positions; }
+};
+
+/// Inverse dynamics, into the state.
 inline void coordinate_forces(const kte_map_chain& c, runtime_state& s) {
   c.check(s);
-  const auto& elements = c.wiring().elements;
   update_angles(s);
   start(s);
-  if (s.work.reads_positions) forces_by_positions(c, s);
-  for (const int e : s.work.movers) elements[static_cast<std::size_t>(e)].element->move(s);
-  if (s.work.reads_positions) add_forces_by_positions(s);
-  for (auto e = elements.rbegin(); e != elements.rend(); ++e) e->element->push(s);
+  forces_on_coordinates(runtime_elements{c}, s);
 }
 
-/// The mass matrix over all coordinates (CRBA), into the working memory.
-inline void mass_of_coordinates(const topology& t, runtime_state& s) {
-  auto& w = s.work;
-  for (const auto& e : t.elements)
+/// The mass matrix, into the working memory.
+inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
+  for (const auto& e : c.wiring().elements)
     if (e.ports.back().how == access::out && !e.stiff && is_frame(e.ports.back().what))
       throw bad_argument("kte: the mass matrix needs joints and links, not " + e.element->record().type);
-  const bool followers = w.coordinates > t.nv;
-  auto& m = followers ? w.all : w.mass;
-  m.setZero();
-  w.carried.fill({});
   update_angles(s);
-  if (followers)
-    for (const int e : w.movers) t.elements[static_cast<std::size_t>(e)].element->update_coordinates(s);
-  for (auto e = t.elements.rbegin(); e != t.elements.rend(); ++e) e->element->carry(s);
-  for (Eigen::Index j = 0; j < m.cols(); ++j)
-    for (Eigen::Index i = 0; i < j; ++i) m(i, j) = m(j, i) = m(i, j) + m(j, i);
-  for (const int e : w.weights) t.elements[static_cast<std::size_t>(e)].element->carry_coordinate(s);
-  if (followers) w.mass = w.all.topLeftCorner(t.nv, t.nv);
+  mass_of_coordinates(runtime_elements{c}, s);
 }
 
-/// The articulated-body algorithm (ABA): forces into accelerations, in s.work.forces.
-template <class Tau>
-void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau& tau) {
-  auto& w = s.work;
-  const auto& elements = c.wiring().elements;
-  update_angles(s);
-  start(s);
-  if (w.reads_positions) forces_by_positions(c, s);
-  std::fill(w.own_mass.begin(), w.own_mass.end(), 0.0);
-  for (const auto& [k, i] : w.bases) {
-    const auto& x = k == kind::frame_2D ? w.frames.get<kind::frame_2D>(i) : w.frames.get<kind::frame_3D>(i);
-    (k == kind::frame_2D ? w.accelerations.get<kind::frame_2D>(i) : w.accelerations.get<kind::frame_3D>(i)) = {
-        x.acceleration, x.ang_acceleration};
-    (k == kind::frame_2D ? w.burdens.get<kind::frame_2D>(i) : w.burdens.get<kind::frame_3D>(i)) = {};
-  }
-  for (const auto& e : elements) e.element->move_by_rates(s);
-  if (w.reads_positions) add_forces_by_positions(s);
-  read_numbers<vector_of::f>(s, w.forces);
-  for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
-  w.good = true;
-  for (auto e = elements.rbegin(); e != elements.rend(); ++e) e->element->articulate(s);
-  for (const int e : w.movers) elements[static_cast<std::size_t>(e)].element->accelerate(s);
-  for (const int row : w.lone_rows) {
-    const double m = w.own_mass[static_cast<std::size_t>(row)];
-    w.good &= m > 0;
-    w.forces[row] /= m;
-  }
-  if (!w.good) throw singular_mass_matrix("kte: the mass matrix is singular: a coordinate moves no mass of its own");
-}
 /// By the factorised mass matrix.
 template <class Tau>
 void accelerate_by_mass(const kte_map_chain& c, runtime_state& s, const Tau& tau) {
-  for_each_runtime_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](double& a) { a = 0; }); });
+  for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](double& a) { a = 0; }); });
   coordinate_forces(c, s);
   auto& a = s.work.forces;
-  read_numbers<vector_of::f>(s, a);
+  read_listed_numbers<vector_of::f>(s, a);
   for (int i = 0; i < s.dofs(); ++i) a[i] += tau(i);
-  mass_of_coordinates(c.wiring(), s);
+  mass_of_coordinates(c, s);
   solve_in_place(s.work.mass, a);
 }
+/// Some accelerations may be given, in the state: those of rows that are `prescribed`, in trees.
 template <class Tau>
-const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& tau) {
+const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& tau,
+                                           std::span<const char> prescribed = {}) {
   c.check(s);
   check_positions(s);
-  if (s.work.tree)
-    accelerate_articulated(c, s, tau);
-  else
+  if (s.plan.tree) {
+    std::fill(s.work.prescribed.begin(), s.work.prescribed.end(), 0);
+    std::copy(prescribed.begin(), prescribed.end(), s.work.prescribed.begin());
+    update_angles(s);
+    start(s);
+    accelerate_articulated(runtime_elements{c}, s, tau);
+  } else {
     accelerate_by_mass(c, s, tau);
+  }
   check_finite(s.work.forces, static_cast<std::size_t>(s.dofs()),
                "kte: an acceleration is no finite number: an argument is none");
   write_numbers<vector_of::a>(s, s.work.forces, "a");

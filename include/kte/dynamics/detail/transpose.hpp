@@ -2,6 +2,8 @@
 
 #include <kte/math/pack.hpp>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <utility>
@@ -116,7 +118,7 @@ struct columns {
     std::array<typename square::V, l> v;
     square::load(states + First, N, v);
     square::transpose(v);
-    ((x[First + J].in_register(reg) = std::bit_cast<typename P::register_type>(v[J])), ...);
+    ((x[First + J].in_register(reg) = v[J]), ...);
   }
   template <std::size_t... I>
   KTE_INLINE static void store_all(const P* x, std::size_t reg, T* states, std::index_sequence<I...>) {
@@ -124,7 +126,7 @@ struct columns {
   }
   template <std::size_t First, std::size_t... J>
   KTE_INLINE static void store(const P* x, std::size_t reg, T* states, std::index_sequence<J...>) {
-    std::array<typename square::V, l> v{std::bit_cast<typename square::V>(x[First + J].in_register(reg))...};
+    std::array<typename square::V, l> v{x[First + J].in_register(reg)...};
     square::transpose(v);
     square::store(v, states + First, N);
   }

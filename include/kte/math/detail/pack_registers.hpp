@@ -2,18 +2,21 @@
 
 #include <kte/detail/inline.hpp>
 
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #if __has_include(<xsimd/xsimd.hpp>) && !defined(KTE_NO_XSIMD)
 #  include <xsimd/xsimd.hpp>
 #endif
 
-/// What a pack is made of: registers of the CPU, by xsimd; or plain numbers, where xsimd or a register short enough is
-/// missing. Both have the same operators, and the functions below.
+/// What a pack is made of: vectors of the compiler, as long as a register of the CPU; or plain numbers, where xsimd or
+/// a register short enough is missing. Both have the same operators, and the functions below.
+///
+/// All of it is built in or inlined at once. A function that g++ inlines later is at first a call that may keep the
+/// addresses it is given: with the operators of xsimd and std, the analysis of what points where took five minutes for
+/// forward dynamics of seven joints.
 namespace kte::detail {
 
 /// Instead of an architecture of xsimd: one number is one register.
@@ -22,84 +25,102 @@ struct plain {};
 template <class T>
 using bits_of = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
 
+// clang makes one instruction of a product and a sum in one expression, and only if asked to in others; g++ in all.
+#if defined(__clang__)
+#  define KTE_FUSED _Pragma("clang fp contract(fast)")
+#else
+#  define KTE_FUSED
+#endif
+struct plus {
+  template <class R>
+  KTE_INLINE R operator()(const R& a, const R& b) const {
+    KTE_FUSED return a + b;
+  }
+};
+struct minus {
+  template <class R>
+  KTE_INLINE R operator()(const R& a, const R& b) const {
+    KTE_FUSED return a - b;
+  }
+};
+struct times {
+  template <class R>
+  KTE_INLINE R operator()(const R& a, const R& b) const {
+    KTE_FUSED return a * b;
+  }
+};
+struct over {
+  template <class R>
+  KTE_INLINE R operator()(const R& a, const R& b) const {
+    return a / b;
+  }
+};
+struct negative {
+  template <class R>
+  KTE_INLINE R operator()(const R& a) const {
+    return -a;
+  }
+};
+#undef KTE_FUSED
+
+/// The functions that have no operator.
 template <class T, class Arch>
 struct pack_register {
   using type = T;
   using bits = bits_of<T>;
   using mask = bool;
   static constexpr std::size_t lanes = 1;
-  KTE_INLINE static T load(const T* p) { return *p; }
-  KTE_INLINE static void store(T* p, T x) { *p = x; }
+  KTE_INLINE static T of(T x) { return x; }
+  KTE_INLINE static T root(T x) { return std::sqrt(x); }
+  KTE_INLINE static T magnitude(T x) { return std::fabs(x); }
+  KTE_INLINE static mask less(T a, T b) { return a < b; }
+  KTE_INLINE static mask less_equal(T a, T b) { return a <= b; }
+  KTE_INLINE static mask equal(T a, T b) { return a == b; }
+  KTE_INLINE static mask both(mask a, mask b) { return a && b; }
+  KTE_INLINE static mask either(mask a, mask b) { return a || b; }
+  KTE_INLINE static mask negated(mask a) { return !a; }
+  KTE_INLINE static bool in_all(mask a) { return a; }
+  KTE_INLINE static T chosen(mask condition, T a, T b) { return condition ? a : b; }
 };
-
-KTE_INLINE bool all_in(bool x) { return x; }
-KTE_INLINE bool negated(bool x) { return !x; }
-KTE_INLINE bool both(bool a, bool b) { return a && b; }
-KTE_INLINE bool either(bool a, bool b) { return a || b; }
-template <class T>
-KTE_INLINE T chosen(bool condition, T a, T b) {
-  return condition ? a : b;
-}
-template <class T>
-requires std::is_arithmetic_v<T> KTE_INLINE T root(T x) { return std::sqrt(x); }
-template <class T>
-requires std::is_arithmetic_v<T> KTE_INLINE T magnitude(T x) { return std::fabs(x); }
-template <class T>
-requires std::is_arithmetic_v<T> KTE_INLINE T shifted_left(T x, int by) { return x << by; }
 
 #if __has_include(<xsimd/xsimd.hpp>) && !defined(KTE_NO_XSIMD)
 
+/// Arithmetic by the operators of the compiler, comparisons and what is rare by xsimd.
 template <class T, class Arch>
 requires(!std::is_same_v<Arch, plain>) struct pack_register<T, Arch> {
-  using type = xsimd::batch<T, Arch>;
-  using bits = xsimd::batch<bits_of<T>, Arch>;
+  using batch = xsimd::batch<T, Arch>;
   using mask = xsimd::batch_bool<T, Arch>;
-  static constexpr std::size_t lanes = type::size;
-  KTE_INLINE static type load(const T* p) { return type::load_unaligned(p); }
-  KTE_INLINE static void store(T* p, const type& x) { x.store_unaligned(p); }
-};
-
-template <class T, class A>
-KTE_INLINE xsimd::batch_bool<T, A> both(const xsimd::batch_bool<T, A>& a, const xsimd::batch_bool<T, A>& b) {
-  return a & b;
-}
-template <class T, class A>
-KTE_INLINE xsimd::batch_bool<T, A> either(const xsimd::batch_bool<T, A>& a, const xsimd::batch_bool<T, A>& b) {
-  return a | b;
-}
-template <class T, class A>
-KTE_INLINE bool all_in(const xsimd::batch_bool<T, A>& x) {
-  return xsimd::all(x);
-}
-template <class T, class A>
-KTE_INLINE xsimd::batch_bool<T, A> negated(const xsimd::batch_bool<T, A>& x) {
-  return !x;
-}
-template <class T, class A>
-KTE_INLINE xsimd::batch<T, A> chosen(const xsimd::batch_bool<T, A>& condition, const xsimd::batch<T, A>& a,
-                                     const xsimd::batch<T, A>& b) {
-  return xsimd::select(condition, a, b);
-}
+  static constexpr std::size_t lanes = batch::size;
+  typedef T type __attribute__((vector_size(sizeof(T) * lanes)));
+  typedef bits_of<T> bits __attribute__((vector_size(sizeof(T) * lanes)));
+  KTE_INLINE static type of(T x) { return of(x, std::make_index_sequence<lanes>{}); }
 #  if defined(__GNUC__) && !defined(__clang__)
 #    pragma GCC diagnostic push
 #    pragma GCC diagnostic ignored "-Wuninitialized"  // about g++'s own headers, which mean it
 #    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #  endif
-template <class T, class A>
-KTE_INLINE xsimd::batch<T, A> root(const xsimd::batch<T, A>& x) {
-  return xsimd::sqrt(x);
-}
-template <class T, class A>
-KTE_INLINE xsimd::batch<T, A> magnitude(const xsimd::batch<T, A>& x) {
-  return xsimd::abs(x);
-}
-template <class T, class A>
-KTE_INLINE xsimd::batch<T, A> shifted_left(const xsimd::batch<T, A>& x, int by) {
-  return x << by;
-}
+  KTE_INLINE static type root(const type& x) { return xsimd::sqrt(batch(x)).data; }
+  KTE_INLINE static type magnitude(const type& x) { return xsimd::abs(batch(x)).data; }
 #  if defined(__GNUC__) && !defined(__clang__)
 #    pragma GCC diagnostic pop
 #  endif
+  KTE_INLINE static mask less(const type& a, const type& b) { return batch(a) < batch(b); }
+  KTE_INLINE static mask less_equal(const type& a, const type& b) { return batch(a) <= batch(b); }
+  KTE_INLINE static mask equal(const type& a, const type& b) { return batch(a) == batch(b); }
+  KTE_INLINE static mask both(const mask& a, const mask& b) { return a & b; }
+  KTE_INLINE static mask either(const mask& a, const mask& b) { return a | b; }
+  KTE_INLINE static mask negated(const mask& a) { return !a; }
+  KTE_INLINE static bool in_all(const mask& a) { return xsimd::all(a); }
+  KTE_INLINE static type chosen(const mask& condition, const type& a, const type& b) {
+    return xsimd::select(condition, batch(a), batch(b)).data;
+  }
+
+ private:
+  template <std::size_t... I>
+  KTE_INLINE static type of(T x, std::index_sequence<I...>) {
+    return type{(void(I), x)...};
+  }
+};
 
 /// The best of the architectures that the compiler may use (xsimd lists them best first) with a register of T of at
 /// most N lanes.

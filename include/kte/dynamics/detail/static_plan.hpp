@@ -1,0 +1,82 @@
+#pragma once
+
+#include <kte/chain/plan.hpp>
+#include <kte/chain/static_chain.hpp>
+#include <kte/kernels/joint.hpp>
+
+#include <span>
+
+/// The order of work on a static chain.
+namespace kte::detail {
+
+template <class Chain, std::size_t I>
+using core_of = std::remove_cvref_t<decltype(std::declval<const Chain&>().template core<I>())>;
+
+/// What `arrange` asks of a static chain.
+template <class Chain>
+struct static_connections {
+  using wiring = typename Chain::wiring;
+  struct element {
+    std::span<const port> ports;
+    bool stiff;
+  };
+  std::array<element, Chain::size> all = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<element, Chain::size>{
+        {{std::span<const port>(core_of<Chain, I>::ports), is_transmission<core_of<Chain, I>>}...}};
+  }
+  (std::make_index_sequence<Chain::size>{});
+  constexpr std::size_t elements() const { return Chain::size; }
+  constexpr std::span<const port> ports(std::size_t e) const { return all[e].ports; }
+  constexpr int index(std::size_t e, std::size_t p) const { return wiring::slot(e, p); }
+  constexpr bool stiff(std::size_t e) const { return all[e].stiff; }
+  constexpr int count(kind k) const { return wiring::count(k); }
+  constexpr int writer(kind k, int i) const { return wiring::writer(k, i); }
+  constexpr std::size_t freedoms() const { return wiring::freedoms; }
+  constexpr freedom freedom_at(std::size_t f) const { return wiring::table.free[f]; }
+  constexpr int dofs() const { return wiring::dofs; }
+  constexpr bool is_angle(int i) const { return wiring::angle(i); }
+};
+template <class Chain>
+struct static_lists {
+  /// Rows and columns are two a port at most: none has more than six, of three ports.
+  template <class T>
+  using list = short_list<T, 2 * Chain::wiring::ports + 2>;
+};
+template <class Chain>
+inline constexpr auto static_plan = arrange<static_lists<Chain>::template list>(static_connections<Chain>{});
+
+/// Unrolled code grows faster than the number of elements. Beyond this many, and for scalars whose operations are
+/// functions, algorithms are loops over elements (dynamics/detail/stored_chain.hpp; docs/decisions/02-compile-time.md).
+/// Like other options, the same in all units of a program.
+#if !defined(KTE_UNROLLED_ELEMENTS)
+#  define KTE_UNROLLED_ELEMENTS 48
+#endif
+template <class S>
+constexpr bool is_a_few_instructions() {
+  if constexpr (requires { S::variables; }) {  // dual numbers
+    return is_a_few_instructions<typename S::scalar>();
+  } else {
+    return std::is_floating_point_v<S> || requires { S::lanes; };  // packs
+  }
+}
+template <class Chain, class S>
+inline constexpr bool is_unrolled = Chain::size <= KTE_UNROLLED_ELEMENTS&& is_a_few_instructions<S>();
+
+/// f<K, Slot>() for every frame that no element writes.
+template <class Wiring, class F>
+KTE_INLINE void for_each_base(const F& f) {
+  const auto one = [&f]<kind K, int Slot>() KTE_INLINE_LAMBDA {
+    if constexpr (Wiring::writer(K, Slot) < 0) f.template operator()<K, Slot>();
+    return 0;
+  };
+  const auto all =
+      [&one]<int... P, int... Q>(std::integer_sequence<int, P...>, std::integer_sequence<int, Q...>) KTE_INLINE_LAMBDA {
+    const int done[]{one.template operator()<kind::frame_2D, P>()..., one.template operator()<kind::frame_3D, Q>()...,
+                     0};
+    (void)done;
+  };
+  all(std::make_integer_sequence<int, Wiring::count(kind::frame_2D)>{},
+      std::make_integer_sequence<int, Wiring::count(kind::frame_3D)>{});
+}
+
+}  // namespace kte::detail

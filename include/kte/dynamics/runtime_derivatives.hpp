@@ -1,0 +1,146 @@
+#pragma once
+
+#include <kte/dynamics/detail/stored_dynamics.hpp>
+#include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/runtime.hpp>
+
+#include <string_view>
+#include <vector>
+
+/// What static chains have in dynamics/{mass_matrix_inverse,derivatives,hybrid_dynamics}.hpp, on runtime chains.
+/// Results are in the memory of the state, valid until the next call with it; the first call makes that memory.
+namespace kte {
+
+namespace detail {
+/// Throws unless the derivatives of a chain are known element by element.
+inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
+  c.check(s);
+  check_positions(s);
+  for (const auto& e : c.wiring().elements)
+    if (!e.has_derivatives)
+      throw bad_argument(
+          "kte: derivatives of runtime chains are known of joints, links, bodies and forces on coordinates, not of " +
+          e.element->record().type);
+  if (!s.plan.tree)
+    throw bad_argument(
+        "kte: derivatives of runtime chains need trees, in which no coordinate follows another or moves two joints");
+}
+}  // namespace detail
+
+/// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
+inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s) {
+  c.check(s);
+  detail::check_positions(s);
+  auto& inverse = s.work.inverse;
+  inverse.resize(s.dofs(), s.dofs());
+  if (s.plan.tree) {
+    detail::update_angles(s);
+    detail::invert_articulated(detail::runtime_elements{c}, s, inverse);
+  } else {
+    detail::mass_of_coordinates(c, s);
+    detail::invert_by_factors(s.work.mass, inverse);
+  }
+  return inverse;
+}
+/// The same at q, which is put into the state.
+template <indexable Q>
+const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s, const Q& q) {
+  set_positions(s, q);
+  return mass_matrix_inverse(c, s);
+}
+
+/// Inverse dynamics and its derivatives at the state's positions, rates and accelerations. As
+/// `inverse_dynamics_derivatives` on a static chain, for trees of joints and bodies with forces and masses on
+/// coordinates; others throw `bad_argument`.
+inline const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
+                                                                                           runtime_state& s) {
+  detail::check_derivatives(c, s);
+  detail::coordinate_forces(c, s);
+  auto& r = s.work.of_forces;
+  const Eigen::Index n = s.dofs();
+  r.tau.resize(n), r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_a.resize(n, n);
+  detail::derive_forces(detail::runtime_elements{c}, s, r);
+  detail::take_forces(s, minus_one, r.tau);
+  return r;
+}
+/// The same at q, v, a, which are put into the state.
+template <indexable Q, indexable V, indexable A>
+const auto& inverse_dynamics_derivatives(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a) {
+  set_positions(s, q), set_velocities(s, v), set_accelerations(s, a);
+  return inverse_dynamics_derivatives(c, s);
+}
+
+namespace detail {
+/// With accelerations in the state, from those of inverse dynamics: (1) of dynamics/derivatives.hpp.
+inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
+                                                                                    runtime_state& s) {
+  auto& r = s.work.of_accelerations;
+  r.a = s.work.forces;
+  inverse_dynamics_derivatives(c, s);
+  auto& of_forces = s.work.of_forces;
+  const Eigen::Index n = s.dofs();
+  auto& rows = s.work.rows;
+  rows.resize(n, 3 * n);
+  rows.leftCols(n) = -of_forces.by_q, rows.middleCols(n, n) = -of_forces.by_v;
+  rows.rightCols(n).setIdentity();
+  factorise_mass(of_forces.by_a);
+  substitute_rows(of_forces.by_a, rows);
+  r.by_q = rows.leftCols(n), r.by_v = rows.middleCols(n, n), r.by_tau = rows.rightCols(n);
+  return r;
+}
+}  // namespace detail
+
+/// Forward dynamics and its derivatives at the state's positions and rates under its inputs. As
+/// `forward_dynamics_derivatives` on a static chain, for chains as above.
+inline const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
+                                                                                           runtime_state& s) {
+  detail::check_derivatives(c, s);
+  forward_dynamics(c, s);
+  return detail::accelerations_derived(c, s);
+}
+/// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
+template <indexable Q, indexable V, indexable T>
+const auto& forward_dynamics_derivatives(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
+                                         const T& tau) {
+  detail::check_derivatives(c, s);
+  forward_dynamics(c, s, q, v, tau);
+  return detail::accelerations_derived(c, s);
+}
+
+/// As `hybrid_dynamics` on a static chain: known accelerations of the coordinates named, forces on all others.
+///
+///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});
+template <indexable Q, indexable V, indexable X>
+hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q,
+                                                               const V& v, const X& known,
+                                                               const std::vector<std::string_view>& prescribed) {
+  using namespace detail;
+  c.check(s);
+  if (!s.plan.tree)
+    throw bad_argument("kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
+  const auto n = static_cast<std::size_t>(s.dofs());
+  check_size(n, known, "known");
+  std::vector<char> is_known(n, 0);
+  for (const auto& name : prescribed) {
+    const kind k = c.wiring().kind_of(name);
+    const int slot = c.wiring().find(name, k);
+    const auto at = std::find_if(s.freedoms().begin(), s.freedoms().end(),
+                                 [&](const freedom& f) { return f.what == k && f.slot == slot; });
+    if (at == s.freedoms().end())
+      throw bad_argument("kte: '" + std::string(name) + "' is no degree of freedom of this chain");
+    for (int i = 0; i < nv_of(k); ++i) is_known[static_cast<std::size_t>(at->v + i)] = 1;
+  }
+  Eigen::VectorXd given = Eigen::VectorXd::Zero(s.dofs()), force = given;
+  for (std::size_t i = 0; i < n; ++i)
+    (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<double>(known[i]);
+  set_positions(s, q), set_velocities(s, v), set_accelerations(s, given);
+  hybrid_dynamics_result<double, Eigen::Dynamic> r;
+  r.a = accelerations_under(
+      c, s, [&force](int i) { return force[i]; }, is_known);
+  r.tau = inverse_dynamics(c, s);
+  for (std::size_t i = 0; i < n; ++i)  // what is known is given back as it came
+    if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];
+  return r;
+}
+
+}  // namespace kte

@@ -1,0 +1,154 @@
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/runtime_derivatives.hpp>
+
+#include "data/derivatives.hpp"
+#include "dynamics/matrix_error.hpp"
+#include "dynamics/small_chains.hpp"
+#include "dynamics/trees.hpp"
+#include "robots/iiwa14.hpp"
+
+// Derivatives, the inverse of the mass matrix and hybrid dynamics of runtime chains: against 21 digits, and against
+// static chains, which have tests of their own. Both do the same sums; static chains leave out what is zero by its
+// type, so that results differ where the compiler contracts other products. Bound: the errors of both.
+
+using namespace kte;
+using namespace kte::test::trees;
+using kte::test::error_of;
+using models::element_by_element;
+
+namespace {
+
+constexpr double both_errors = 4e-15;
+
+/// The largest differences from static chains, in random states, with what comes from `outside` anywhere.
+template <class Chain, class Compare, class... Outside>
+void in_random_states(const Chain& model, unsigned seed, const Compare& compare, const Outside&... outside) {
+  random_numbers random(seed);
+  const kte_map_chain c = element_by_element(model);
+  auto s = make_state(model);
+  auto r = c.make_state();
+  for (int round = 0; round < 20; ++round) {
+    const trial<Chain> x(random);
+    const unsigned outside_seed = 1000 * seed + static_cast<unsigned>(round);
+    const auto set = [&](auto& state) {
+      random_numbers draw(outside_seed);
+      set_positions(state, x.q), set_velocities(state, x.v), set_accelerations(state, x.a);
+      (move(at(state, outside), draw), ...);
+    };
+    set(s), set(r);
+    compare(c, r, s, x);
+  }
+}
+
+template <class Chain, class... Outside>
+void check_derivatives(const Chain& model, unsigned seed, const Outside&... outside) {
+  STATIC_REQUIRE(kte::detail::is_analytical<Chain>);
+  const auto compare = [&](const kte_map_chain& c, runtime_state& r, const auto& s, const auto&) {
+    const auto x = inverse_dynamics_derivatives(model, s);
+    const auto& y = inverse_dynamics_derivatives(c, r);
+    CHECK(gap(y.tau, x.tau) < both_errors);
+    CHECK(gap(y.by_q, x.by_q) < both_errors);
+    CHECK(gap(y.by_v, x.by_v) < both_errors);
+    CHECK(gap(y.by_a, x.by_a) < both_errors);
+    const auto f = forward_dynamics_derivatives(model, s);
+    const auto& g = forward_dynamics_derivatives(c, r);
+    // The condition of M, scaled to a diagonal of ones, is up to 100 here (as in derivatives_robots_test.cpp).
+    CHECK(gap(g.a, f.a) < 100 * both_errors);
+    CHECK(gap(g.by_q, f.by_q) < 100 * both_errors);
+    CHECK(gap(g.by_v, f.by_v) < 100 * both_errors);
+    CHECK(gap(g.by_tau, f.by_tau) < 100 * both_errors);
+  };
+  in_random_states(model, seed, compare, outside...);
+}
+
+template <class Chain, class... Outside>
+void check_inverse(const Chain& model, unsigned seed, const Outside&... outside) {
+  const auto compare = [&](const kte_map_chain& c, runtime_state& r, const auto& s, const auto&) {
+    CHECK(gap(mass_matrix_inverse(c, r), mass_matrix_inverse(model, s)) < both_errors);
+  };
+  in_random_states(model, seed, compare, outside...);
+}
+
+template <class Chain, class... Keys>
+void check_hybrid(const Chain& model, unsigned seed, const Keys&... keys) {
+  const auto compare = [&](const kte_map_chain& c, runtime_state& r, const auto&, const auto& x) {
+    const auto h = hybrid_dynamics(model, x.q, x.v, x.tau, prescribed(keys...));
+    const auto g = hybrid_dynamics(c, r, x.q, x.v, x.tau, {Keys::name...});
+    CHECK(gap(g.a, h.a) < 3 * both_errors);
+    CHECK(gap(g.tau, h.tau) < 3 * both_errors);
+    CHECK(gap(forward_dynamics(c, r, x.q, x.v, g.tau), h.a) < 100 * both_errors);  // nothing is prescribed any more
+  };
+  in_random_states(model, seed, compare);
+}
+
+}  // namespace
+
+TEST_CASE("derivatives of a runtime iiwa14 against 21 digits", "[derivatives][runtime]") {
+  const kte_map_chain c = element_by_element(robots::iiwa14);
+  auto s = c.make_state();
+  for (std::size_t k = 0; k < std::size(reference::iiwa14_derivatives); ++k) {
+    CAPTURE(k);
+    const auto& x = reference::iiwa14[k];
+    const auto& y = reference::iiwa14_derivatives[k];
+    const auto& r = inverse_dynamics_derivatives(c, s, x.q, x.v, x.a);
+    CHECK(error_of(r.by_q, y.dtau_dq) < 1e-15L);
+    CHECK(error_of(r.by_v, y.dtau_dv) < 1e-15L);
+    CHECK(error_of(r.tau, x.inverse_dynamics) < 1e-15L);
+    const auto& f = forward_dynamics_derivatives(c, s, x.q, x.v, x.tau);
+    CHECK(error_of(f.by_q, y.ddq_dq) < 6.4e-15L);  // bounds: derivatives_robots_test.cpp
+    CHECK(error_of(f.by_v, y.ddq_dv) < 6.4e-15L);
+    CHECK(error_of(f.by_tau, y.ddq_dtau) < 6.4e-15L);
+  }
+}
+
+TEST_CASE("derivatives of runtime trees", "[derivatives][runtime]") {
+  SECTION("joints of all kinds") { check_derivatives(joints_3D.gravity(fall), 1, base, cart); }
+  SECTION("in the plane") { check_derivatives(joints_2D, 2, floor_2D, wall); }
+  SECTION("rotors, springs on coordinates, given coordinates, a mass without a joint") {
+    check_derivatives(rotors, 3, base, drive, motor, pull);
+  }
+}
+
+TEST_CASE("the inverse of the mass matrix of runtime chains", "[mass_matrix_inverse][runtime]") {
+  SECTION("in space, with springs between frames") { check_inverse(tree_3D, 4, base, cart, motor); }
+  SECTION("in the plane, with springs between frames") { check_inverse(tree_2D, 5, floor_2D, wall, motor); }
+  SECTION("rotors") { check_inverse(rotors, 6, base, drive, motor, pull); }
+  SECTION("coordinates that follow others") { check_inverse(kte::test::geared, 7); }
+}
+
+TEST_CASE("hybrid dynamics of runtime chains", "[hybrid][runtime]") {
+  SECTION("in the middle of a tree") { check_hybrid(tree_3D, 8, floating, ball, q3); }
+  SECTION("nothing") { check_hybrid(tree_3D, 9); }
+  SECTION("a mass without a joint, and a joint beside a given coordinate") { check_hybrid(rotors, 10, lone, q1); }
+  SECTION("in the plane") { check_hybrid(tree_2D, 11, sliding, q2); }
+}
+
+TEST_CASE("what runtime chains cannot do is said", "[derivatives][hybrid][runtime][errors]") {
+  using kte::test::contains_text;
+  const std::vector<double> none(8, 0.0);
+  const kte_map_chain springs = element_by_element(tree_2D);
+  auto s = springs.make_state();
+  CHECK_THROWS_WITH(inverse_dynamics_derivatives(springs, s), contains_text("not of spring_2D"));
+  CHECK_THROWS_WITH(forward_dynamics_derivatives(springs, s), contains_text("not of spring_2D"));
+  const auto hybrid = [&](const char* name) {
+    return hybrid_dynamics(springs, s, positions(s), velocities(s), accelerations(s), {name});
+  };
+  CHECK_THROWS_AS(hybrid("q77"), unknown_name);
+  CHECK_THROWS_WITH(hybrid("wall"), contains_text("'wall' is no degree of freedom"));
+
+  const kte_map_chain gears = element_by_element(kte::test::geared);
+  auto g = gears.make_state();
+  CHECK_THROWS_WITH(inverse_dynamics_derivatives(gears, g), contains_text("trees"));
+  CHECK_THROWS_WITH(hybrid_dynamics(gears, g, positions(g), velocities(g), accelerations(g), {"q1"}),
+                    contains_text("follows another"));
+
+  kte_map_chain massless;
+  massless << revolute_joint_2D("q", "base", "end");
+  auto m = massless.make_state();
+  CHECK_THROWS_AS(mass_matrix_inverse(massless, m), singular_mass_matrix);
+  CHECK_THROWS_AS(forward_dynamics_derivatives(massless, m), singular_mass_matrix);
+  m.coordinate("q").q = std::nan("");
+  CHECK_THROWS_AS(mass_matrix_inverse(massless, m), bad_argument);
+  CHECK_THROWS_AS(inverse_dynamics_derivatives(massless, m), bad_argument);
+}
