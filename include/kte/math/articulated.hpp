@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/frames/motion.hpp>
+#include <kte/math/plane_rotation.hpp>
 #include <kte/math/rigid_body.hpp>
 
 namespace kte {
@@ -50,18 +51,20 @@ KTE_INLINE constexpr auto accelerating_wrench(const articulated<M, H, J>& b, con
 template <class R, class P, class M, class H, class J>
 KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
   const auto r = matrix(rotation);
-  const auto m = congruence(rotation, b.linear);
-  const auto h = transpose(r * transpose(r * b.coupling));
-  const auto j = congruence(rotation, b.angular);
+  const auto m = turned_by(r, b.linear);
+  const auto h = turned_by(r, b.coupling);
+  const auto j = turned_by(r, b.angular);
   const auto f = full(m);
-  const mat3 k{h.x + cross(p, f.x), h.y + cross(p, f.y), h.z + cross(p, f.z)};  // row i of M P is m_i x p
+  const mat3 k{plus_cross(h.x, p, f.x), plus_cross(h.y, p, f.y), plus_cross(h.z, p, f.z)};  // row i of M P is m_i x p
   const auto hx = transpose(h);  // columns of H; column i of P H is p x h_i
   const auto kx = transpose(k);
-  const mat3 ph{cross(p, hx.x), cross(p, hx.y), cross(p, hx.z)};  // (P H)^T
-  const mat3 pk{cross(p, kx.x), cross(p, kx.y), cross(p, kx.z)};  // (P H')^T
-  return articulated{m, k,
-                     sym3{j.xx + (ph.x.x + pk.x.x), j.xy + (ph.x.y + pk.y.x), j.xz + (ph.x.z + pk.z.x),
-                          j.yy + (ph.y.y + pk.y.y), j.yz + (ph.y.z + pk.z.y), j.zz + (ph.z.z + pk.z.z)}};
+  const vec3 x = plus_cross(vec3{j.xx, j.xy, j.xz}, p, hx.x);  // rows of J + (P H)^T
+  const vec3 y = plus_cross(vec3{zero, j.yy, j.yz}, p, hx.y);
+  const vec3 z = plus_cross(vec3{zero, zero, j.zz}, p, hx.z);
+  const vec3 u = plus_cross(vec3{x.x, zero, zero}, p, kx.x);  // columns of J'
+  const vec3 v = plus_cross(vec3{x.y, y.y, zero}, p, kx.y);
+  const vec3 w = plus_cross(vec3{x.z, y.z, z.z}, p, kx.z);
+  return articulated{m, k, sym3{u.x, v.x, w.x, v.y, w.y, w.z}};
 }
 
 namespace detail {
