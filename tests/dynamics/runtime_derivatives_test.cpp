@@ -152,3 +152,16 @@ TEST_CASE("what runtime chains cannot do is said", "[derivatives][hybrid][runtim
   CHECK_THROWS_AS(mass_matrix_inverse(massless, m), bad_argument);
   CHECK_THROWS_AS(inverse_dynamics_derivatives(massless, m), bad_argument);
 }
+
+TEST_CASE("a given coordinate that is no number", "[mass_matrix_inverse][runtime][errors]") {
+  const kte_map_chain model = element_by_element(rotors);
+  auto r = model.make_state();
+  auto s = make_state(rotors);
+  r.coordinate("drive").q = s[drive].q = std::nan("");
+  CHECK_THROWS_AS(mass_matrix(model, r), bad_argument);
+  CHECK_THROWS_AS(mass_matrix(rotors, s), bad_argument);
+  CHECK_THROWS_AS(mass_matrix_inverse(model, r), bad_argument);
+  CHECK_THROWS_AS(mass_matrix_inverse(rotors, s), bad_argument);
+  CHECK_THROWS_AS(forward_dynamics(model, r), bad_argument);
+  CHECK_THROWS_AS(forward_dynamics(rotors, s), bad_argument);
+}

@@ -25,7 +25,10 @@ const S rounding = 16 * std::numeric_limits<S>::epsilon();  // not by eps: their
 /// which gives 10 times 3 eps^(2/3); the terms left out are h^4/90 of the sixth derivative, which for motions as tried
 /// here is below 1e3.
 template <class S>
-const S by_differences = 50 * pow(std::numeric_limits<S>::epsilon(), S(2) / S(3));
+const S by_differences = [] {
+  using std::pow;
+  return S(50 * pow(std::numeric_limits<S>::epsilon(), S(2) / S(3)));
+}();
 
 /// An element with a random state of its own.
 template <class S = double, class Element>

@@ -22,7 +22,7 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
 template <class S, class Chain, class At, class V, class Base>
 KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, const Base& base,
                                     const joint_vector<S, Chain::dofs>& tau) {
-  at.check();
+  at.check(), base.check();
   joint_vector<S, Chain::dofs> a;
   if constexpr (is_tree_of_joints<Chain>) {
     const given<At, V, same<zero_t>, Base, true> g{at, v, {}, base};

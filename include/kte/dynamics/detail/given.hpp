@@ -151,6 +151,7 @@ struct same_base {
   KTE_INLINE static constexpr auto fixed() {
     return coordinate{zero, zero, zero, one, zero};
   }
+  KTE_INLINE static constexpr void check() {}
   template <int>
   KTE_INLINE static constexpr zero_t input() {
     return {};
@@ -162,6 +163,13 @@ same_base(M) -> same_base<M>;
 template <class State>
 struct base_of_state {
   const State& s;
+  /// Throws `bad_argument` unless the positions of coordinates that are given are finite numbers.
+  KTE_INLINE void check() const {
+    using wiring = typename State::wiring;
+    for (int i = wiring::gen_dofs; i < wiring::count(kind::gen); ++i)
+      if (wiring::writer(kind::gen, i) < 0)
+        check_finite(&s.coordinate(i).q, 1, "kte: a coordinate that is given is no finite number");
+  }
   template <kind K, int I>
   KTE_INLINE constexpr decltype(auto) at() const {
     return spatial(s.template get<K>(I));

@@ -175,7 +175,7 @@ class local_mass {
 /// The mass matrix over the degrees of freedom. Of the bases only coordinates that are given matter.
 template <class S, class Chain, class Positions, class Base>
 KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Base& base) {
-  at.check();
+  at.check(), base.check();
   const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};
   static_assert(moves_frames_stiffly<Chain>,

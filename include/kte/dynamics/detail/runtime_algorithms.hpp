@@ -9,6 +9,14 @@ namespace kte {
 
 namespace detail {
 
+/// visit(c) for generalized coordinates that are given from outside, by base_gen.
+template <class State, class Visit>
+void for_each_given_coordinate(State& s, const Visit& visit) {
+  const auto& writers = s.made_for()->writers[static_cast<std::size_t>(kind::gen)];
+  for (std::size_t i = 0; i < writers.size(); ++i)
+    if (s.plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
+}
+
 inline void check_positions(const runtime_state& s) {
   bool finite = true, turned = true;
   for_each_listed_freedom(s, [&](const auto& c, const freedom&) {
@@ -18,6 +26,7 @@ inline void check_positions(const runtime_state& s) {
       turned &= n > 0 && n - n == 0;
     }
   });
+  for_each_given_coordinate(s, [&finite](const gen_coord<>& c) { finite &= c.q - c.q == 0; });
   if (!finite) throw bad_argument("kte: a coordinate is no finite number");
   if (!turned) throw bad_argument("kte: the quaternion of a rotation has length 0");
 }
@@ -38,10 +47,7 @@ inline void update_angles(runtime_state& s) {
     if (f.what == kind::pose_2D) update_angle(s.get<kind::pose_2D>(f.slot));
     if (f.what == kind::pose_3D) update_angle(s.get<kind::pose_3D>(f.slot));
   }
-  // given from outside, by base_gen
-  const auto& writers = t.writers[static_cast<std::size_t>(kind::gen)];
-  for (std::size_t i = 0; i < writers.size(); ++i)
-    if (s.plan.row_of_gen[i] >= t.nv && writers[i] < 0) update_angle(s.get<kind::gen>(static_cast<int>(i)));
+  for_each_given_coordinate(s, [](gen_coord<>& c) { update_angle(c); });
 }
 
 /// Frames that no element writes, into the working memory; no forces anywhere.

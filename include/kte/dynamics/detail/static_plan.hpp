@@ -52,15 +52,11 @@ inline constexpr auto static_plan = arrange<static_lists<Chain>::template list>(
 #  define KTE_UNROLLED_ELEMENTS 48
 #endif
 template <class S>
-constexpr bool is_a_few_instructions() {
-  if constexpr (requires { S::variables; }) {  // dual numbers
-    return is_a_few_instructions<typename S::scalar>();
-  } else {
-    return std::is_floating_point_v<S> || requires { S::lanes; };  // packs
-  }
-}
+inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || requires {
+  S::lanes;
+};  // packs
 template <class Chain, class S>
-inline constexpr bool is_unrolled = Chain::size <= KTE_UNROLLED_ELEMENTS&& is_a_few_instructions<S>();
+inline constexpr bool is_unrolled = Chain::size <= KTE_UNROLLED_ELEMENTS&& is_a_few_instructions<S>;
 
 /// f<K, Slot>() for every frame that no element writes.
 template <class Wiring, class F>
