@@ -106,27 +106,27 @@ auto energy_of(const Element& e) {
 }
 
 /// A number and its derivative, to see that derivatives go through an element.
-struct dual {
+struct sloped {
   double value = 0;
   double slope = 0;
-  constexpr dual() = default;
-  constexpr dual(double v, double d = 0) : value(v), slope(d) {}  // NOLINT(google-explicit-constructor)
+  constexpr sloped() = default;
+  constexpr sloped(double v, double d = 0) : value(v), slope(d) {}  // NOLINT(google-explicit-constructor)
 
-  friend constexpr dual operator-(const dual& a) { return {-a.value, -a.slope}; }
-  friend constexpr dual operator+(const dual& a, const dual& b) { return {a.value + b.value, a.slope + b.slope}; }
-  friend constexpr dual operator-(const dual& a, const dual& b) { return {a.value - b.value, a.slope - b.slope}; }
-  friend constexpr dual operator*(const dual& a, const dual& b) {
+  friend constexpr sloped operator-(const sloped& a) { return {-a.value, -a.slope}; }
+  friend constexpr sloped operator+(const sloped& a, const sloped& b) { return {a.value + b.value, a.slope + b.slope}; }
+  friend constexpr sloped operator-(const sloped& a, const sloped& b) { return {a.value - b.value, a.slope - b.slope}; }
+  friend constexpr sloped operator*(const sloped& a, const sloped& b) {
     return {a.value * b.value, a.slope * b.value + a.value * b.slope};
   }
-  friend constexpr dual operator/(const dual& a, const dual& b) {
+  friend constexpr sloped operator/(const sloped& a, const sloped& b) {
     const double q = a.value / b.value;
     return {q, (a.slope - q * b.slope) / b.value};
   }
-  friend constexpr bool operator==(const dual& a, const dual& b) { return a.value == b.value; }
-  friend constexpr bool operator<(const dual& a, const dual& b) { return a.value < b.value; }
-  friend constexpr bool operator>(const dual& a, const dual& b) { return a.value > b.value; }
-  friend dual sqrt(const dual& a) { return {std::sqrt(a.value), a.slope / (2 * std::sqrt(a.value))}; }
-  friend dual atan2(const dual& s, const dual& c) {
+  friend constexpr bool operator==(const sloped& a, const sloped& b) { return a.value == b.value; }
+  friend constexpr bool operator<(const sloped& a, const sloped& b) { return a.value < b.value; }
+  friend constexpr bool operator>(const sloped& a, const sloped& b) { return a.value > b.value; }
+  friend sloped sqrt(const sloped& a) { return {std::sqrt(a.value), a.slope / (2 * std::sqrt(a.value))}; }
+  friend sloped atan2(const sloped& s, const sloped& c) {
     const double n = s.value * s.value + c.value * c.value;
     return {std::atan2(s.value, c.value), (s.slope * c.value - s.value * c.slope) / n};
   }

@@ -128,14 +128,14 @@ TEST_CASE("a spring whose ends coincide gives no force, and no NaN", "[elements]
 
 TEST_CASE("nor are derivatives NaN where the ends of a spring coincide", "[elements][spring]") {
   const auto force = [](const auto& spring, double length) {
-    frame_3D<dual> a, b;
-    b.position.x = dual(length, 1);
+    frame_3D<sloped> a, b;
+    b.position.x = sloped(length, 1);
     const auto f = boost::hana::at_c<0>(spring.core.doForce(a, b)).force.x;
     return std::pair{f.value, f.slope};
   };
   const auto energy = [](const auto& spring) {
-    frame_3D<dual> a, b;
-    b.position.x = dual(0, 1);
+    frame_3D<sloped> a, b;
+    b.position.x = sloped(0, 1);
     return spring.core.potential_energy(a, b).slope;
   };
   CHECK(force(spring_3D("a", "b", 0.5, 8.0), 2.0) == std::pair{12.0, 8.0});

@@ -156,8 +156,8 @@ TEST_CASE("a torsion spring in space keeps all digits at all angles", "[elements
 TEST_CASE("a torsion spring has derivatives, at rest too", "[elements][torsion_spring]") {
   const auto slope = [](const auto& spring, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
-    frame_3D<dual> a, b;
-    b.rotation = as<dual>(matrix(rotation_2D{dual(c, -s), dual(s, c)}));
+    frame_3D<sloped> a, b;
+    b.rotation = as<sloped>(matrix(rotation_2D{sloped(c, -s), sloped(s, c)}));
     return boost::hana::at_c<0>(spring.core.doForce(a, b)).torque.z.slope;
   };
   for (const double angle : {0.0, 1e-200, 1e-20, 1e-8, 1e-3, 1.0, 3.0, -3.0}) {
