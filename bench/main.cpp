@@ -7,10 +7,6 @@
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  bench::add_static();
-#if !defined(KTE_SCALAR_SINCOS)
-  bench::add_straightline();
-  bench::add_runtime();
-#endif
+  bench::register_all();
   benchmark::RunSpecifiedBenchmarks();
 }

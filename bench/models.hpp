@@ -1,8 +1,9 @@
 #pragma once
 
-#include "data/iiwa14.hpp"
-#include "data/ur5.hpp"
+#include "data/chain32.hpp"
+#include "data/numbered_chain.hpp"
 #include "robots/iiwa14.hpp"
+#include "robots/solo12.hpp"
 #include "robots/ur5.hpp"
 
 /// The mechanisms that are timed.
@@ -20,7 +21,6 @@ inline constexpr struct tool_ final : kte::frame_2D_key<"tool"> {} tool;
 /// A mass point on a massless rod, in the plane: kg, m, m/s^2.
 struct pendulum {
   static constexpr auto name = "pendulum";
-  static constexpr int dofs = 1;
   static constexpr double mass = 1.5, length = 0.75, gravity = 9.81;
   static constexpr auto& tool = pendulum_names::tool;
   static constexpr auto chain =
@@ -31,17 +31,39 @@ struct pendulum {
 };
 struct iiwa14 {
   static constexpr auto name = "iiwa14";
-  static constexpr int dofs = 7;
   static constexpr auto& chain = robots::iiwa14;
   static constexpr auto& tool = robots::iiwa14_names::tool;
-  static constexpr auto& reference = kte::reference::iiwa14;
 };
 struct ur5 {
   static constexpr auto name = "ur5";
-  static constexpr int dofs = 6;
   static constexpr auto& chain = robots::ur5;
   static constexpr auto& tool = robots::ur5_names::tool;
-  static constexpr auto& reference = kte::reference::ur5;
+};
+/// The tool is the foot of the reference values.
+struct solo12 {
+  static constexpr auto name = "solo12";
+  static constexpr auto& chain = robots::solo12;
+  static constexpr auto& tool = robots::solo12_names::hr.foot;
+};
+
+/// Body i, from 0, of all serial chains: 32 bodies over and over, so that serial2, serial8 and serial32 are the chains
+/// of tests/data.
+constexpr const kte::reference::serial_body& serial_body(int i) { return kte::reference::chain32_bodies[i % 32]; }
+
+/// "serial8": apart from the chain, which takes its time to compile.
+template <int N>
+inline constexpr auto serial_name = kte::reference::numbered<"serial", N>();
+
+/// A chain of N bodies with numbers for everything.
+template <int N>
+struct serial {
+  static constexpr auto name = serial_name<N>.text;
+  static constexpr auto& tool = kte::reference::numbered_names::link<N>;
+  static constexpr auto chain = []<std::size_t... I>(std::index_sequence<I...>) {
+    constexpr kte::reference::serial_body bodies[]{serial_body(I)...};
+    return kte::reference::static_chain_of(bodies);
+  }
+  (std::make_index_sequence<N>{});
 };
 
 }  // namespace bench

@@ -1,16 +1,22 @@
 /// Straight-line code, the speed limit: ours (straightline/generate.cpp) and, if KTE_STRAIGHTLINE_DIR is set, that of
 /// another generator.
-#include "expected.hpp"
+#include "timing.hpp"
 
 extern "C" {
 void iiwa14_inverse_dynamics(const double*, double*);
+void iiwa14_nonlinear_effects(const double*, double*);
 void iiwa14_mass_matrix(const double*, double*);
 void iiwa14_forward_dynamics(const double*, double*);
+void iiwa14_articulated(const double*, double*);
 void iiwa14_forward_kinematics(const double*, double*);
+void iiwa14_jacobian(const double*, double*);
 void ur5_inverse_dynamics(const double*, double*);
+void ur5_nonlinear_effects(const double*, double*);
 void ur5_mass_matrix(const double*, double*);
 void ur5_forward_dynamics(const double*, double*);
+void ur5_articulated(const double*, double*);
 void ur5_forward_kinematics(const double*, double*);
+void ur5_jacobian(const double*, double*);
 #if defined(KTE_STRAIGHTLINE_EXTERN)
 void iiwa14_rnea(const double*, double*);
 void iiwa14_crba(const double*, double*);
@@ -24,26 +30,32 @@ void ur5_fk(const double*, double*);
 namespace bench {
 namespace {
 
-template <class Model>
-void add_model(const char* how, call inverse_dynamics, call mass_matrix, call kinematics) {
-  add<Model>(operation::inverse_dynamics, how, inverse_dynamics);
-  add<Model>(operation::mass_matrix, how, mass_matrix, triangle::upper);
-  add<Model>(operation::forward_kinematics, how, kinematics);
+void add_robot(const char* how, const char* model, call<double> inverse_dynamics, call<double> mass_matrix,
+               call<double> kinematics) {
+  add(operation::inverse_dynamics, how, model, inverse_dynamics);
+  add(operation::mass_matrix, how, model, mass_matrix, 1, triangle::upper);
+  add(operation::forward_kinematics, how, model, kinematics);
 }
 
-}  // namespace
-
-void add_straightline() {
+const registered here{[] {
   constexpr auto ours = "straightline";
-  add_model<iiwa14>(ours, iiwa14_inverse_dynamics, iiwa14_mass_matrix, iiwa14_forward_kinematics);
-  add_model<ur5>(ours, ur5_inverse_dynamics, ur5_mass_matrix, ur5_forward_kinematics);
-  add<iiwa14>(operation::forward_dynamics, ours, iiwa14_forward_dynamics);
-  add<ur5>(operation::forward_dynamics, ours, ur5_forward_dynamics);
+  add_robot(ours, "iiwa14", iiwa14_inverse_dynamics, iiwa14_mass_matrix, iiwa14_forward_kinematics);
+  add_robot(ours, "ur5", ur5_inverse_dynamics, ur5_mass_matrix, ur5_forward_kinematics);
+  // Forward dynamics by factorising the mass matrix, and by articulated bodies.
+  add(operation::forward_dynamics, ours, "iiwa14", iiwa14_forward_dynamics);
+  add(operation::forward_dynamics, ours, "ur5", ur5_forward_dynamics);
+  add(operation::forward_dynamics, "straightline_aba", "iiwa14", iiwa14_articulated);
+  add(operation::forward_dynamics, "straightline_aba", "ur5", ur5_articulated);
+  add(operation::nonlinear_effects, ours, "iiwa14", iiwa14_nonlinear_effects);
+  add(operation::nonlinear_effects, ours, "ur5", ur5_nonlinear_effects);
+  add(operation::jacobian, ours, "iiwa14", iiwa14_jacobian);
+  add(operation::jacobian, ours, "ur5", ur5_jacobian);
 #if defined(KTE_STRAIGHTLINE_EXTERN)
   constexpr auto theirs = "straightline_extern";  // to the frame of the last joint: compare its time, not its error
-  add_model<iiwa14>(theirs, iiwa14_rnea, iiwa14_crba, iiwa14_fk);
-  add_model<ur5>(theirs, ur5_rnea, ur5_crba, ur5_fk);
+  add_robot(theirs, "iiwa14", iiwa14_rnea, iiwa14_crba, iiwa14_fk);
+  add_robot(theirs, "ur5", ur5_rnea, ur5_crba, ur5_fk);
 #endif
-}
+}};
 
+}  // namespace
 }  // namespace bench

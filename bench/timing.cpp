@@ -4,68 +4,127 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+
+#include "expected.hpp"
 
 namespace bench {
 namespace {
 
-/// Room for the largest result, aligned as Eigen likes it.
-struct alignas(64) result {
-  double y[64];
+/// Numbers in memory of their own, aligned as Eigen likes it, with some room behind them.
+template <class S>
+class numbers {
+ public:
+  explicit numbers(std::size_t n) : lines_(n * sizeof(S) / sizeof(line) + 2) {}
+  S* data() { return reinterpret_cast<S*>(lines_.data()); }
+
+ private:
+  struct alignas(64) line {
+    char bytes[64];
+  };
+  std::vector<line> lines_;
 };
 
-std::vector<double> random_states(int dofs) {
-  constexpr int states = 512;
-  std::mt19937 random(1);
-  const auto fill = [&](double* x, double size) {
-    std::generate_n(x, dofs, [&] { return std::uniform_real_distribution(-size, size)(random); });
-  };
-  std::vector<double> all(static_cast<std::size_t>(3 * dofs * states));
-  for (int s = 0; s < states; ++s) {
-    double* const x = all.data() + 3 * dofs * s;
-    fill(x, 3.1), fill(x + dofs, 2), fill(x + 2 * dofs, 5);
+template <class S>
+struct subject {
+  operation what;
+  std::string model;
+  call<S> f;
+  int states;
+  triangle part;
+  // Once it was asked for, as expectations of long chains take time:
+  std::optional<double> error{};
+  std::size_t size_of_result{};  ///< of one state
+};
+
+/// Largest error of a block, relative to its largest number; infinite if a result is no number.
+template <class S>
+long double error_of(const S* y, const std::vector<long double>& expected) {
+  long double size = 0, error = 0;
+  for (const long double e : expected) {
+    const long double d = std::fabs(static_cast<long double>(*y++) - e);
+    error = d == d ? std::max(error, d) : HUGE_VALL, size = std::max(size, std::fabs(e));
   }
-  return all;
+  return size == 0 ? error : error / size;
 }
 
-void time(benchmark::State& state, int dofs, call f, double error) {
-  const auto states = random_states(dofs);
-  const double *const begin = states.data(), *const end = begin + states.size(), *x = begin;
-  result r;
-  for (auto _ : state) {
-    f(x, r.y);
-    benchmark::DoNotOptimize(r);
-    x += 3 * dofs;
-    if (x == end) x = begin;
-  }
-  state.counters["error"] = error;
-}
-
-}  // namespace
-
-double largest_error(call f, const std::vector<expectation>& expected) {
+/// Expectations follow each other in the lanes of a call, from the first on again if there are more lanes.
+template <class S>
+double largest_error(const subject<S>& t, const std::vector<expectation>& expected) {
+  const auto lanes = static_cast<std::size_t>(t.states);
+  numbers<S> y(lanes * t.size_of_result);
   long double largest = 0;
-  for (const auto& e : expected) {
-    result r;
-    f(e.x.data(), r.y);
-    long double size = 0, error = 0;
-    for (std::size_t i = 0; i < e.y.size(); ++i) {
-      const long double d = std::fabs(r.y[i] - e.y[i]);
-      if (i < e.rotations) {
-        largest = std::fmax(largest, d);
-      } else {
-        error = std::fmax(error, d), size = std::fmax(size, std::fabs(e.y[i]));
-      }
-    }
-    largest = std::fmax(largest, error / size);
+  for (std::size_t first = 0; first < expected.size(); first += lanes) {
+    const auto in_lane = [&](std::size_t k) -> auto& { return expected[(first + k) % expected.size()]; };
+    std::vector<S> x;
+    for (std::size_t part = 0; part < 3; ++part)
+      for (std::size_t k = 0; k < lanes; ++k)
+        for (const double number : in_lane(k).x[part]) x.push_back(static_cast<S>(number));
+    t.f(x.data(), y.data());
+    const S* at = y.data();
+    for (std::size_t k = 0; k < lanes; ++k)
+      for (const auto& block : in_lane(k).y) largest = std::max(largest, error_of(at, block)), at += block.size();
   }
   return static_cast<double>(largest);
 }
 
-void add(const std::string& operation, const std::string& how, const std::string& model, int dofs, call f,
-         const std::vector<expectation>& expected) {
-  const std::string name = operation + "/" + how + "/" + model;
-  benchmark::RegisterBenchmark(name.c_str(), time, dofs, f, largest_error(f, expected));
+/// States of a robot in motion, in groups of B: rad, rad/s, rad/s^2. As many as fit into the caches with the program.
+template <class S>
+std::vector<S> random_states(const model_size& n, int b) {
+  constexpr int room = 1 << 14;
+  const int groups = std::clamp(room, 3 * n.v * b, 3 * n.v * 512) / (3 * n.v * b);
+  std::mt19937 random(1);
+  std::vector<S> all;
+  const auto put = [&](int many, double most) {
+    std::uniform_real_distribution<> one(-most, most);
+    for (int i = 0; i < many; ++i) all.push_back(static_cast<S>(one(random)));
+  };
+  for (int g = 0; g < groups; ++g) put(b * n.q, 3.1), put(b * n.v, 2), put(b * n.v, 5);
+  return all;
+}
+
+template <class S>
+void time(benchmark::State& state, subject<S>* t) {
+  if (!t->error) {
+    const auto expected = bench::expected(t->model, t->what, t->part);
+    for (const auto& block : expected.front().y) t->size_of_result += block.size();
+    t->error = largest_error(*t, expected);
+  }
+  const model_size n = size_of(t->model);
+  const auto states = random_states<S>(n, t->states);
+  const int stride = t->states * (n.q + 2 * n.v);
+  const S *const begin = states.data(), *const end = begin + states.size(), *x = begin;
+  numbers<S> y(static_cast<std::size_t>(t->states) * t->size_of_result);
+  while (state.KeepRunningBatch(t->states)) {
+    t->f(x, y.data());
+    benchmark::ClobberMemory();
+    x += stride;
+    if (x == end) x = begin;
+  }
+  state.counters["error"] = *t->error;
+}
+
+std::vector<void (*)()>& all_registered() {
+  static std::vector<void (*)()> all;
+  return all;
+}
+
+}  // namespace
+
+template <class S>
+void add(operation o, const std::string& how, const std::string& model, call<S> f, int states, triangle t) {
+  const std::string name = std::string(to_string(o)) + "/" + how + "/" + model;
+  // Subjects live as long as the program, as benchmarks do.
+  benchmark::RegisterBenchmark(name.c_str(), time<S>, new subject<S>{o, model, f, states, t});
+}
+template void add(operation, const std::string&, const std::string&, call<float>, int, triangle);
+template void add(operation, const std::string&, const std::string&, call<double>, int, triangle);
+template void add(operation, const std::string&, const std::string&, call<long double>, int, triangle);
+
+registered::registered(void (*f)()) { all_registered().push_back(f); }
+void register_all() {
+  for (const auto f : all_registered()) f();
 }
 
 }  // namespace bench

@@ -4,28 +4,35 @@
 #include <string>
 #include <vector>
 
+#include "operation.hpp"
+
 /// What is timed, and how.
 namespace bench {
 
-/// One evaluation, out of line. x: for each degree of freedom q, then for each q_dot, then for each q_ddot or tau.
-using call = void (*)(const double* x, double* y);
+/// One evaluation, out of line, of one state or of B states. x: the configurations q of all B states, then their
+/// velocities v, then their accelerations a (forces tau for forward dynamics); y: the results, state after state,
+/// matrices by columns. As everything is written to memory, compilers drop nothing.
+template <class S>
+using call = void (*)(const S* x, S* y);
 
-/// Arguments, and what must come of them. The first `rotations` results are of size 1 and judged absolutely.
+/// What must come of a state: blocks that are judged each by itself, such as the matrices of derivatives.
 struct expectation {
-  std::vector<double> x;
-  std::vector<long double> y;
-  std::size_t rotations = 0;
+  std::array<std::vector<double>, 3> x;  ///< q, v, and a or tau
+  std::vector<std::vector<long double>> y;
 };
 
-/// The largest of max|y - y_expected| / max|y_expected| over all expectations.
-double largest_error(call f, const std::vector<expectation>& expected);
+/// Registers `operation/how/model`: time of one state, each time another of up to 512 random ones. The counter `error`
+/// is the largest of max|y - expected| / max|expected| over all blocks and expectations (expected.hpp). S: float,
+/// double, long double.
+template <class S>
+void add(operation o, const std::string& how, const std::string& model, call<S> f, int states = 1,
+         triangle t = triangle::both);
 
-/// Registers `operation/how/model`: one call an iteration, each on another of 512 random states.
-void add(const std::string& operation, const std::string& how, const std::string& model, int dofs, call f,
-         const std::vector<expectation>& expected);
-
-void add_static();
-void add_straightline();
-void add_runtime();
+/// A file of benchmarks registers itself: `const registered here{[] { add(...); }};`. So a program has what is linked
+/// to it, and nobody keeps a list.
+struct registered {
+  explicit registered(void (*f)());
+};
+void register_all();
 
 }  // namespace bench

@@ -59,6 +59,7 @@ class traced {
     return make({op::quotient, a.index_, b.index_, 0}).times(a.negative_ == b.negative_ ? 1 : -1);
   }
   friend traced& operator+=(traced& a, const traced& b) { return a = a + b; }
+  friend traced& operator-=(traced& a, const traced& b) { return a = a - b; }
   /// Whether these are the same value; x-x == 0 for all x.
   friend bool operator==(const traced& a, const traced& b) {
     return a.index_ == b.index_ && (a.negative_ == b.negative_ || a.is(0));

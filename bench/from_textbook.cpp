@@ -1,0 +1,87 @@
+#include "from_textbook.hpp"
+
+#include <complex>
+
+#include "textbook.hpp"
+
+namespace bench {
+namespace {
+
+using dual = std::complex<real>;  // x + ih: f(x + ih) = f(x) + ih f'(x) to all digits, with h small
+using vector = textbook<real>::vector;
+
+template <class M>
+block by_columns(const M& m) {
+  block b;
+  for (Eigen::Index j = 0; j < m.cols(); ++j)
+    for (Eigen::Index i = 0; i < m.rows(); ++i) b.push_back(m(i, j));
+  return b;
+}
+/// Columns f(e_0), f(e_1), ... for unit vectors e.
+template <class F>
+block columns(Eigen::Index n, const F& f) {
+  block b;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const vector y = f(j);
+    b.insert(b.end(), y.begin(), y.end());
+  }
+  return b;
+}
+
+std::array<vector, 3> vectors(const std::array<std::vector<double>, 3>& numbers) {
+  std::array<vector, 3> x;
+  for (std::size_t part = 0; part < 3; ++part)
+    x[part] = Eigen::Map<const Eigen::VectorXd>(numbers[part].data(), Eigen::Index(numbers[part].size())).cast<real>();
+  return x;
+}
+
+}  // namespace
+
+std::vector<block> from_textbook(operation o, const std::string& model,
+                                 const std::array<std::vector<double>, 3>& numbers) {
+  const auto robot = robot_of(model);
+  const auto x = vectors(numbers);
+  const textbook<real> t(robot);
+  const auto& [q, v, a] = x;
+  const auto n = t.dofs();
+  const vector none = vector::Zero(n);
+  const auto unit = [&](Eigen::Index j) { return vector::Unit(n, j); };
+  const auto mass = [&] { return columns(n, [&](auto j) { return t.inverse_dynamics(q, none, unit(j), false); }); };
+  const auto inverse = [&] { return columns(n, [&](auto j) { return t.forward_dynamics(q, none, unit(j), false); }); };
+  const auto derivatives = [&](const auto& f, bool by_q) {
+    const textbook<dual> stepping(robot);
+    constexpr real h = 1e-100L;
+    return columns(n, [&](auto j) {
+      textbook<dual>::vector at[]{q.cast<dual>(), v.cast<dual>(), a.cast<dual>()};
+      at[by_q ? 0 : 1][j] += dual(0, h);
+      return vector(f(stepping, at[0], at[1], at[2]).imag() / h);
+    });
+  };
+  const auto id = [](const auto& book, const auto&... at) { return book.inverse_dynamics(at...); };
+  const auto fd = [](const auto& book, const auto&... at) { return book.forward_dynamics(at...); };
+  switch (o) {
+    case operation::passes:
+    case operation::inverse_dynamics:
+      return {by_columns(id(t, q, v, a))};
+    case operation::nonlinear_effects:
+      return {by_columns(id(t, q, v, none))};
+    case operation::forward_dynamics:
+      return {by_columns(fd(t, q, v, a))};
+    case operation::mass_matrix:
+      return {mass()};
+    case operation::mass_matrix_inverse:
+      return {inverse()};
+    case operation::id_derivatives:
+      return {by_columns(id(t, q, v, a)), derivatives(id, true), derivatives(id, false), mass()};
+    case operation::fd_derivatives:
+      return {by_columns(fd(t, q, v, a)), derivatives(fd, true), derivatives(fd, false), inverse()};
+    case operation::jacobian:
+      return {by_columns(t.forward_kinematics(q).jacobian)};
+    case operation::forward_kinematics:
+      const auto tool = t.forward_kinematics(q);
+      return {by_columns(tool.rotation.transpose()), by_columns(tool.position)};  // rotations are by rows
+  }
+  return {};
+}
+
+}  // namespace bench

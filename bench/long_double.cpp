@@ -1,0 +1,11 @@
+/// Extended precision.
+#include "models.hpp"
+#include "static_calls.hpp"
+
+namespace bench {
+namespace {
+
+const registered here{[] { add_algorithms<iiwa14, long double>("long_double"); }};
+
+}  // namespace
+}  // namespace bench

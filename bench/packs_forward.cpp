@@ -1,0 +1,16 @@
+/// Forward dynamics in packs: a file of its own, for what it takes to compile.
+#include "models.hpp"
+#include "packs.hpp"
+
+namespace bench {
+namespace {
+
+const registered here{[] {
+  using eight = pack_calls<iiwa14, double, 8>;
+  add(operation::forward_dynamics, "batch8", iiwa14::name, eight::forward_dynamics, eight::states);
+  using sixteen = pack_calls<iiwa14, float, 16>;
+  add(operation::forward_dynamics, "batch16_float", iiwa14::name, sixteen::forward_dynamics, sixteen::states);
+}};
+
+}  // namespace
+}  // namespace bench

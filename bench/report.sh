@@ -1,0 +1,76 @@
+#!/bin/sh
+# Runs all benchmarks and writes docs/performance.md and docs/performance/*.svg: some ten minutes, most of them for the
+# build. Needs what the benchmarks need (docs/build.md) and gnuplot; other libraries are timed if they are installed:
+#   apt install gnuplot-nox liborocos-kdl-dev libmujoco-dev libdart-dev libbullet-dev
+# Leave the machine alone meanwhile. BUILD=folder REVISION=text: a build that is made already, and of what.
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+cd "$root"
+here=bench/report
+: "${REPETITIONS:=5}" "${MIN_TIME:=0.05}"
+changes=$(git status --porcelain -- include bench)
+: "${REVISION:=$(git rev-parse --short HEAD)${changes:+ and changes not committed}}"
+for tool in cmake gnuplot awk; do
+  command -v $tool >/dev/null || { echo "report: $tool is missing: apt install cmake gnuplot-nox mawk" >&2; exit 1; }
+done
+
+if [ -z "${BUILD:-}" ]; then
+  BUILD=build/bench
+  cmake --preset bench -DKTE_BENCH_PEERS=ON
+  cmake --build --preset bench
+fi
+work=$BUILD/report
+mkdir -p "$work" docs/performance
+
+options="--benchmark_repetitions=$REPETITIONS --benchmark_min_time=$MIN_TIME --benchmark_enable_random_interleaving=true
+  --benchmark_report_aggregates_only=true --benchmark_out_format=json"
+rm -f "$work"/*.json
+for program in kte_bench kte_bench_libm peers/kte_bench_peers; do
+  [ -x "$BUILD/bench/$program" ] || continue
+  out=$work/${program##*/}
+  # shellcheck disable=SC2086
+  "$BUILD/bench/$program" $options --benchmark_out="$out.json" >"$out.log"
+done
+cat "$work"/*.json | awk -f $here/numbers.awk | sort -k1,1 -k2,2 -k3.1,3.6 -k3.7n >"$work/numbers"
+gnuplot -e "numbers='$work/numbers'; here='$here'; out='docs/performance'" $here/plots.gp
+
+version() { dpkg-query -W -f '${Version}' "$1" 2>/dev/null | sed 's/[-+].*//' || true; }
+model() {
+  printf '\n### %s\n\n' "$1"
+  sort -k4,4g "$work/numbers" | awk -v model="$1" -f $here/model.awk
+}
+cache() { sed -n "s/^$1:[^=]*=//p" "$BUILD/CMakeCache.txt"; }
+cpu() { lscpu | sed -n "s/^$1: *//p"; }
+compiler=$(cache CMAKE_CXX_COMPILER)
+flags="$(cache CMAKE_CXX_FLAGS_RELEASE) $(cache CMAKE_CXX_FLAGS)"
+others="Orocos KDL $(version liborocos-kdl-dev), MuJoCo $(version libmujoco-dev), DART $(version libdart-dev)"
+others="$others, Bullet $(version libbullet-dev)"
+
+{
+  cat $here/introduction.md
+  cat <<END
+
+| | |
+|-|-|
+| machine | $(cpu 'Model name'), family $(cpu 'CPU family'), model $(cpu Model), $(nproc) cores, one used |
+| compiler | $("$compiler" --version | head -n 1), $flags |
+| revision | $REVISION, $(date -u +%F) |
+| libraries | Eigen $(version libeigen3-dev), xsimd $(version libxsimd-dev), Google Benchmark $(version libbenchmark-dev) |
+| others | $others |
+| command | \`sh bench/report.sh\`: $REPETITIONS repetitions of $MIN_TIME s or more, interleaved at random |
+
+## Targets
+
+Ratios of two times, and errors. Straight-line forward dynamics factorises the mass matrix, unless it is
+\`straightline_aba\`: articulated bodies as the textbook has them.
+
+END
+  awk -f $here/targets.awk "$work/numbers" $here/targets.txt
+  printf '\n## Models\n\n![time against error](performance/error.svg)\n\n![ways to evaluate](performance/ways.svg)\n'
+  for name in iiwa14 ur5 solo12 pendulum; do model $name; done
+  printf '\n## Growth with the number of bodies\n\n![growth](performance/growth.svg)\n\nNanoseconds by bodies:\n\n'
+  awk -v column=4 -f $here/growth.awk "$work/numbers"
+  printf '\nErrors of the same:\n\n'
+  awk -v column=5 -f $here/growth.awk "$work/numbers"
+} >docs/performance.md
+echo "docs/performance.md"

@@ -1,0 +1,61 @@
+#include "runtime_calls.hpp"
+
+#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/runtime_frames.hpp>
+
+#include <algorithm>
+
+namespace bench::runtime_calls {
+namespace {
+template <class M>
+void copy(const M& m, double* y) {
+  std::copy_n(m.data(), m.size(), y);
+}
+}  // namespace
+
+void passes(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  kte::set_positions(s, x), kte::set_velocities(s, x + nq), kte::set_accelerations(s, x + nq + nv);
+  chain.doMotion(s);
+  chain.clearForce(s);
+  chain.doForce(s);
+  if (nq == nv) {
+    for (int i = 0; i < nv; ++i) y[i] = -s.coordinate(i).f;
+  } else {
+    Eigen::Map<Eigen::VectorXd>(y, nv) = -kte::forces(s);
+  }
+}
+void forward_kinematics(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  const auto [r, p] = kte::forward_kinematics(chain, s, x, tool);
+  if (planar) {
+    y[0] = r.x.x, y[1] = r.y.x, y[2] = p.x, y[3] = p.y;
+  } else {
+    const double all[]{r.x.x, r.x.y, r.x.z, r.y.x, r.y.y, r.y.z, r.z.x, r.z.y, r.z.z, p.x, p.y, p.z};
+    std::copy(std::begin(all), std::end(all), y);
+  }
+}
+void jacobian(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  const auto j = kte::jacobian(chain, s, x, tool, kte::in_world_axes);
+  std::copy_n(j.data(), j.size(), y);
+}
+void inverse_dynamics(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  copy(kte::inverse_dynamics(chain, s, x, x + nq, x + nq + nv), y);
+}
+void nonlinear_effects(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  copy(kte::nonlinear_effects(chain, s, x, x + nq), y);
+}
+void mass_matrix(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  copy(kte::mass_matrix(chain, s, x), y);
+}
+void forward_dynamics(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  copy(kte::forward_dynamics(chain, s, x, x + nq, x + nq + nv), y);
+}
+
+}  // namespace bench::runtime_calls

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <kte/chain/kte_map_chain.hpp>
+
+#include <string>
+
+#include "timing.hpp"
+
+namespace bench {
+
+/// A runtime chain, its tool, and a state that stays where it is, as in a simulation.
+struct runtime_subject {
+  runtime_subject(kte::kte_map_chain c, std::string tool_name, bool is_planar = false)
+      : chain(std::move(c)), tool(std::move(tool_name)), planar(is_planar) {}
+  kte::kte_map_chain chain;
+  std::string tool;
+  bool planar;
+  kte::runtime_state state = chain.make_state();
+  int nq = chain.nq(), nv = chain.dofs();
+};
+
+/// The algorithms, compiled once for all chains. They give references into the state, from which results are copied as
+/// an application would that keeps them.
+namespace runtime_calls {
+using function = void(runtime_subject&, const double* x, double* y);
+function passes, forward_kinematics, jacobian, inverse_dynamics, nonlinear_effects, mass_matrix, forward_dynamics;
+}  // namespace runtime_calls
+
+template <class Model, runtime_calls::function* F>
+void call_on(const double* x, double* y) {
+  F(Model::made(), x, y);
+}
+
+/// Registers them for the subject that is `Model::made()`.
+template <class Model>
+void add_runtime() {
+  namespace calls = runtime_calls;
+  const auto add = [](operation o, call<double> f) { bench::add(o, "runtime", Model::name, f); };
+  add(operation::passes, call_on<Model, calls::passes>);
+  add(operation::forward_kinematics, call_on<Model, calls::forward_kinematics>);
+  add(operation::jacobian, call_on<Model, calls::jacobian>);
+  add(operation::inverse_dynamics, call_on<Model, calls::inverse_dynamics>);
+  add(operation::nonlinear_effects, call_on<Model, calls::nonlinear_effects>);
+  add(operation::mass_matrix, call_on<Model, calls::mass_matrix>);
+  add(operation::forward_dynamics, call_on<Model, calls::forward_dynamics>);
+  // Here: mass_matrix_inverse, id_derivatives, fd_derivatives, when runtime chains have them.
+}
+
+}  // namespace bench

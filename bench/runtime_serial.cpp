@@ -1,0 +1,37 @@
+/// Runtime chains of 1, 2, 4, ... bodies.
+#include "models.hpp"
+#include "runtime_calls.hpp"
+
+namespace bench {
+namespace {
+
+template <int N>
+struct serial_at_run_time {
+  static constexpr auto name = serial_name<N>.text;
+  static runtime_subject& made() {
+    static runtime_subject s{build(), "link" + std::to_string(N)};
+    return s;
+  }
+
+ private:
+  static kte::kte_map_chain build() {
+    kte::kte_map_chain c;
+    c.gravity(kte::along_z(-9.81));
+    for (int i = 0; i < N; ++i) {
+      const auto number = std::to_string(i + 1);
+      const auto& b = serial_body(i);
+      c << kte::rigid_link_3D(i == 0 ? "base" : "link" + std::to_string(i), "seat" + number, b.position, b.rotation)
+        << kte::revolute_joint_3D("q" + number, "seat" + number, "link" + number, b.axis)
+        << kte::inertia_3D("link" + number, b.body);
+    }
+    return c;
+  }
+};
+
+const registered here{[] {
+  [&]<int... Power>(std::integer_sequence<int, Power...>) { (add_runtime<serial_at_run_time<(1 << Power)>>(), ...); }
+  (std::make_integer_sequence<int, 11>{});
+}};
+
+}  // namespace
+}  // namespace bench

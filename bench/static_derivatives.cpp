@@ -1,0 +1,15 @@
+/// Static chains: the inverse of the mass matrix, and derivatives. A file of its own, for what it takes to compile.
+#include "models.hpp"
+#include "static_calls.hpp"
+
+namespace bench {
+namespace {
+
+const registered here{[] {
+  add_derivatives<pendulum, double>("static");
+  add_derivatives<iiwa14, double>("static");
+  add_derivatives<ur5, double>("static");
+}};
+
+}  // namespace
+}  // namespace bench
