@@ -2,15 +2,16 @@
 
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
 
 #include <algorithm>
 
 namespace bench::runtime_calls {
 namespace {
-template <class M>
-void copy(const M& m, double* y) {
-  std::copy_n(m.data(), m.size(), y);
+template <class... M>
+void copy(double* y, const M&... m) {
+  ((y = std::copy_n(m.data(), m.size(), y)), ...);
 }
 }  // namespace
 
@@ -43,19 +44,33 @@ void jacobian(runtime_subject& subject, const double* x, double* y) {
 }
 void inverse_dynamics(runtime_subject& subject, const double* x, double* y) {
   auto& [chain, tool, planar, s, nq, nv] = subject;
-  copy(kte::inverse_dynamics(chain, s, x, x + nq, x + nq + nv), y);
+  copy(y, kte::inverse_dynamics(chain, s, x, x + nq, x + nq + nv));
 }
 void nonlinear_effects(runtime_subject& subject, const double* x, double* y) {
   auto& [chain, tool, planar, s, nq, nv] = subject;
-  copy(kte::nonlinear_effects(chain, s, x, x + nq), y);
+  copy(y, kte::nonlinear_effects(chain, s, x, x + nq));
 }
 void mass_matrix(runtime_subject& subject, const double* x, double* y) {
   auto& [chain, tool, planar, s, nq, nv] = subject;
-  copy(kte::mass_matrix(chain, s, x), y);
+  copy(y, kte::mass_matrix(chain, s, x));
 }
 void forward_dynamics(runtime_subject& subject, const double* x, double* y) {
   auto& [chain, tool, planar, s, nq, nv] = subject;
-  copy(kte::forward_dynamics(chain, s, x, x + nq, x + nq + nv), y);
+  copy(y, kte::forward_dynamics(chain, s, x, x + nq, x + nq + nv));
+}
+void mass_matrix_inverse(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  copy(y, kte::mass_matrix_inverse(chain, s, x));
+}
+void id_derivatives(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  const auto& r = kte::inverse_dynamics_derivatives(chain, s, x, x + nq, x + nq + nv);
+  copy(y, r.tau, r.by_q, r.by_v, r.by_a);
+}
+void fd_derivatives(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  const auto& r = kte::forward_dynamics_derivatives(chain, s, x, x + nq, x + nq + nv);
+  copy(y, r.a, r.by_q, r.by_v, r.by_tau);
 }
 
 }  // namespace bench::runtime_calls

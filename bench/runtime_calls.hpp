@@ -23,7 +23,8 @@ struct runtime_subject {
 /// an application would that keeps them.
 namespace runtime_calls {
 using function = void(runtime_subject&, const double* x, double* y);
-function passes, forward_kinematics, jacobian, inverse_dynamics, nonlinear_effects, mass_matrix, forward_dynamics;
+function passes, forward_kinematics, jacobian, inverse_dynamics, nonlinear_effects, mass_matrix, forward_dynamics,
+    mass_matrix_inverse, id_derivatives, fd_derivatives;
 }  // namespace runtime_calls
 
 template <class Model, runtime_calls::function* F>
@@ -43,7 +44,10 @@ void add_runtime() {
   add(operation::nonlinear_effects, call_on<Model, calls::nonlinear_effects>);
   add(operation::mass_matrix, call_on<Model, calls::mass_matrix>);
   add(operation::forward_dynamics, call_on<Model, calls::forward_dynamics>);
-  // Here: mass_matrix_inverse, id_derivatives, fd_derivatives, when runtime chains have them.
+  if (Model::made().nv > 32) return;  // results grow by the square, their references take still longer
+  add(operation::mass_matrix_inverse, call_on<Model, calls::mass_matrix_inverse>);
+  add(operation::id_derivatives, call_on<Model, calls::id_derivatives>);
+  add(operation::fd_derivatives, call_on<Model, calls::fd_derivatives>);
 }
 
 }  // namespace bench

@@ -53,16 +53,8 @@ class kte_map_adapter final : public kte_element {
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
 
-  /// Where a port leads.
-  struct where {
-    const int* index;
-    template <std::size_t P>
-    int at() const {
-      return index[P];
-    }
-  };
   auto on(runtime_state& s) const {
-    return detail::stored_element<Core, runtime_state, where>{core_, s, {index_.data()}};
+    return detail::stored_element<Core, runtime_state, detail::by_index>{core_, s, {index_.data()}};
   }
   template <class Step>
   void take(Step, runtime_state& s) const {

@@ -19,6 +19,15 @@ inline constexpr std::size_t load_index = [] {
   return i;
 }();
 
+/// Where the ports of an element lead, as a list of indices.
+struct by_index {
+  const int* index;
+  template <std::size_t P>
+  KTE_INLINE constexpr int at() const {
+    return index[P];
+  }
+};
+
 /// Connects the ports of an element to a state: Where::at<port>() gives the index of what port is connected to.
 template <class Core, class State, class Where>
 struct stored_element {

@@ -7,7 +7,18 @@
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/unpack.hpp>
 
+/// Unrolled code grows faster than the number of elements. Beyond this many, each type of element core has a function.
+/// Like other options, the same in all units of a program.
+#if !defined(KTE_UNROLLED_ELEMENTS)
+#  define KTE_UNROLLED_ELEMENTS 48
+#endif
+
 namespace kte {
+
+namespace detail {
+template <std::size_t Elements>
+inline constexpr bool has_unrolled_size = Elements <= KTE_UNROLLED_ELEMENTS;
+}
 
 /// A mechanism as a type: elements in order, connected by their keys, with a gravity. Build it with `kte::chain`.
 /// Immutable and without pointers: constexpr where its numbers are, free to copy, safe to share between threads.
@@ -40,18 +51,17 @@ class static_chain {
   template <class State>
   constexpr void doMotion(State& s) const {
     check<State>();
-    forward([&](auto x) { x.motion(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
+    forward([](const auto& x) { x.motion(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
   }
   template <class State>
   constexpr void clearForce(State& s) const {
     check<State>();
-    forward([&](auto x) { x.clear(std::make_index_sequence<decltype(x)::ports>{}); }, s,
-            std::index_sequence_for<E...>{});
+    forward([](const auto& x) { x.clear(ports_of(x)); }, s, std::index_sequence_for<E...>{});
   }
   template <class State>
   constexpr void doForce(State& s) const {
     check<State>();
-    backward([&](auto x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
+    backward([](const auto& x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
   }
 
   /// The same chain under gravity, m/s^2 in the axes of the base: `.gravity(along_z(-9.81))`. It acts as the opposite
@@ -89,18 +99,30 @@ class static_chain {
   static constexpr auto inputs_of(const X&) {
     return std::make_index_sequence<X::inputs>{};
   }
-  template <std::size_t I, class S>
-  KTE_INLINE constexpr auto stored(S& s) const {
-    return detail::stored_element<core_type<I>, S, where<I>>{core<I>(), s, {}};
+  template <class X>
+  static constexpr auto ports_of(const X&) {
+    return std::make_index_sequence<X::ports>{};
+  }
+  template <std::size_t I, class F, class S>
+  KTE_INLINE constexpr void one(const F& f, S& s) const {
+    if constexpr (detail::has_unrolled_size<size>) {
+      f(detail::stored_element<core_type<I>, S, where<I>>{core<I>(), s, {}});
+    } else {
+      apart(f, core<I>(), s, wiring::table.slot.data() + wiring::first[I]);
+    }
+  }
+  template <class F, class Core, class S>
+  [[gnu::noinline]] static constexpr void apart(const F& f, const Core& core, S& s, const int* index) {
+    f(detail::stored_element<Core, S, detail::by_index>{core, s, {index}});
   }
   template <class F, class S, std::size_t... I>
   KTE_INLINE constexpr void forward(const F& f, S& s, std::index_sequence<I...>) const {
-    const int done[]{(f(stored<I>(s)), 0)..., 0};
+    const int done[]{(one<I>(f, s), 0)..., 0};
     (void)done;
   }
   template <class F, class S, std::size_t... I>
   KTE_INLINE constexpr void backward(const F& f, S& s, std::index_sequence<I...>) const {
-    const int done[]{(f(stored<size - 1 - I>(s)), 0)..., 0};
+    const int done[]{(one<size - 1 - I>(f, s), 0)..., 0};
     (void)done;
   }
 

@@ -107,14 +107,7 @@ struct working_element {
   }
 
  private:
-  struct where {
-    const int* index;
-    template <std::size_t P>
-    int at() const {
-      return index[P];
-    }
-  };
-  auto stored() const { return stored_element<Core, State, where>{core, state, {index}}; }
+  auto stored() const { return stored_element<Core, State, by_index>{core, state, {index}}; }
   template <bool RatesOnly, class C>
   static decltype(auto) coordinate_seen(const C& c) {
     if constexpr (requires { c.q; }) {

@@ -172,23 +172,28 @@ class local_mass {
   const local_motion<Chain, Given> motion_;
 };
 
+/// A function of its own: only a variable of its outermost block is made where the caller wants it.
+template <class S, class Chain, class Given>
+KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g) {
+  using mass_type = local_mass<S, Chain, Given>;
+  typename mass_type::matrix_type m;
+  mass_type(c, g, m);
+  if constexpr (mass_type::coordinates == Chain::dofs) {
+    return m;
+  } else {
+    return joint_matrix<S, Chain::dofs>(m.template block<Chain::dofs, Chain::dofs>(0, 0));
+  }
+}
 /// The mass matrix over the degrees of freedom. Of the bases only coordinates that are given matter.
 template <class S, class Chain, class Positions, class Base>
 KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Base& base) {
+  static_assert(moves_frames_stiffly<Chain>,
+                "kte: the mass matrix needs elements that move frames to be a kte::transmission");
   at.check(), base.check();
   const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};
-  static_assert(moves_frames_stiffly<Chain>,
-                "kte: the mass matrix needs elements that move frames to be a kte::transmission");
   if constexpr (is_unrolled<Chain, S>) {
-    using mass_type = local_mass<S, Chain, std::remove_const_t<decltype(g)>>;
-    typename mass_type::matrix_type m;
-    mass_type(c, g, m);
-    if constexpr (mass_type::coordinates == Chain::dofs) {
-      return m;
-    } else {
-      return joint_matrix<S, Chain::dofs>(m.template block<Chain::dofs, Chain::dofs>(0, 0));
-    }
+    return unrolled_mass_matrix<S>(c, g);
   } else {
     return stored_mass_matrix<S>(c, g);
   }

@@ -45,18 +45,15 @@ struct static_lists {
 template <class Chain>
 inline constexpr auto static_plan = arrange<static_lists<Chain>::template list>(static_connections<Chain>{});
 
-/// Unrolled code grows faster than the number of elements. Beyond this many, and for scalars whose operations are
-/// functions, algorithms are loops over elements (dynamics/detail/stored_chain.hpp; docs/decisions/02-compile-time.md).
-/// Like other options, the same in all units of a program.
-#if !defined(KTE_UNROLLED_ELEMENTS)
-#  define KTE_UNROLLED_ELEMENTS 48
-#endif
+/// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over elements
+/// (dynamics/detail/stored_chain.hpp) are as fast and compile in a tenth of the time
+/// (docs/decisions/02-compile-time.md).
 template <class S>
 inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || requires {
   S::lanes;
 };  // packs
 template <class Chain, class S>
-inline constexpr bool is_unrolled = Chain::size <= KTE_UNROLLED_ELEMENTS&& is_a_few_instructions<S>;
+inline constexpr bool is_unrolled = has_unrolled_size<Chain::size>&& is_a_few_instructions<S>;
 
 /// f<K, Slot>() for every frame that no element writes.
 template <class Wiring, class F>
