@@ -1,4 +1,4 @@
-/// Forward dynamics in packs: a file of its own, for what it takes to compile.
+/// Forward dynamics of batches, and packs themselves.
 #include "models.hpp"
 #include "packs.hpp"
 
@@ -10,6 +10,9 @@ const registered here{[] {
   add(operation::forward_dynamics, "batch8", iiwa14::name, eight::forward_dynamics, eight::states);
   using sixteen = pack_calls<iiwa14, float, 16>;
   add(operation::forward_dynamics, "batch16_float", iiwa14::name, sixteen::forward_dynamics, sixteen::states);
+  packed_calls<iiwa14, double, 8>::add("pack8");
+  packed_calls<iiwa14, double, 16>::add("pack16");
+  packed_calls<iiwa14, float, 16>::add("pack16_float");
 }};
 
 }  // namespace

@@ -61,16 +61,20 @@ others="$others, Bullet $(version libbullet-dev)"
 
 ## Targets
 
-Ratios of two times, and errors. Straight-line forward dynamics factorises the mass matrix, unless it is
-\`straightline_aba\`: articulated bodies as the textbook has them.
+Ratios of two times, and errors. Straight-line forward dynamics factorises the mass matrix; \`straightline_aba\` is by
+articulated bodies, as kte's own.
 
 END
   awk -f $here/targets.awk "$work/numbers" $here/targets.txt
+  cat $here/notes.md
   printf '\n## Models\n\n![time against error](performance/error.svg)\n\n![ways to evaluate](performance/ways.svg)\n'
   for name in iiwa14 ur5 solo12 pendulum; do model $name; done
   printf '\n## Growth with the number of bodies\n\n![growth](performance/growth.svg)\n\nNanoseconds by bodies:\n\n'
   awk -v column=4 -f $here/growth.awk "$work/numbers"
   printf '\nErrors of the same:\n\n'
   awk -v column=5 -f $here/growth.awk "$work/numbers"
+  printf '\n## Compile time\n\nInverse dynamics, mass matrix and forward dynamics in one file, by \`sh bench/compile/measure.sh\`:\n\n\`\`\`\n'
+  sh bench/compile/measure.sh
+  printf '\`\`\`\n'
 } >docs/performance.md
 echo "docs/performance.md"

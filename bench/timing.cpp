@@ -33,6 +33,7 @@ struct subject {
   call<S> f;
   int states;
   triangle part;
+  bool packed;
   // Once it was asked for, as expectations of long chains take time:
   std::optional<double> error{};
   std::size_t size_of_result{};  ///< of one state
@@ -49,6 +50,14 @@ long double error_of(const S* y, const std::vector<long double>& expected) {
   return size == 0 ? error : error / size;
 }
 
+/// A table of numbers of S, from rows to columns.
+template <class S>
+void transpose(S* begin, std::size_t rows, std::size_t columns) {
+  const std::vector<S> old(begin, begin + rows * columns);
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j) begin[j * rows + i] = old[i * columns + j];
+}
+
 /// Expectations follow each other in the lanes of a call, from the first on again if there are more lanes.
 template <class S>
 double largest_error(const subject<S>& t, const std::vector<expectation>& expected) {
@@ -58,10 +67,14 @@ double largest_error(const subject<S>& t, const std::vector<expectation>& expect
   for (std::size_t first = 0; first < expected.size(); first += lanes) {
     const auto in_lane = [&](std::size_t k) -> auto& { return expected[(first + k) % expected.size()]; };
     std::vector<S> x;
-    for (std::size_t part = 0; part < 3; ++part)
+    for (std::size_t part = 0; part < 3; ++part) {
+      const std::size_t begin = x.size();
       for (std::size_t k = 0; k < lanes; ++k)
         for (const double number : in_lane(k).x[part]) x.push_back(static_cast<S>(number));
+      if (t.packed) transpose(x.data() + begin, lanes, in_lane(0).x[part].size());
+    }
     t.f(x.data(), y.data());
+    if (t.packed) transpose(y.data(), t.size_of_result, lanes);
     const S* at = y.data();
     for (std::size_t k = 0; k < lanes; ++k)
       for (const auto& block : in_lane(k).y) largest = std::max(largest, error_of(at, block)), at += block.size();
@@ -113,14 +126,15 @@ std::vector<void (*)()>& all_registered() {
 }  // namespace
 
 template <class S>
-void add(operation o, const std::string& how, const std::string& model, call<S> f, int states, triangle t) {
+void add(operation o, const std::string& how, const std::string& model, call<S> f, int states, triangle t,
+         bool packed) {
   const std::string name = std::string(to_string(o)) + "/" + how + "/" + model;
   // Subjects live as long as the program, as benchmarks do.
-  benchmark::RegisterBenchmark(name.c_str(), time<S>, new subject<S>{o, model, f, states, t});
+  benchmark::RegisterBenchmark(name.c_str(), time<S>, new subject<S>{o, model, f, states, t, packed});
 }
-template void add(operation, const std::string&, const std::string&, call<float>, int, triangle);
-template void add(operation, const std::string&, const std::string&, call<double>, int, triangle);
-template void add(operation, const std::string&, const std::string&, call<long double>, int, triangle);
+template void add(operation, const std::string&, const std::string&, call<float>, int, triangle, bool);
+template void add(operation, const std::string&, const std::string&, call<double>, int, triangle, bool);
+template void add(operation, const std::string&, const std::string&, call<long double>, int, triangle, bool);
 
 registered::registered(void (*f)()) { all_registered().push_back(f); }
 void register_all() {

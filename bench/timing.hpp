@@ -11,7 +11,8 @@ namespace bench {
 
 /// One evaluation, out of line, of one state or of B states. x: the configurations q of all B states, then their
 /// velocities v, then their accelerations a (forces tau for forward dynamics); y: the results, state after state,
-/// matrices by columns. As everything is written to memory, compilers drop nothing.
+/// matrices by columns. Of packs, in both the first numbers of all states come first, then the second ones. As
+/// everything is written to memory, compilers drop nothing.
 template <class S>
 using call = void (*)(const S* x, S* y);
 
@@ -26,7 +27,7 @@ struct expectation {
 /// double, long double.
 template <class S>
 void add(operation o, const std::string& how, const std::string& model, call<S> f, int states = 1,
-         triangle t = triangle::both);
+         triangle t = triangle::both, bool packed = false);
 
 /// A file of benchmarks registers itself: `const registered here{[] { add(...); }};`. So a program has what is linked
 /// to it, and nobody keeps a list.

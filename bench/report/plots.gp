@@ -7,9 +7,11 @@ of(operation, model) = sprintf('$1 == "%s" && $3 ~ /^%s/', operation, model)
 present(condition) = system(sprintf("awk '%s && !seen[$2]++ { printf \"%%s \", $2 }' %s", condition, numbers))
 
 # Every way to evaluate has a colour and a mark of its own.
-ways = "static runtime straightline straightline_aba batch8 batch16_float float long_double kdl bullet mujoco dart"
-colours = "#0072b2 #d55e00 #222222 #888888 #009e73 #66c2a5 #56b4e9 #1b3a93 #cc79a7 #e69f00 #882255 #999933"
-marks = "7 5 9 11 13 13 7 7 1 2 3 8"
+ways = "static runtime straightline straightline_aba batch8 batch16_float float long_double kdl bullet mujoco dart ".\
+       "pack8 pack16 pack16_float"
+colours = "#0072b2 #d55e00 #222222 #888888 #009e73 #66c2a5 #56b4e9 #1b3a93 #cc79a7 #e69f00 #882255 #999933 ".\
+          "#117733 #44aa99 #88ccee"
+marks = "7 5 9 11 13 13 7 7 1 2 3 8 12 14 12"
 at(way) = strstrt(" ".ways." ", " ".way." ")
 place(way) = (at(way) > 0 ? words(substr(ways, 1, at(way) - 1)) + 1 : 1)
 colour(way) = word(colours, place(way))

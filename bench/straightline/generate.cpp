@@ -5,7 +5,6 @@
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 #include "straightline/print.hpp"
-#include "textbook.hpp"
 
 namespace straightline {
 namespace {
@@ -44,19 +43,6 @@ std::vector<traced> list(const Vector& v) {
   return {v.begin(), v.end()};
 }
 
-/// By articulated bodies, as the textbook has it.
-void print_articulated(const std::string& robot) {
-  const bench::textbook<traced> book(bench::robot_of(robot));
-  const auto n = book.dofs();
-  bench::textbook<traced>::vector x[3];
-  std::size_t i = 0;
-  for (auto& part : x) {
-    part.resize(n);
-    for (auto& xi : part) xi = traced::input(i++);
-  }
-  print(robot, "articulated", list(book.forward_dynamics(x[0], x[1], x[2])));
-}
-
 template <class Chain, class Tool>
 void print_robot(const std::string& robot, const Chain& c, const Tool& tool) {
   constexpr int n = Chain::dofs;
@@ -73,6 +59,7 @@ void print_robot(const std::string& robot, const Chain& c, const Tool& tool) {
   for (int i = 0; i < n; ++i) b[i] = b[i] + a[static_cast<std::size_t>(i)];
   solve<n>(m, b);
   print(robot, "forward_dynamics", list(b));
+  print(robot, "articulated", list(kte::forward_dynamics(c, q, v, a)));
 
   print(robot, "nonlinear_effects", list(kte::nonlinear_effects(c, q, v)));
   const auto j = kte::jacobian(c, q, tool, kte::in_world_axes);
@@ -89,5 +76,4 @@ int main() {
   std::puts("#include <math.h>\n");
   straightline::print_robot("iiwa14", robots::iiwa14, robots::iiwa14_names::tool);
   straightline::print_robot("ur5", robots::ur5, robots::ur5_names::tool);
-  for (const auto robot : {"iiwa14", "ur5"}) straightline::print_articulated(robot);
 }
