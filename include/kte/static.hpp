@@ -28,7 +28,12 @@
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/frames/inverse.hpp>
+#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
+#include <kte/integrators/fehlberg45.hpp>
+#include <kte/integrators/midpoint.hpp>
+#include <kte/integrators/runge_kutta4.hpp>
+#include <kte/integrators/runge_kutta5.hpp>
 #include <kte/math/eigen.hpp>
 #include <kte/math/quaternion.hpp>

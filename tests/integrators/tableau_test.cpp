@@ -1,100 +1,94 @@
+#include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/euler.hpp>
+#include <kte/integrators/fehlberg45.hpp>
+#include <kte/integrators/midpoint.hpp>
+#include <kte/integrators/runge_kutta4.hpp>
+#include <kte/integrators/runge_kutta5.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <vector>
+#include <algorithm>
 
 #include "catch.hpp"
+#include "integrators/order_conditions.hpp"
 
 using namespace kte;
 
 namespace {
 
-// Butcher's order conditions sum_i b_i phi_i(tree) = 1 / gamma(tree), in exact arithmetic.
 using rational = boost::multiprecision::cpp_rational;
-using vector = std::vector<rational>;
-using tableau = dormand_prince45_tableau;
-constexpr std::size_t n = tableau::stages;
 
-rational exact(const ratio& r) { return rational(r.num, r.den); }
-vector exact(const tableau::row& w) {
-  vector v;
-  for (const auto& r : w) v.push_back(exact(r));
-  return v;
-}
-vector operator*(const vector& a, const vector& b) {
-  vector v(n);
-  for (std::size_t i = 0; i < n; ++i) v[i] = a[i] * b[i];
-  return v;
-}
-vector operator-(vector a, const vector& b) {
-  for (std::size_t i = 0; i < n; ++i) a[i] -= b[i];
-  return a;
-}
-rational sum(const vector& a) {
-  rational s = 0;
-  for (const auto& x : a) s += x;
-  return s;
-}
-vector A(const vector& x) {
-  vector v(n);
-  for (std::size_t i = 0; i < n; ++i) v[i] = sum(exact(tableau::a[i]) * x);
-  return v;
+/// Weights of an order, and of no higher one.
+template <class Conditions>
+void check_order(const Conditions& conditions, const typename Conditions::vector& b, int order,
+                 const rational& theta = 1) {
+  for (int r = 1; r <= order; ++r) CHECK(conditions.defect(b, r, theta) == 0);
+  CHECK(conditions.defect(b, order + 1, theta) != 0);
 }
 
-struct tree {
-  int order;
-  int gamma;
-  vector phi;
-};
-std::vector<tree> trees() {
-  const vector c = exact(tableau::c), one(n, 1);
-  return {{1, 1, one},           {2, 2, c},
-          {3, 3, c * c},         {3, 6, A(c)},
-          {4, 4, c * c * c},     {4, 8, c * A(c)},
-          {4, 12, A(c * c)},     {4, 24, A(A(c))},
-          {5, 5, c * c * c * c}, {5, 10, c * c * A(c)},
-          {5, 20, A(c) * A(c)},  {5, 15, c * A(c * c)},
-          {5, 30, c * A(A(c))},  {5, 20, A(c * c * c)},
-          {5, 40, A(c * A(c))},  {5, 60, A(A(c * c))},
-          {5, 120, A(A(A(c)))}};
-}
-
-/// How many conditions of an order the weights break at theta.
-int broken(const vector& b, int order, const rational& theta = 1) {
-  int count = 0;
-  for (const auto& t : trees()) {
-    if (t.order != order) continue;
-    rational power = 1;
-    for (int i = 0; i < order; ++i) power *= theta;
-    count += sum(b * t.phi) != power / t.gamma;
-  }
-  return count;
-}
-
-TEST_CASE("Dormand-Prince: rows of the tableau sum to its times") {
-  for (std::size_t i = 0; i < n; ++i) CHECK(sum(exact(tableau::a[i])) == exact(tableau::c[i]));
-}
-
-TEST_CASE("Dormand-Prince: the solution has order 5, the embedded one order 4") {
-  const vector b = exact(tableau::a.back()), embedded = b - exact(tableau::error);
-  for (int order = 1; order <= 5; ++order) CHECK(broken(b, order) == 0);
-  for (int order = 1; order <= 4; ++order) CHECK(broken(embedded, order) == 0);
-  CHECK(broken(embedded, 5) > 0);
-}
-
-TEST_CASE("Dormand-Prince: the dense output has order 4 everywhere") {
-  const vector b = exact(tableau::a.back()), d = exact(tableau::dense);
+/// A method with fixed steps.
+template <class Tableau>
+void check_fixed() {
+  const test::order_conditions<rational, Tableau> conditions(Tableau::order + 1);
+  CHECK(conditions.defect_of_rows() == 0);
+  const auto b = conditions.exact(Tableau::weights);
+  check_order(conditions, b, Tableau::order);
+  auto p = b;
   for (int i = 0; i <= 8; ++i) {
+    const rational theta(i, 8);
+    rational power = 1;
+    for (auto& x : p) x = 0;
+    for (const auto& row : Tableau::interpolant) {
+      power *= theta;
+      const auto w = conditions.exact(row);
+      for (std::size_t j = 0; j < p.size(); ++j) p[j] += power * w[j];
+    }
+    if (i == 8) CHECK(p == b);
+    if (i > 0 && i < 8) check_order(conditions, p, Tableau::dense_order, theta);
+  }
+}
+
+/// A method that chooses its steps.
+template <class Tableau>
+void check_embedded() {
+  const test::order_conditions<rational, Tableau> conditions(std::max(Tableau::order, Tableau::embedded_order) + 1);
+  CHECK(conditions.defect_of_rows() == 0);
+  const auto b = conditions.exact(Tableau::a.back()), embedded = conditions.exact(Tableau::embedded);
+  auto w = b;
+  check_order(conditions, b, Tableau::order);
+  check_order(conditions, embedded, Tableau::embedded_order);
+  CHECK(Tableau::order_of_error == std::min(Tableau::order, Tableau::embedded_order) + 1);
+  for (int i = 1; i < 8; ++i) {  // (4) of embedded_runge_kutta
     const rational u(i, 8), r = 1 - u;
-    vector w(n);
-    for (std::size_t j = 0; j < n; ++j)
-      w[j] = u * b[j] - u * r * (1 - 2 * u) * b[j] + u * u * r * r * d[j];  // (4) of embedded_runge_kutta
+    for (std::size_t j = 0; j < b.size(); ++j) w[j] = u * b[j] - u * r * (1 - 2 * u) * b[j];
     w.front() += u * r * r;
     w.back() -= u * u * r;
-    for (int order = 1; order <= 4; ++order) CHECK(broken(w, order, u) == 0);
-    CHECK((broken(w, 5, u) == 0) == (i == 0 || i == 8));
+    if constexpr (requires { Tableau::dense; }) {
+      const auto d = conditions.exact(Tableau::dense);
+      for (std::size_t j = 0; j < b.size(); ++j) w[j] += u * u * r * r * d[j];
+    }
+    check_order(conditions, w, Tableau::dense_order, u);
   }
 }
 
 }  // namespace
+
+TEST_CASE("rooted trees") {
+  const test::order_conditions<rational, euler_tableau> conditions(8);
+  const std::size_t known[]{1, 1, 2, 4, 9, 20, 48, 115};
+  for (int r = 1; r <= 8; ++r) CHECK(conditions.count(r) == known[r - 1]);
+}
+
+TEST_CASE("methods with fixed steps have their order, at the ends of steps and between them") {
+  SECTION("Euler") { check_fixed<euler_tableau>(); }
+  SECTION("midpoint") { check_fixed<midpoint_tableau>(); }
+  SECTION("Kutta, order 4") { check_fixed<runge_kutta4_tableau>(); }
+  SECTION("Butcher, order 5") { check_fixed<runge_kutta5_tableau>(); }
+}
+
+TEST_CASE("methods that choose their steps have their orders") {
+  SECTION("Bogacki and Shampine 3(2)") { check_embedded<bogacki_shampine23_tableau>(); }
+  SECTION("Fehlberg 4(5)") { check_embedded<fehlberg45_tableau>(); }
+  SECTION("Dormand and Prince 5(4)") { check_embedded<dormand_prince45_tableau>(); }
+}

@@ -8,7 +8,7 @@ namespace kte {
 /// Dense output of order 4: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.6.
 struct dormand_prince45_tableau {
   static constexpr std::size_t stages = 7;
-  static constexpr int order_of_error = 5;
+  static constexpr int order = 5, embedded_order = 4, dense_order = 4, order_of_error = 5;
   using row = tableau_row<stages>;
 
   static constexpr row c{{{0, 1}, {1, 5}, {3, 10}, {4, 5}, {8, 9}, {1, 1}, {1, 1}}};
@@ -21,8 +21,7 @@ struct dormand_prince45_tableau {
       {{{9017, 3168}, {-355, 33}, {46732, 5247}, {49, 176}, {-5103, 18656}}},
       {{{35, 384}, {}, {500, 1113}, {125, 192}, {-2187, 6784}, {11, 84}}},
   }};
-  /// Weights of order 5, the last row of a, less those of order 4.
-  static constexpr row error{{{71, 57600}, {}, {-71, 16695}, {71, 1920}, {-17253, 339200}, {22, 525}, {-1, 40}}};
+  static constexpr row embedded{{{5179, 57600}, {}, {7571, 16695}, {393, 640}, {-92097, 339200}, {187, 2100}, {1, 40}}};
   static constexpr row dense{{{-12715105075, 11282082432},
                               {},
                               {87487479700, 32700410799},

@@ -10,17 +10,18 @@ namespace kte {
 ///
 ///   k_i = f(t + c_i h, x + h sum_{j<i} a_ij k_j)           (1)
 ///   x1 = x + h sum_j a_sj k_j                              (2)
-///   e = h sum_i e_i k_i                                    (3)
+///   e = h sum_i (a_si - b_i) k_i                           (3)
 ///
 /// The last row of a holds the weights of the solution, so the last stage is the slope at the end of the step and the
 /// first stage of the next: one evaluation saved. (A method without this property is written with one stage more, which
-/// is its weights again.) Between the ends, the cubic through both states and slopes, and the tableau's quartic:
+/// is its weights again.) Between the ends, the cubic through both states and slopes, which is of order 3, and the
+/// tableau's quartic if it has one:
 ///
 ///   x(t + theta h) = (1 - theta) x + theta x1
 ///     + theta (theta - 1) [(1 - 2 theta)(x1 - x) + (theta - 1) h k_1 + theta h k_s]
 ///     + theta^2 (1 - theta)^2 h sum_i d_i k_i              (4)
 ///
-/// A `Tableau` has `stages`, `order_of_error` (of e in h), `c`, `a`, `error` (e_i), `dense` (d_i).
+/// A `Tableau` has `stages`, `order_of_error` (of e in h), `c`, `a`, `embedded` (b_i), and may have `dense` (d_i).
 template <class Tableau, class F, class X>
 class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, X>, F, X> {
   using base = integrator<embedded_runge_kutta, F, X>;
@@ -81,24 +82,20 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
     if (!((this->next_ - this->next_).array() == S(0)).all()) return std::numeric_limits<S>::quiet_NaN();
-    const auto e = h * detail::combination<Tableau::error>(k_);  // (3)
+    const auto e = h * detail::difference<Tableau::a.back(), Tableau::embedded>(k_);  // (3)
     return detail::error_norm(tolerances_, e, this->x_, this->next_);
   }
   template <std::size_t I>
   void stage(const S& h, const S& end) {
     this->next_ = this->x_ + h * detail::combination<Tableau::a[I]>(k_);  // (1); at last (2)
-    if constexpr (Tableau::c[I] == ratio{1, 1}) {
-      this->evaluate(end, this->next_, k_[I]);
-    } else {
-      this->evaluate(S(this->time_ + detail::coefficient<S, Tableau::c[I]>() * h), this->next_, k_[I]);
-    }
+    this->evaluate(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), this->next_, k_[I]);
   }
 
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_, r = S(1) - theta, rt = r * theta;
     x = r * this->previous_ + theta * this->x_ + (rt * (theta - r)) * (this->x_ - this->previous_) +
-        (rt * r * h) * k_.front() - (rt * theta * h) * k_.back() +
-        (rt * rt * h) * detail::combination<Tableau::dense>(k_);  // (4)
+        (rt * r * h) * k_.front() - (rt * theta * h) * k_.back();  // (4)
+    if constexpr (requires { Tableau::dense; }) x += (rt * rt * h) * detail::combination<Tableau::dense>(k_);
   }
 
   S choose_first_step(const S& t_end) {

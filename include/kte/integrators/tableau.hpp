@@ -32,9 +32,25 @@ S coefficient() {
   }
 }
 
+/// The time of a stage; the end itself for the last one.
+template <class S, ratio C>
+S stage_time(const S& t, const S& h, const S& end) {
+  if constexpr (C == ratio{1, 1}) {
+    return end;
+  } else {
+    return S(t + coefficient<S, C>() * h);
+  }
+}
+
 template <std::size_t N>
 constexpr bool zero_from(const tableau_row<N>& w, std::size_t i) {
   while (i < N && w[i].num == 0) ++i;
+  return i == N;
+}
+
+template <std::size_t N>
+constexpr bool equal_from(const tableau_row<N>& v, const tableau_row<N>& w, std::size_t i) {
+  while (i < N && v[i] == w[i]) ++i;
   return i == N;
 }
 
@@ -49,6 +65,20 @@ auto combination(const std::array<X, N>& k) {
     return coefficient<S, Weights[I]>() * k[I];
   } else {
     return coefficient<S, Weights[I]>() * k[I] + combination<Weights, I + 1>(k);
+  }
+}
+
+/// (v_1 - w_1) k_1 + (v_2 - w_2) k_2 + ... likewise.
+template <auto V, auto W, std::size_t I = 0, class X, std::size_t N>
+auto difference(const std::array<X, N>& k) {
+  using S = typename X::Scalar;
+  const auto term = [&] { return S(coefficient<S, V[I]>() - coefficient<S, W[I]>()) * k[I]; };
+  if constexpr (V[I] == W[I]) {
+    return difference<V, W, I + 1>(k);
+  } else if constexpr (I + 1 == N || equal_from(V, W, I + 1)) {
+    return term();
+  } else {
+    return term() + difference<V, W, I + 1>(k);
   }
 }
 

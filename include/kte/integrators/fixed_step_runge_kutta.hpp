@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kte/integrators/integrator.hpp>
+#include <kte/integrators/tableau.hpp>
+
+namespace kte {
+
+/// An explicit Runge-Kutta method of s stages with a fixed step h:
+///
+///   k_i = f(t + c_i h, x + h sum_{j<i} a_ij k_j)           (1)
+///   x1 = x + h sum_i b_i k_i                               (2)
+///   x(t + theta h) = x + h sum_i p_i(theta) k_i            (3)
+///
+/// Steps are counted from the start of each `integrate`; the last one is shorter where h does not divide the time.
+/// A `Tableau` has `stages`, `c`, `a`, `weights` (b_i), and `interpolant`: of p_i the coefficients of theta, theta^2,
+/// ...
+template <class Tableau, class F, class X>
+class fixed_step_runge_kutta : public integrator<fixed_step_runge_kutta<Tableau, F, X>, F, X> {
+  using base = integrator<fixed_step_runge_kutta, F, X>;
+  friend base;
+
+ public:
+  using S = typename X::Scalar;
+
+  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// start that is not finite.
+  template <class V>
+  fixed_step_runge_kutta(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
+      : base(std::move(f), t0, x0), step_(step) {
+    detail::check_positive(step, "step");
+    k_.fill(this->x_);
+  }
+
+ private:
+  static constexpr std::size_t stages = Tableau::stages;
+
+  void start(const S& t_end) {
+    grid_ = time_grid<S>(this->time_, t_end, step_, "step");
+    index_ = 0;
+  }
+  void advance(const S&) {
+    const S end = grid_[++index_], h = end - this->time_;
+    this->evaluate(this->time_, this->x_, k_[0]);
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
+    (std::make_index_sequence<stages - 1>{});
+    this->next_ = this->x_ + h * detail::combination<Tableau::weights>(k_);  // (2)
+    if (!((this->next_ - this->next_).array() == S(0)).all()) [[unlikely]]
+      this->fail("the next state is not a finite number");
+    this->accept(end);
+  }
+  template <std::size_t I>
+  void stage(const S& h, const S& end) {
+    this->next_ = this->x_ + h * detail::combination<Tableau::a[I]>(k_);  // (1)
+    this->evaluate(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), this->next_, k_[I]);
+  }
+  void dense(const S& theta, X& x) const {
+    const S h = this->time_ - this->previous_time_;
+    x = this->previous_;
+    S power = h;
+    [&]<std::size_t... P>(std::index_sequence<P...>) {
+      ((power *= theta, x += power * detail::combination<Tableau::interpolant[P]>(k_)), ...);  // (3)
+    }
+    (std::make_index_sequence<Tableau::interpolant.size()>{});
+  }
+
+  std::array<X, stages> k_;
+  S step_;
+  time_grid<S> grid_;
+  long long index_ = 0;
+};
+
+}  // namespace kte
