@@ -1,7 +1,7 @@
 # The table of targets: awk -f targets.awk numbers targets.txt
 # The slope of the least-squares line through (log N, log time).
-function slope(of, k, n, x, y, sx, sy, sxx, sxy) {
-  for (k = 16; k <= 1024; k *= 2) {
+function slope(of, from, k, n, x, y, sx, sy, sxx, sxy) {
+  for (k = from; k <= 1024; k *= 2) {
     if (!((of "/serial" k) in time)) continue
     x = log(k)
     y = log(time[of "/serial" k])
@@ -36,5 +36,5 @@ $1 == "time" {
   errors = known ? sprintf("%.1e : %.1e", error[$2], error[$3]) : ""
   row("`" $2 "` : `" $3 "`", known ? time[$2] / time[$3] : "", "%.2f", $4, errors)
 }
-$1 == "slope" { row("`" $2 "`, power of N with which it grows", slope($2), "%.2f", $3, "") }
+$1 == "slope" { row("`" $2 "`, power of N with which it grows from " $4 " on", slope($2, $4), "%.2f", $3, "") }
 $1 == "error" { row("`" $2 "`, error", $2 in error ? error[$2] : "", "%.1e", $3, "") }

@@ -7,8 +7,9 @@
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/unpack.hpp>
 
-/// Unrolled code grows faster than the number of elements. Beyond this many, each type of element core has a function.
-/// Like other options, the same in all units of a program.
+/// Up to how many elements algorithms whose code grows faster than their number are unrolled: mass matrix, articulated
+/// bodies, derivatives. Passes and inverse dynamics are up to three times as many. Beyond that each type of element
+/// core has a function. Like other options, the same in all units of a program.
 #if !defined(KTE_UNROLLED_ELEMENTS)
 #  define KTE_UNROLLED_ELEMENTS 48
 #endif
@@ -17,8 +18,10 @@ namespace kte {
 
 namespace detail {
 template <std::size_t Elements>
-inline constexpr bool has_unrolled_size = Elements <= KTE_UNROLLED_ELEMENTS;
-}
+inline constexpr bool unrolls_passes = Elements <= 3 * KTE_UNROLLED_ELEMENTS;
+template <std::size_t Elements>
+inline constexpr bool unrolls_all = Elements <= KTE_UNROLLED_ELEMENTS;
+}  // namespace detail
 
 /// A mechanism as a type: elements in order, connected by their keys, with a gravity. Build it with `kte::chain`.
 /// Immutable and without pointers: constexpr where its numbers are, free to copy, safe to share between threads.
@@ -105,7 +108,7 @@ class static_chain {
   }
   template <std::size_t I, class F, class S>
   KTE_INLINE constexpr void one(const F& f, S& s) const {
-    if constexpr (detail::has_unrolled_size<size>) {
+    if constexpr (detail::unrolls_passes<size>) {
       f(detail::stored_element<core_type<I>, S, where<I>>{core<I>(), s, {}});
     } else {
       apart(f, core<I>(), s, wiring::table.slot.data() + wiring::first[I]);

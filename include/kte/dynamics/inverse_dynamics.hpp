@@ -37,7 +37,7 @@ KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
 }
 template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
-  if constexpr (is_unrolled<Chain, S>) {
+  if constexpr (has_unrolled_passes<Chain, S>) {
     return forces_of<S>(local_pass<Chain, Given>(c, g), sign);
   } else {
     return stored_forces<S>(c, g, sign);

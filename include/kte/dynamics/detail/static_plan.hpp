@@ -53,7 +53,9 @@ inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || req
   S::lanes;
 };  // packs
 template <class Chain, class S>
-inline constexpr bool is_unrolled = has_unrolled_size<Chain::size>&& is_a_few_instructions<S>;
+inline constexpr bool is_unrolled = unrolls_all<Chain::size>&& is_a_few_instructions<S>;
+template <class Chain, class S>
+inline constexpr bool has_unrolled_passes = unrolls_passes<Chain::size>&& is_a_few_instructions<S>;
 
 /// f<K, Slot>() for every frame that no element writes.
 template <class Wiring, class F>
