@@ -73,8 +73,8 @@ END
   awk -v column=4 -f $here/growth.awk "$work/numbers"
   printf '\nErrors of the same:\n\n'
   awk -v column=5 -f $here/growth.awk "$work/numbers"
-  printf '\n## Compile time\n\nInverse dynamics, mass matrix and forward dynamics in one file, by \`sh bench/compile/measure.sh\`:\n\n\`\`\`\n'
+  printf '\n## Compile time\n\nInverse dynamics, mass matrix and forward dynamics in one file, by `sh bench/compile/measure.sh`:\n\n```\n'
   sh bench/compile/measure.sh
-  printf '\`\`\`\n'
+  printf '```\n'
 } >docs/performance.md
 echo "docs/performance.md"

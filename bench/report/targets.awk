@@ -17,7 +17,7 @@ function row(what, measured, digits, most, errors, verdict) {
   if (measured == "") {
     printf "| %s | not measured | %s | | |\n", what, most
   } else {
-    verdict = measured <= most + 0 ? "met" : sprintf("**missed**, by a factor of %.2f", measured / most)
+    verdict = measured <= most + 0 ? "met" : sprintf("**missed**, by a factor of %.3f", measured / most)
     printf "| %s | " digits " | %s | %s | %s |\n", what, measured, most, verdict, errors
   }
 }
@@ -34,7 +34,7 @@ FNR == 1 {
 $1 == "time" {
   known = ($2 in time) && ($3 in time)
   errors = known ? sprintf("%.1e : %.1e", error[$2], error[$3]) : ""
-  row("`" $2 "` : `" $3 "`", known ? time[$2] / time[$3] : "", "%.2f", $4, errors)
+  row("`" $2 "` : `" $3 "`", known ? time[$2] / time[$3] : "", "%.3f", $4, errors)
 }
 $1 == "slope" { row("`" $2 "`, power of N with which it grows from " $4 " on", slope($2, $4), "%.2f", $3, "") }
 $1 == "error" { row("`" $2 "`, error", $2 in error ? error[$2] : "", "%.1e", $3, "") }
