@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/local_articulated.hpp>
+#include <kte/dynamics/detail/local_inverse_mass.hpp>
+#include <kte/dynamics/detail/stored_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 
 namespace kte {
@@ -20,7 +21,7 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     }();
     const given<At, same<zero_t>, same<zero_t>, std::remove_const_t<decltype(resting)>, true> g{at, {}, {}, resting};
     if constexpr (is_unrolled<Chain, S>) {
-      local_articulated<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
+      local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
     } else {
       m = stored_inverse_mass<S>(c, g);
     }

@@ -24,7 +24,8 @@ template <class S, class Chain, class Given, class Elements = std::make_index_se
 class local_articulated;
 
 template <class S, class Chain, class Given, std::size_t... E>
-class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_motion<Chain, Given> {
+class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected local_motion<Chain, Given> {
+ protected:
   using typename local_motion<Chain, Given>::types;
   using typename local_motion<Chain, Given>::wiring;
   template <std::size_t I>
@@ -52,80 +53,10 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
     check_finite(a, std::size_t{Chain::dofs}, "kte: an acceleration is no finite number: an argument is none");
   }
 
-  /// The inverse of the mass matrix: column j is what a unit force on axis j does to a chain at rest without other
-  /// loads. Throws as `accelerate` does.
-  template <class Matrix>
-  KTE_INLINE void invert(Matrix& m) {
-    const vector none = vector::Zero();
-    vector column;
-    tau_ = &none, a_ = &column;
-    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
-    masses(std::make_index_sequence<wiring::freedoms>{});
-    check_good();
-    const int done[]{(unit_forces<E>(m), 0)..., 0};
-    (void)done;
-    masses_inverted(m, std::make_index_sequence<wiring::freedoms>{});
-  }
-
- private:
+ protected:
   KTE_INLINE void check_good() const {
     if (!good_) [[unlikely]]
       raise_singular_mass_matrix();
-  }
-  /// The columns of joint I.
-  template <std::size_t I, class Matrix>
-  KTE_INLINE void unit_forces(Matrix& m) {
-    if constexpr (yields<I>) unit_forces<I>(m, std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
-  }
-  template <std::size_t I, class Matrix, int... N>
-  KTE_INLINE void unit_forces(Matrix& m, std::integer_sequence<int, N...>) {
-    const auto column = [&](int n) KTE_INLINE_LAMBDA {
-      std::array<S, sizeof...(N)> force{};
-      force[static_cast<std::size_t>(n)] = S(1);
-      const int cleared[]{(clear_rate<E>(), 0)..., 0};
-      (void)cleared;
-      a_->setZero();
-      load_down<I>(no_wrench, force);
-      for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA {
-        accelerate_all<K, Slot>(acceleration{zero3{}, zero3{}}, readers<K, Slot>);
-      });
-      m.col(wiring::template at<kind_of<I>, slot_of<I>>.v + n) = *a_;
-      return 0;
-    };
-    const int done[]{column(N)...};
-    (void)done;
-  }
-  template <std::size_t I>
-  KTE_INLINE void clear_rate() {
-    if constexpr (yields<I>) boost::hana::at_c<I>(responses_).rate = {};
-  }
-  template <std::size_t I, class W, class Force>
-  KTE_INLINE void load_down(const W& load, const Force& force) {
-    constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, port_count<core_t<I>> - 2));
-    if constexpr (yields<I>) {
-      const auto w = transmitted_by_joint<S>(this->chain_.template core<I>(), coordinate<I>(), mass_on<I>(), load,
-                                             force, boost::hana::at_c<I>(responses_));
-      if constexpr (below >= 0) load_further<std::size_t{below}>(w);
-    } else if constexpr (below >= 0) {
-      load_further<std::size_t{below}>(transmit(pose<I>(), load));
-    }
-  }
-  template <std::size_t I, class W>
-  KTE_INLINE void load_further(const W& load) {
-    load_down<I>(load, std::array<S, std::size_t{yields<I> ? joint_dofs<core_t<I>> : 0}>{});
-  }
-  template <class Matrix, std::size_t... F>
-  KTE_INLINE void masses_inverted(Matrix& m, std::index_sequence<F...>) {
-    const int done[]{(mass_inverted<F>(m), 0)..., 0};
-    (void)done;
-  }
-  template <std::size_t F, class Matrix>
-  KTE_INLINE void mass_inverted(Matrix& m) {
-    constexpr freedom at = wiring::template free<F>;
-    if constexpr (moves_no_joint<F>()) {
-      m.col(at.v).setZero();
-      m(at.v, at.v) = S(1) / as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
-    }
   }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
@@ -179,6 +110,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : local_moti
   static constexpr kind kind_of = coordinate_kind<core_t<I>>;
   template <std::size_t I>
   static constexpr int slot_of = wiring::slot(I, 0);
+  template <std::size_t I>
+  static constexpr int row_of = wiring::template at<kind_of<I>, slot_of<I>>.v;
   template <std::size_t I>
   struct response_of_element {
     using type = nothing;
