@@ -13,8 +13,8 @@ template <class S, class Chain, class Given, std::size_t... E>
 class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_articulated<S, Chain, Given> {
   using base = local_articulated<S, Chain, Given>;
   using typename base::types;
-  using typename base::wiring;
   using typename base::vector;
+  using typename base::wiring;
   template <std::size_t I>
   using core_t = typename types::template core<I>;
   template <std::size_t I>
