@@ -64,6 +64,7 @@ class kte_element : public kte_map {
   virtual void perform(detail::steps::load_down, runtime_state&) const = 0;
   virtual void perform(detail::steps::vary, runtime_state&) const = 0;
   virtual void perform(detail::steps::vary_coordinates, runtime_state&) const = 0;
+  virtual void perform(detail::steps::inward, runtime_state&) const = 0;
 };
 
 }  // namespace kte

@@ -49,6 +49,7 @@ class kte_map_adapter final : public kte_element {
   void perform(detail::steps::load_down step, runtime_state& s) const override { take(step, s); }
   void perform(detail::steps::vary step, runtime_state& s) const override { take(step, s); }
   void perform(detail::steps::vary_coordinates step, runtime_state& s) const override { take(step, s); }
+  void perform(detail::steps::inward step, runtime_state& s) const override { take(step, s); }
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;

@@ -144,4 +144,11 @@ struct variation_memory {
   void make(const sizes_of_chain& n) { bodies.make(n), axes.resize(n.columns), row_of_axis.resize(n.columns); }
 };
 
+/// The Jacobian of a frame, over all coordinates, and where the frame stands in the element at hand.
+template <class S>
+struct jacobian_memory {
+  pose<mat3<vec3<S>>, vec3<S>> seen{};
+  Eigen::Matrix<S, 6, Eigen::Dynamic>* jacobian = nullptr;
+};
+
 }  // namespace kte::detail

@@ -27,7 +27,8 @@ struct runtime_connections {
 struct runtime_memory : pass_memory<double, growing>,
                         mass_memory<double, growing>,
                         articulated_memory<double, growing>,
-                        variation_memory<double, growing> {
+                        variation_memory<double, growing>,
+                        jacobian_memory<double> {
   explicit runtime_memory(const sizes_of_chain& n, std::size_t angles) {
     pass_memory::make(n), mass_memory::make(n), articulated_memory::make(n), variation_memory::make(n);
     for (auto* x : {&angle, &sine, &cosine}) x->resize((angles + 3) / 4 * 4);

@@ -86,20 +86,7 @@ inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s)
     a(0, row) += h.force.x, a(1, row) += h.force.y, a(2, row) += h.force.z;
     a(3, row) += k.x, a(4, row) += k.y, a(5, row) += k.z;
   });
-  if (s.plan.coordinates == s.dofs()) return a;
-  runtime_jacobian folded(6, s.dofs());  // rows as forces, from followers to what they follow
-  for (int i = 0; i < 6; ++i) {
-    detail::for_each_listed_freedom(s, [&](auto& x, const detail::freedom& at) {
-      int j = at.v;
-      detail::visit_f(x, [&](double& f) { f = a(i, j++); });
-    });
-    for (std::size_t g = 0; g < s.plan.row_of_gen.size(); ++g)
-      s.get<kind::gen>(static_cast<int>(g)).f = a(i, s.plan.row_of_gen[g]);
-    detail::push_followers(t, s);
-    detail::read_listed_numbers<detail::vector_of::f>(s, s.work.forces);
-    folded.row(i) = s.work.forces.transpose();
-  }
-  return folded;
+  return detail::folded(t, s, std::move(a));
 }
 
 // The same at q, or q and v, which are put into the state.

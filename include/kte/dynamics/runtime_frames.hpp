@@ -44,28 +44,23 @@ inline void push_followers(const topology& t, runtime_state& s) {
     if (follower.ports.back().how == access::out) follower.element->perform(steps::push{}, s);
   }
 }
-/// A load of six numbers on a frame, felt by the coordinates: from the frame to its base by the elements between them,
-/// then from followers to what they follow. Leaves forces in the coordinates of the state.
-inline void transmit_load(const topology& t, runtime_state& s, const runtime_frame& x,
-                          const dense_wrench<double>& load) {
-  for (std::size_t i = 0; i < s.plan.row_of_gen.size(); ++i) s.get<kind::gen>(static_cast<int>(i)).f = 0;
-  for_each_listed_freedom(s, [](auto& c, const freedom&) {
-    if constexpr (requires { clear_load(c); }) clear_load(c);
-  });
-  const auto load_on = [&w = s.work](kind k, int i) -> dense_wrench<double>& {
-    return (k == kind::frame_2D ? w.frames.get<kind::frame_2D>(i) : w.frames.get<kind::frame_3D>(i)).load;
-  };
-  load_on(x.what, x.index) = load;
-  kind k = x.what;
-  for (int i = x.index, e; (e = t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]) >= 0;) {
-    const auto& mover = t.elements[static_cast<std::size_t>(e)];
-    if (!mover.stiff) throw bad_argument("kte: a Jacobian needs joints and links, not " + mover.element->record().type);
-    const std::size_t base = mover.index.size() - 2;
-    k = mover.ports[base].what, i = mover.index[base];
-    load_on(k, i) = {};
-    mover.element->perform(steps::push{}, s);
+/// A matrix over all coordinates, whose rows are forces, over the degrees of freedom: what is on followers goes to what
+/// they follow, and what is on coordinates that are given is left out.
+inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const topology& t, runtime_state& s,
+                                                       Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
+  if (s.plan.coordinates == s.dofs()) return a;
+  for (int i = 0; i < 6; ++i) {
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) {
+      int j = at.v;
+      visit_f(x, [&](double& f) { f = a(i, j++); });
+    });
+    for (std::size_t g = 0; g < s.plan.row_of_gen.size(); ++g)
+      s.get<kind::gen>(static_cast<int>(g)).f = a(i, s.plan.row_of_gen[g]);
+    push_followers(t, s);
+    read_listed_numbers<vector_of::f>(s, s.work.forces);
+    a.row(i).head(s.dofs()) = s.work.forces.transpose();
   }
-  push_followers(t, s);
+  return a.leftCols(s.dofs());
 }
 }  // namespace detail
 
@@ -122,46 +117,61 @@ linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, co
   return frame_acceleration(c, s, frame);
 }
 
-/// The Jacobian of a frame, as on static chains. Row by row: row i is what a load of one along number i, on the frame,
-/// makes on the coordinates (the transpose), through the elements between frame and base.
+/// The Jacobian of a frame, as on static chains.
 using runtime_jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 namespace detail {
-inline runtime_jacobian jacobian_by_rows(const kte_map_chain& c, runtime_state& s, std::string_view frame, bool world) {
+inline runtime_jacobian jacobian_of_frame(const kte_map_chain& c, runtime_state& s, std::string_view frame,
+                                          bool world) {
   const auto x = find_frame(c, s, frame);
   check_positions(s);
-  move(c.wiring(), s, x.what, x.index);
-  const auto axes = world ? with_motion(s, x, [](const auto& m) { return as<double>(transpose(matrix(m.rotation))); })
-                          : as<double>(matrix(no_rotation{}));
-  const auto columns_of_axes = transpose(axes);
-  const vec3<> unit[]{columns_of_axes.x, columns_of_axes.y, columns_of_axes.z};
-  runtime_jacobian j(6, s.dofs());
-  for (int i = 0; i < 6; ++i) {
-    transmit_load(c.wiring(), s, x, i < 3 ? dense_wrench<double>{unit[i], {}} : dense_wrench<double>{{}, unit[i - 3]});
-    read_listed_numbers<vector_of::f>(s, s.work.forces);
-    j.row(i) = s.work.forces.transpose();
+  update_angles(s);
+  const auto& t = c.wiring();
+  const runtime_elements elements{c};
+  if (s.plan.coordinates > s.dofs()) elements.forward<steps::follow>(s);
+  const auto writer = [&t](kind k, int i) {
+    return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+  };
+  runtime_frame base = x;
+  for (int e; (e = writer(base.what, base.index)) >= 0;) {
+    const auto& mover = t.elements[static_cast<std::size_t>(e)];
+    if (!mover.stiff) throw bad_argument("kte: a Jacobian needs joints and links, not " + mover.element->record().type);
+    const std::size_t from = mover.index.size() - 2;
+    base = {mover.ports[from].what, mover.index[from]};
   }
-  return j;
+  runtime_jacobian j = runtime_jacobian::Zero(6, s.plan.coordinates);
+  s.work.jacobian = &j;
+  s.work.seen = {as<double>(matrix(no_rotation{})), {}};
+  elements.down_from<steps::inward>(writer(x.what, x.index), s);
+  if (world) {
+    const auto axes =
+        with_motion(s, base, [&s](const auto& m) { return as<double>(matrix(m.rotation) * s.work.seen.rotation); });
+    for (int k = 0; k < j.cols(); ++k) {
+      const vec3<> v = axes * vec3{j(0, k), j(1, k), j(2, k)}, w = axes * vec3{j(3, k), j(4, k), j(5, k)};
+      j.col(k) << v.x, v.y, v.z, w.x, w.y, w.z;
+    }
+  }
+  return folded(t, s, std::move(j));
 }
 }  // namespace detail
 
 inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
-  return detail::jacobian_by_rows(c, s, frame, false);
+  return detail::jacobian_of_frame(c, s, frame, false);
 }
 inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, std::string_view frame, in_world_axes_t) {
-  return detail::jacobian_by_rows(c, s, frame, true);
+  return detail::jacobian_of_frame(c, s, frame, true);
 }
 template <indexable Q>
 requires(!text_type<Q>) runtime_jacobian
     jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame) {
   set_positions(s, q);
-  return detail::jacobian_by_rows(c, s, frame, false);
+  return detail::jacobian_of_frame(c, s, frame, false);
 }
 template <indexable Q>
 requires(!text_type<Q>) runtime_jacobian
     jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame, in_world_axes_t) {
   set_positions(s, q);
-  return detail::jacobian_by_rows(c, s, frame, true);
+  return detail::jacobian_of_frame(c, s, frame, true);
 }
 
 }  // namespace kte
