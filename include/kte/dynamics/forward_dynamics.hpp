@@ -41,7 +41,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///   a = M(q)^-1 (tau - bias),   bias = the inverse dynamics for a = 0          (1)
 ///
 /// in a chain of joints and links by the articulated-body algorithm, which never forms M and keeps its digits where M
-/// is badly conditioned (docs/decisions/06-articulated-bodies.md); where coordinates follow others, or two joints share
+/// is badly conditioned (docs/decisions/05-forward-dynamics.md); where coordinates follow others, or two joints share
 /// one, by factorising M. tau: forces applied to the degrees of freedom besides those of the chain's own elements; else
 /// as `inverse_dynamics`. Returns accelerations, rad/s^2 and m/s^2. Throws `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
