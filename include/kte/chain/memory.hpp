@@ -148,7 +148,7 @@ struct variation_memory {
 template <class S>
 struct jacobian_memory {
   pose<mat3<vec3<S>>, vec3<S>> seen{};
-  Eigen::Matrix<S, 6, Eigen::Dynamic>* jacobian = nullptr;
+  Eigen::Matrix<S, 6, Eigen::Dynamic> jacobian;
 };
 
 }  // namespace kte::detail

@@ -33,7 +33,7 @@ struct working_jacobian : working_element<Core, State> {
   template <class T, class P, class Axis>
   void put(int column, const T& t, const P& p, const Axis& s) const {
     const auto v = as<S>(t * plus_cross(s.velocity, s.ang_velocity, p)), w = as<S>(t * s.ang_velocity);
-    auto j = this->state.work.jacobian->col(column);
+    auto j = this->state.work.jacobian.col(column);
     j[0] += v.x, j[1] += v.y, j[2] += v.z;
     j[3] += w.x, j[4] += w.y, j[5] += w.z;
   }

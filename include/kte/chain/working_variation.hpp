@@ -76,45 +76,38 @@ struct working_variation : working_element<Core, State> {
   void own_axes(const X& x, std::integer_sequence<int, N...> all) const {
     const auto axes = all_axes(all);
     const int done[]{(own_axis<N>(x, axes, all), 0)...};
-    const int entries[]{(entries_of<N, sizeof...(N)>(x, boost::hana::at_c<std::size_t{N}>(axes)), 0)...};
-    (void)done, (void)entries;
+    (void)done;
   }
-  /// Column N, and its entries with the other axes of the joint.
+  /// Column N, and the entries of axis N with the axes of the joint and with all columns beyond it.
   template <int N, class X, class Axes, int... K>
   void own_axis(const X& x, const Axes& axes, std::integer_sequence<int, K...>) const {
     auto& [tau, by_q, by_v, by_a] = *state.work.derivatives;
     const auto& s = boost::hana::at_c<std::size_t{N}>(axes);
     const auto& c = body<end>();
     const auto& at_base = this->template frame<base>();
-    const int j = place.row + N;
-    const auto q = varied_wrench(c.inertia, c.gyration, by_displacement(x, s, at_base));
-    const auto v = varied_wrench(c.inertia, c.gyration, by_rate(x, s, at_base));
-    const auto z = sensitivity_along(c.inertia, c.gyration, s);
-    const int done[]{(put(by_q, place.row + K, j, power(boost::hana::at_c<std::size_t{K}>(axes), q)),
-                      put(by_v, place.row + K, j, power(boost::hana::at_c<std::size_t{K}>(axes), v)),
-                      put(by_a, place.row + K, j, power(boost::hana::at_c<std::size_t{K}>(axes), z.to_acceleration)),
-                      0)...};
-    (void)done;
-    auto& column = state.work.axes[place.first + std::size_t{N}];
-    column.by_q = dense<S>(q - by_displacement(s, this->template frame<end>().load)), column.by_v = dense<S>(v);
-    set(column.row, z);
-    state.work.row_of_axis[place.first + std::size_t{N}] = j;
-  }
-  /// Of axis N with all columns beyond the joint.
-  template <int N, std::size_t Count, class X, class Axis>
-  void entries_of(const X& x, const Axis& s) const {
-    auto& [tau, by_q, by_v, by_a] = *state.work.derivatives;
-    const auto& at_base = this->template frame<base>();
     const auto displaced = by_displacement(x, s, at_base);
     const auto faster = by_rate(x, s, at_base);
+    const auto q = varied_wrench(c.inertia, c.gyration, displaced);
+    const auto v = varied_wrench(c.inertia, c.gyration, faster);
+    const auto z = sensitivity_along(c.inertia, c.gyration, s);
     const int i = place.row + N;
-    for (std::size_t k = place.first + Count; k < place.last; ++k) {
-      const auto& c = state.work.axes[k];
+    const int done[]{(put(by_q, place.row + K, i, power(boost::hana::at_c<std::size_t{K}>(axes), q)),
+                      put(by_v, place.row + K, i, power(boost::hana::at_c<std::size_t{K}>(axes), v)),
+                      put(by_a, place.row + K, i, power(boost::hana::at_c<std::size_t{K}>(axes), z.to_acceleration)),
+                      0)...};
+    (void)done;
+    auto& own = state.work.axes[place.first + std::size_t{N}];
+    own.by_q = dense<S>(q - by_displacement(s, this->template frame<end>().load)), own.by_v = dense<S>(v);
+    set(own.row, z);
+    state.work.row_of_axis[place.first + std::size_t{N}] = i;
+
+    for (std::size_t k = place.first + sizeof...(K); k < place.last; ++k) {
+      const auto& beyond = state.work.axes[k];
       const int j = state.work.row_of_axis[k];
       if (j < 0) continue;  // of a coordinate that is given
-      put(by_q, i, j, power(s, c.by_q)), put(by_q, j, i, change(c.row, displaced));
-      put(by_v, i, j, power(s, c.by_v)), put(by_v, j, i, change(c.row, faster));
-      const auto m = power(s, c.row.to_acceleration);
+      put(by_q, i, j, power(s, beyond.by_q)), put(by_q, j, i, change(beyond.row, displaced));
+      put(by_v, i, j, power(s, beyond.by_v)), put(by_v, j, i, change(beyond.row, faster));
+      const auto m = power(s, beyond.row.to_acceleration);
       put(by_a, i, j, m), put(by_a, j, i, m);
     }
   }

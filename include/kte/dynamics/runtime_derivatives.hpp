@@ -8,7 +8,8 @@
 #include <vector>
 
 /// What static chains have in dynamics/{mass_matrix_inverse,derivatives,hybrid_dynamics}.hpp, on runtime chains.
-/// Results are in the memory of the state, valid until the next call with it; the first call makes that memory.
+/// Results are in the memory of the state, valid until the next call with it; the first call makes that memory. (Hybrid
+/// dynamics returns a value.)
 namespace kte {
 
 namespace detail {

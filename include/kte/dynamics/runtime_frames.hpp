@@ -139,8 +139,8 @@ inline runtime_jacobian jacobian_of_frame(const kte_map_chain& c, runtime_state&
     const std::size_t from = mover.index.size() - 2;
     base = {mover.ports[from].what, mover.index[from]};
   }
-  runtime_jacobian j = runtime_jacobian::Zero(6, s.plan.coordinates);
-  s.work.jacobian = &j;
+  auto& j = s.work.jacobian;
+  j.setZero(6, s.plan.coordinates);
   s.work.seen = {as<double>(matrix(no_rotation{})), {}};
   elements.down_from<steps::inward>(writer(x.what, x.index), s);
   if (world) {
@@ -151,7 +151,7 @@ inline runtime_jacobian jacobian_of_frame(const kte_map_chain& c, runtime_state&
       j.col(k) << v.x, v.y, v.z, w.x, w.y, w.z;
     }
   }
-  return folded(t, s, std::move(j));
+  return folded(t, s, j);
 }
 }  // namespace detail
 
