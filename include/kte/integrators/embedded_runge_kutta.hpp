@@ -29,30 +29,28 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   static constexpr std::size_t stages = Tableau::stages;
 
  public:
-  using S = typename X::Scalar;
+  using typename base::rate;
+  using typename base::S;
 
   /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
   /// for a start that is not finite.
   template <class V>
   embedded_runge_kutta(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
       : base(std::move(f), t0, x0), tolerances_(tol) {
-    detail::check_positive(tol.absolute, "absolute tolerance");
-    detail::check_positive(tol.relative, "relative tolerance");
-    if (tol.max_steps < 1)
-      detail::raise<bad_argument>("kte: max_steps must be positive, got " + std::to_string(tol.max_steps));
-    k_.fill(this->x_);
+    tol.check(this->rates());
+    k_.fill(this->no_rate());
   }
 
  private:
   void start(const S& t_end) {
     tries_ = 0;
-    this->evaluate(this->time_, this->x_, k_.back());
+    this->evaluate(this->time_, this->x_, slope_at_end());
     if (step_ == S(0)) step_ = choose_first_step(t_end);
   }
 
   void advance(const S& t_end) {
     using std::abs;
-    k_.front().swap(k_.back());
+    begin_step();
     this->previous_time_ = this->time_;  // the stages of the last step are gone
     const S rest = abs(S(t_end - this->time_)), least = least_step(rest);
     S error(0);
@@ -76,39 +74,63 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     }
   }
 
+  /// The last slope is the first one.
+  void begin_step() {
+    if constexpr (base::on_group) {
+      k_.front() = slope_at_end_;
+    } else {
+      k_.front().swap(k_.back());
+    }
+  }
+  rate& slope_at_end() {
+    if constexpr (base::on_group) {
+      return slope_at_end_;
+    } else {
+      return k_.back();
+    }
+  }
+
   /// (1) to (3) for the step to `end`. Returns the norm of the error; NaN if the new state is not finite.
   S try_step(const S& end) {
     const S h = end - this->time_;
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
-    if (!((this->next_ - this->next_).array() == S(0)).all()) return std::numeric_limits<S>::quiet_NaN();
+    if (!this->next_is_finite()) return std::numeric_limits<S>::quiet_NaN();
     const auto e = h * detail::difference<Tableau::a.back(), Tableau::embedded>(k_);  // (3)
-    return detail::error_norm(tolerances_, e, this->x_, this->next_);
+    return detail::error_norm(tolerances_, e, this->magnitudes(this->x_), this->magnitudes(this->next_));
   }
   template <std::size_t I>
   void stage(const S& h, const S& end) {
-    this->next_ = this->x_ + h * detail::combination<Tableau::a[I]>(k_);  // (1); at last (2)
+    this->displace(h * detail::combination<Tableau::a[I]>(k_));  // (1); at last (2)
     this->evaluate(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), this->next_, k_[I]);
+    if constexpr (base::on_group && I + 1 == stages) slope_at_end_ = k_[I];  // as seen from the next step
+    this->pull_back(k_[I]);
   }
 
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_, r = S(1) - theta, rt = r * theta;
-    x = r * this->previous_ + theta * this->x_ + (rt * (theta - r)) * (this->x_ - this->previous_) +
-        (rt * r * h) * k_.front() - (rt * theta * h) * k_.back();  // (4)
-    if constexpr (requires { Tableau::dense; }) x += (rt * rt * h) * detail::combination<Tableau::dense>(k_);
+    const auto& d = this->displacement();
+    const auto cubic =
+        (theta + rt * (theta - r)) * d + (rt * r * h) * k_.front() - (rt * theta * h) * k_.back();  // (4)
+    if constexpr (requires { Tableau::dense; }) {
+      this->displaced(cubic + (rt * rt * h) * detail::combination<Tableau::dense>(k_), x);
+    } else {
+      this->displaced(cubic, x);
+    }
   }
 
   S choose_first_step(const S& t_end) {
     using std::abs;
-    const X &x = this->x_, &f0 = k_.back();
+    const rate& f0 = slope_at_end();
+    const auto& x = this->magnitudes(this->x_);
     const S d0 = detail::error_norm(tolerances_, x, x, x), d1 = detail::error_norm(tolerances_, f0, x, x);
     if (!detail::is_finite(d1)) [[unlikely]]
       this->fail("the right-hand side is not a finite number");
     const S span = abs(S(t_end - this->time_)), least = 4 * least_step(span);
     const S trial = detail::trial_step(d0, d1), h0 = span < trial ? span : trial < least ? least : trial;
     const S h = t_end < this->time_ ? S(-h0) : h0;
-    this->next_ = x + h * f0;
-    this->evaluate(S(this->time_ + h), this->next_, k_.front());
+    this->displace(h * f0);
+    this->slope(S(this->time_ + h), k_.front());
     const S d2 = detail::error_norm(tolerances_, (k_.front() - f0) / h, x, x);
     const S first = detail::first_step(h0, d1, d2, Tableau::order_of_error);
     return first < least ? least : first;
@@ -129,7 +151,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
   tolerances<S> tolerances_;
   detail::step_controller<S> control_{Tableau::order_of_error};
-  std::array<X, stages> k_;
+  std::array<rate, stages> k_;
+  [[no_unique_address]] typename base::template if_on_group<rate> slope_at_end_;
   S step_{0};  ///< length proposed for the next step; 0: none yet
   long long tries_ = 0;
 };

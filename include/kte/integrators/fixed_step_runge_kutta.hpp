@@ -20,7 +20,8 @@ class fixed_step_runge_kutta : public integrator<fixed_step_runge_kutta<Tableau,
   friend base;
 
  public:
-  using S = typename X::Scalar;
+  using typename base::rate;
+  using typename base::S;
 
   /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
@@ -28,7 +29,7 @@ class fixed_step_runge_kutta : public integrator<fixed_step_runge_kutta<Tableau,
   fixed_step_runge_kutta(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
       : base(std::move(f), t0, x0), step_(step) {
     detail::check_positive(step, "step");
-    k_.fill(this->x_);
+    k_.fill(this->no_rate());
   }
 
  private:
@@ -43,27 +44,28 @@ class fixed_step_runge_kutta : public integrator<fixed_step_runge_kutta<Tableau,
     this->evaluate(this->time_, this->x_, k_[0]);
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
-    this->next_ = this->x_ + h * detail::combination<Tableau::weights>(k_);  // (2)
-    if (!((this->next_ - this->next_).array() == S(0)).all()) [[unlikely]]
+    this->displace(h * detail::combination<Tableau::weights>(k_));  // (2)
+    if (!this->next_is_finite()) [[unlikely]]
       this->fail("the next state is not a finite number");
     this->accept(end);
   }
   template <std::size_t I>
   void stage(const S& h, const S& end) {
-    this->next_ = this->x_ + h * detail::combination<Tableau::a[I]>(k_);  // (1)
-    this->evaluate(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), this->next_, k_[I]);
+    this->displace(h * detail::combination<Tableau::a[I]>(k_));  // (1)
+    this->slope(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), k_[I]);
   }
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_;
-    x = this->previous_;
+    rate d = this->no_rate();
     S power = h;
     [&]<std::size_t... P>(std::index_sequence<P...>) {
-      ((power *= theta, x += power * detail::combination<Tableau::interpolant[P]>(k_)), ...);  // (3)
+      ((power *= theta, d += power * detail::combination<Tableau::interpolant[P]>(k_)), ...);  // (3)
     }
     (std::make_index_sequence<Tableau::interpolant.size()>{});
+    this->displaced(d, x);
   }
 
-  std::array<X, stages> k_;
+  std::array<rate, stages> k_;
   S step_;
   time_grid<S> grid_;
   long long index_ = 0;

@@ -1,26 +1,16 @@
 #pragma once
 
-#include <kte/integrators/time_grid.hpp>
-
-#include <Eigen/Core>
+#include <kte/integrators/tolerances.hpp>
 
 #include <cmath>
 
 namespace kte {
 
-/// How exact an integrator that chooses its own steps shall be.
-template <class S>
-struct tolerances {
-  S absolute = S(1e-6);           ///< in units of the state
-  S relative = S(1e-6);           ///< as a fraction of the state
-  long long max_steps = 1000000;  ///< of one `integrate`, with those rejected
-};
-
 namespace detail {
 
 /// The size of an error e of a step from x0 to x1: at most 1 where it is within the tolerances.
 ///
-///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute + relative max(|x0_i|, |x1_i|)          (1)
+///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute_i + relative_i max(|x0_i|, |x1_i|)      (1)
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.4, (4.10), (4.11).
 template <class S, class E, class X>
@@ -30,7 +20,7 @@ S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
   S sum(0);
   for (Eigen::Index i = 0; i < e.size(); ++i) {
     const S a = abs(x0[i]), b = abs(x1[i]);
-    const S r = e.coeff(i) / (tol.absolute + tol.relative * (a < b ? b : a));
+    const S r = e.coeff(i) / (tol.absolute[i] + tol.relative[i] * (a < b ? b : a));
     sum += r * r;
   }
   return sqrt(S(sum / S(static_cast<double>(e.size()))));

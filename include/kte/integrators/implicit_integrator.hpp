@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kte/integrators/integrator.hpp>
+#include <kte/integrators/step_control.hpp>
+
+#include <Eigen/LU>
+
+namespace kte {
+
+/// What methods for stiff systems share: the Jacobian of the right-hand side, and linear systems with it.
+///
+///   J_ij = d f_i / d x_j,   W = I - c J                (1)
+///
+/// J is f.jacobian(t, x, J) where f has that: J a square matrix of the right size, filled by f. Otherwise by
+/// differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|, absolute_j / relative_j), one evaluation a column.
+/// Where states have rotations, of the rate of the displacement by the displacement, at 0.
+template <class Method, class F, class X>
+class implicit_integrator : public integrator<Method, F, X> {
+  using base = integrator<Method, F, X>;
+
+ public:
+  using typename base::rate;
+  using typename base::S;
+
+ protected:
+  static constexpr int size = rate::RowsAtCompileTime;
+  using matrix = Eigen::Matrix<S, size, size>;
+
+  template <class V>
+  implicit_integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol)
+      : base(std::move(f), t0, x0),
+        tolerances_(tol),
+        jacobian_(matrix::Zero(this->rates(), this->rates())),
+        matrix_(jacobian_),
+        shifted_(this->no_rate()) {
+    tol.check(this->rates());
+  }
+
+  /// J at the present time and state, where f is `slope`. Overwrites `next_`.
+  void differentiate(const rate& slope) {
+    ++this->statistics_.jacobians;
+    if constexpr (requires { this->system().jacobian(this->time_, this->x_, jacobian_); }) {
+      this->system().jacobian(this->time_, this->x_, jacobian_);
+    } else {
+      using std::abs;
+      using std::sqrt;
+      const auto& sizes = this->magnitudes(this->x_);
+      rate d = this->no_rate();
+      for (Eigen::Index j = 0; j < this->rates(); ++j) {
+        const S x = abs(sizes[j]), least = tolerances_.absolute[j] / tolerances_.relative[j];
+        d[j] = root_of_epsilon() * (x < least ? least : x);
+        this->displace(d);
+        this->slope(this->time_, shifted_);
+        jacobian_.col(j) = (shifted_ - slope) / d[j];
+        d[j] = S(0);
+      }
+    }
+    check_finite(jacobian_);
+  }
+  /// df/dt at the present time and state, where f is `slope`: f.time_derivative(t, x, out), else by a difference over a
+  /// small part of the step h. Overwrites `next_`.
+  void differentiate_in_time(const rate& slope, const S& h, rate& out) {
+    if constexpr (requires { this->system().time_derivative(this->time_, this->x_, out); }) {
+      this->system().time_derivative(this->time_, this->x_, out);
+    } else {
+      using std::abs;
+      const S moved = this->time_ + root_of_epsilon() * (h + (h < S(0) ? -abs(this->time_) : abs(this->time_)));
+      this->evaluate(moved, this->x_, shifted_);
+      out = (shifted_ - slope) / S(moved - this->time_);
+    }
+  }
+  /// Makes W ready for `solve`. Says whether that was possible.
+  bool factorize(const S& c) {
+    ++this->statistics_.factorizations;
+    matrix_ = -c * jacobian_;
+    matrix_.diagonal().array() += S(1);
+    factors_.compute(matrix_);
+    return detail::is_finite(S(factors_.matrixLU().sum())) && (factors_.matrixLU().diagonal().array() != S(0)).all();
+  }
+  /// b = W^-1 b.
+  void solve(rate& b) const { b = factors_.solve(b).eval(); }
+
+  tolerances<S> tolerances_;
+  matrix jacobian_;
+
+ private:
+  static S root_of_epsilon() {
+    using std::sqrt;
+    return sqrt(std::numeric_limits<S>::epsilon());
+  }
+  void check_finite(const matrix& m) const {
+    if (!((m - m).array() == S(0)).all()) [[unlikely]]
+      this->fail("the Jacobian has a number that is not finite");
+  }
+
+  matrix matrix_;
+  Eigen::PartialPivLU<matrix> factors_{matrix_};
+  rate shifted_;
+};
+
+}  // namespace kte

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <concepts>
+#include <functional>
+#include <type_traits>
+
+/// States that are no vectors: those with rotations. Integrators then work on displacements d from the state x at the
+/// start of a step, which are vectors:
+///
+///   d' = rate of d at which the state x (+) d changes by f(t, x (+) d),   d(t) = 0          (1)
+///   x1 = x (+) d(t + h)                                                                     (2)
+///
+/// so that every one-step method is a method on the group, of the same order, without a norm to watch: Munthe-Kaas,
+/// High order Runge-Kutta methods on manifolds, Appl. Numer. Math. 29 (1999).
+namespace kte {
+
+namespace detail {
+/// What a right-hand side is, also through `std::ref`.
+template <class F>
+F& unwrapped(F& f) {
+  return f;
+}
+template <class F>
+F& unwrapped(const std::reference_wrapper<F>& f) {
+  return f.get();
+}
+template <class F>
+F& unwrapped(std::reference_wrapper<F>& f) {
+  return f.get();
+}
+template <class F>
+using unwrapped_type = std::remove_cvref_t<decltype(unwrapped(std::declval<F&>()))>;
+}  // namespace detail
+
+/// A right-hand side f whose states are no vectors:
+///
+///   typename F::rate         what f(t, x) returns: a column vector of velocities
+///   f.rates()                how many numbers it has
+///   f.displace(x, d, out)    out = x (+) d, in (2)
+///   f.pull_back(d, r)        the rate r of the state becomes that of d, in (1)
+///   f.magnitudes(x, m)       of each number of d, how large the state is in its unit: for relative tolerances
+template <class F, class X>
+concept moves_on_group = requires(const F& f, const X& x, X& out, const typename F::rate& d, typename F::rate& r) {
+  { f.rates() } -> std::convertible_to<Eigen::Index>;
+  f.displace(x, d, out);
+  f.pull_back(d, r);
+  f.magnitudes(x, r);
+};
+
+namespace detail {
+template <class F, class X>
+struct rate_type {
+  using type = X;
+};
+template <class F, class X>
+requires moves_on_group<F, X>
+struct rate_type<F, X> {
+  using type = typename F::rate;
+};
+}  // namespace detail
+
+/// The rates of states X under f, and displacements: X itself where states are vectors.
+template <class F, class X>
+using rate_of = typename detail::rate_type<detail::unwrapped_type<F>, X>::type;
+
+}  // namespace kte
