@@ -78,7 +78,10 @@ class implicit_integrator : public integrator<Method, F, X> {
     return detail::is_finite(S(factors_.matrixLU().sum())) && (factors_.matrixLU().diagonal().array() != S(0)).all();
   }
   /// b = W^-1 b.
-  void solve(rate& b) const { b = factors_.solve(b).eval(); }
+  void solve(rate& b) {
+    shifted_ = factors_.solve(b);
+    b.swap(shifted_);
+  }
 
   tolerances<S> tolerances_;
   matrix jacobian_;
