@@ -53,10 +53,10 @@ class integrator {
   /// The same; calls observer(t, x) at the start and after every step.
   template <std::invocable<const S&, const X&> Observer>
   void integrate(const S& t_end, Observer&& observer) {
-    start(t_end);
+    begin(t_end);
     observer(time_, x_);
     while (time_ != t_end) {
-      method().advance(t_end);
+      step(t_end);
       observer(time_, x_);
     }
   }
@@ -64,18 +64,25 @@ class integrator {
   /// the call. The steps are as without samples; those between step ends are interpolated.
   template <class T, std::invocable<const S&, const X&> Observer>
   void integrate(const S& t_end, const every<T>& spacing, Observer&& observer) {
-    start(t_end);
+    begin(t_end);
     const time_grid<S> samples(time_, t_end, S(spacing.spacing), "spacing of samples");
     X x = x_;
     observer(time_, x_);
     for (long long i = 1; time_ != t_end;) {
-      method().advance(t_end);
+      step(t_end);
       for (; i <= samples.intervals() && in_last_step(samples[i]); ++i) {
         interpolate(samples[i], x);
         observer(samples[i], x);
       }
     }
   }
+
+  /// One step at a time, for loops of one's own: `begin` once, then `step` until `time()` is t_end, for the same t_end.
+  void begin(const S& t_end) {
+    detail::check_finite(t_end, "end time");
+    if (t_end != time_) method().start(t_end);
+  }
+  void step(const S& t_end) { method().advance(t_end); }
 
   /// The state at a time of the last step; exact at its ends. Throws `bad_argument` for other times.
   X interpolate(const S& t) const {
@@ -199,10 +206,6 @@ class integrator {
  private:
   Method& method() { return static_cast<Method&>(*this); }
 
-  void start(const S& t_end) {
-    detail::check_finite(t_end, "end time");
-    if (t_end != time_) method().start(t_end);
-  }
   bool in_last_step(const S& t) const {
     return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
   }
