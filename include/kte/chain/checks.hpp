@@ -30,6 +30,8 @@ struct check_kind {
                 "kte: this port of the element takes a pose in the plane (pose_2D_key)");
   static_assert(rule < Core, Key, wanted != kind::pose_3D || Key::what == wanted >,
                 "kte: this port of the element takes a pose in space (pose_3D_key)");
+  static_assert(rule < Core, Key, wanted != kind::internal || Key::what == wanted >,
+                "kte: this port of the element takes an internal state (internal_key)");
 };
 template <class Core, class Ports, class... Keys>
 struct check_kinds;

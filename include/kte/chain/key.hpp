@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-/// Names of coordinates, frames and inputs. A name is a type, declared once:
+/// Names of coordinates, frames, inputs and internal states. A name is a type, declared once:
 ///
 ///   inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow"> {} elbow;
 ///
@@ -22,13 +22,16 @@ enum class kind : unsigned char {
   input,        ///< a signal from outside, for instance the force of a motor
   rotation_3D,  ///< a coordinate that is a rotation in space: a unit quaternion and an angular velocity
   pose_2D,      ///< a coordinate that is a pose in the plane
-  pose_3D       ///< a coordinate that is a pose in space
+  pose_3D,      ///< a coordinate that is a pose in space
+  internal      ///< a number that one element keeps, with a rate of its own: the deflection of bristles in friction
 };
-inline constexpr std::size_t kinds = 7;
+inline constexpr std::size_t kinds = 8;
 
 constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
+/// Whether it is a mere number, which carries no force.
+constexpr bool is_signal(kind k) { return k == kind::input || k == kind::internal; }
 /// Whether joints move by it: a number, a rotation or a pose.
-constexpr bool is_coordinate(kind k) { return !is_frame(k) && k != kind::input; }
+constexpr bool is_coordinate(kind k) { return !is_frame(k) && !is_signal(k); }
 /// How many numbers of a configuration q it has: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
 constexpr int nq_of(kind k) {
   return k == kind::gen ? 1 : k == kind::rotation_3D ? 4 : k == kind::pose_2D ? 3 : k == kind::pose_3D ? 7 : 0;
@@ -54,6 +57,8 @@ constexpr std::string_view to_string(kind k) {
       return "2D pose";
     case kind::pose_3D:
       return "3D pose";
+    case kind::internal:
+      return "internal state";
   }
   return "";
 }
@@ -87,6 +92,8 @@ template <fixed_string Text>
 struct pose_2D_key : key<kind::pose_2D, Text> {};
 template <fixed_string Text>
 struct pose_3D_key : key<kind::pose_3D, Text> {};
+template <fixed_string Text>
+struct internal_key : key<kind::internal, Text> {};
 
 /// A declared name.
 template <class T>

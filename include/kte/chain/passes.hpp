@@ -11,12 +11,20 @@
 /// The passes of one element on frames held in a state, for static and runtime chains alike.
 namespace kte::detail {
 
-/// The place of port P among the loads of an element, which belong to the ports that are no inputs.
+/// The place of port P among the loads of an element, which belong to the ports that are no signals.
 template <class Core, std::size_t P>
 inline constexpr std::size_t load_index = [] {
   std::size_t i = 0;
-  for (std::size_t p = 0; p < P; ++p) i += Core::ports[p].what != kind::input;
+  for (std::size_t p = 0; p < P; ++p) i += !is_signal(Core::ports[p].what);
   return i;
+}();
+
+/// The port of the internal state that an element keeps; beyond the last where it keeps none.
+template <class Core>
+inline constexpr std::size_t kept_port = [] {
+  std::size_t p = 0;
+  while (p < port_count<Core> && Core::ports[p].how != access::keep) ++p;
+  return p;
 }();
 
 /// Where the ports of an element lead, as a list of indices.
@@ -49,6 +57,8 @@ struct stored_element {
   KTE_INLINE constexpr decltype(auto) input() const {
     if constexpr (at<P>.what == kind::gen || at<P>.what == kind::input) {
       return std::as_const(stored<P>());
+    } else if constexpr (at<P>.what == kind::internal) {
+      return (std::as_const(stored<P>().z));
     } else {
       return spatial(stored<P>());
     }
@@ -73,6 +83,7 @@ struct stored_element {
   template <std::size_t... P>
   KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
+    if constexpr (kept_port<Core> < ports) stored<kept_port<Core>>().z_dot = core.z_dot(input<P>()...);
   }
   /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>
@@ -136,7 +147,7 @@ struct stored_element {
     if constexpr (at<P>.what == kind::gen) {
       auto& x = stored<P>();
       x.f = x.f + boost::hana::at_c<load_index<Core, P>>(l);
-    } else if constexpr (at<P>.what != kind::input) {
+    } else if constexpr (!is_signal(at<P>.what)) {
       add_load(stored<P>(), boost::hana::at_c<load_index<Core, P>>(l));
     }
   }
@@ -144,7 +155,7 @@ struct stored_element {
   KTE_INLINE constexpr void clear_one() const {
     if constexpr (at<P>.what == kind::gen) {
       stored<P>().f = {};
-    } else if constexpr (at<P>.what != kind::input) {
+    } else if constexpr (!is_signal(at<P>.what)) {
       clear_load(stored<P>());
     }
   }

@@ -14,7 +14,8 @@ enum class access : unsigned char {
   angle,  ///< the same, and wants cosine and sine of an angle, or the matrix of a rotation
   on,     ///< acts on it by a force. It must come from elsewhere: a spring alone makes no degree of freedom
   out,    ///< writes it
-  base    ///< declares it: its motion is given from outside
+  base,   ///< declares it: its motion is given from outside
+  keep    ///< an internal state: reads it and gives its rate. No other element may
 };
 
 /// One connection of an element: what kind, how it is used, and the role by which messages and files call it.
@@ -23,6 +24,9 @@ struct port {
   access how;
   std::string_view role;
   constexpr bool writes() const { return how == access::out || how == access::base; }
+  /// Whether nothing else may be connected to it before.
+  constexpr bool declares() const { return declares(how); }
+  static constexpr bool declares(access a) { return a == access::out || a == access::base || a == access::keep; }
 };
 
 /// The ports of an element core, in the order of its arguments.

@@ -86,6 +86,8 @@ class runtime_state {
   const kte::frame_3D<>& frame_3D(std::string_view name) const { return at<kind::frame_3D>(*this, name); }
   double& input(std::string_view name) { return at<kind::input>(*this, name); }
   double input(std::string_view name) const { return at<kind::input>(*this, name); }
+  internal_state<>& internal(std::string_view name) { return at<kind::internal>(*this, name); }
+  const internal_state<>& internal(std::string_view name) const { return at<kind::internal>(*this, name); }
   rotation_coord_3D<>& rotation_3D(std::string_view name) { return at<kind::rotation_3D>(*this, name); }
   const rotation_coord_3D<>& rotation_3D(std::string_view name) const { return at<kind::rotation_3D>(*this, name); }
   pose_coord_2D<>& pose_2D(std::string_view name) { return at<kind::pose_2D>(*this, name); }

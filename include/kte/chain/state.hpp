@@ -7,8 +7,8 @@
 
 namespace kte {
 
-/// The state of a static chain: every coordinate, frame and input by name, for the passes to work on and for users to
-/// look at. A value; the chain itself never changes.
+/// The state of a static chain: every coordinate, frame, input and internal state by name, for the passes to work on
+/// and for users to look at. A value; the chain itself never changes.
 ///
 ///   s[joint].position,  s[q].q_ddot,  s[motor] = 2.0
 template <class Scalar, class Wiring>

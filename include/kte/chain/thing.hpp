@@ -4,6 +4,7 @@
 #include <kte/frames/coordinates.hpp>
 #include <kte/frames/frame_3D.hpp>
 #include <kte/frames/gen_coord.hpp>
+#include <kte/frames/internal_state.hpp>
 
 #include <tuple>
 
@@ -12,8 +13,8 @@ namespace kte::detail {
 
 /// In the order of `kind`.
 template <class S>
-using things =
-    std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_coord_3D<S>, pose_coord_2D<S>, pose_coord_3D<S>>;
+using things = std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_coord_3D<S>, pose_coord_2D<S>,
+                          pose_coord_3D<S>, internal_state<S>>;
 template <kind K, class S>
 using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
 

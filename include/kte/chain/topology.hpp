@@ -41,6 +41,7 @@ class topology {
   std::vector<connection> elements;                   ///< in order
   bool reads_positions = false;                       ///< some element does
   bool has_derivatives = true;                        ///< all elements do
+  std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 
   /// Equal for chains with the same things in the same order: a new one for every element, the same for copies.
@@ -103,14 +104,16 @@ class topology {
         if (k != x.what)
           fail(type, ports, to,
                quoted + " is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
-        const bool declared = known != things_.end() ? known->second.declared : here->second->writes();
-        if (x.writes())
+        const bool declared = known != things_.end() ? known->second.declared : here->second->declares();
+        if (x.declares())
           fail(type, ports, to,
                "it writes " + quoted +
                    (declared ? ", which is then written twice" : ", which is read before it is written"));
         continue;
       }
       fresh.emplace(to[p], &x);
+      if (x.what == kind::internal && x.how != access::keep)
+        fail(type, ports, to, "it reads the internal state " + quoted + ", which no element before it keeps");
       if (is_frame(x.what) && !x.writes()) {
         if (base_taken)
           fail(type, ports, to,
@@ -126,9 +129,10 @@ class topology {
     const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
     const bool moves = x.how != access::on;
     const auto [it, fresh] =
-        things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.writes(), moves, false});
+        things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves, false});
     it->second.moves |= moves;
     it->second.angle |= x.how == access::angle;
+    if (x.how == access::keep) keepers.push_back(static_cast<int>(elements.size()));
     if (fresh) {
       names[k].push_back(name);
       writers[k].push_back(writer);

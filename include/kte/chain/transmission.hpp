@@ -8,7 +8,7 @@
 namespace kte {
 
 /// The loads an element puts on its input ports, in their order: a number for a coordinate (N or Nm, along it), a
-/// wrench for a frame (at its origin, in its axes). Ports of kind `input` get none.
+/// wrench for a frame (at its origin, in its axes). Signals (inputs, internal states) get none.
 template <class... L>
 using loads = boost::hana::tuple<L...>;
 

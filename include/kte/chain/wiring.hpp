@@ -80,7 +80,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
   // writers; a name is known by its first port
   for (int p = 0; p < n; ++p) writer[p] = -1;
   for (int p = 0; p < n; ++p)
-    if (use[p].how == access::out || use[p].how == access::base) {
+    if (port::declares(use[p].how)) {
       if (writer[name[p]] >= 0)
         report(p, problem::written_twice);
       else
@@ -95,11 +95,12 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
   for (int p = 0; p < n; ++p)
     if (use[p].how == access::in || use[p].how == access::angle) moves[name[p]] = true;
   for (int p = 0; p < n; ++p) {
-    if (use[p].how == access::out || use[p].how == access::base) continue;
+    if (port::declares(use[p].how)) continue;
     const int w = writer[name[p]];
     if (w >= 0 && element[w] >= element[p]) report(p, problem::read_before_written);
     if (w < 0 && is_coordinate(use[p].what) && !moves[name[p]]) report(p, problem::unknown);
     if (w < 0 && is_frame(use[p].what) && name[p] != base) report(p, problem::unknown);
+    if (w < 0 && use[p].what == kind::internal) report(p, problem::unknown);
   }
   // slots: coordinates that are degrees of freedom first, the rest in order of appearance
   for (int round = 0; round < 2; ++round)
@@ -123,8 +124,9 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     const int s = t.slot[p] = rank[name[p]];
     t.what[p] = use[p].what;
     if (use[p].how == access::angle && use[p].what == kind::gen) t.angle[s] = true;
-    if (use[p].how == access::out || use[p].how == access::base || use[p].what == kind::input) continue;
-    t.load[p] = p > first[element[p]] ? t.load[p - 1] + (use[p - 1].what != kind::input) : 0;
+    if (use[p].how == access::out || use[p].how == access::base || is_signal(use[p].what)) continue;
+    t.load[p] = 0;
+    for (int before = first[element[p]]; before < p; ++before) t.load[p] += !is_signal(use[before].what);
     auto& last = t.reader[static_cast<std::size_t>(use[p].what)][s];
     t.previous[p] = last;
     last = p;

@@ -129,6 +129,8 @@ struct working_element {
   decltype(auto) seen() const {
     if constexpr (at<P>.what == kind::input) {
       return std::as_const(thing<P>());
+    } else if constexpr (at<P>.what == kind::internal) {
+      return (std::as_const(thing<P>().z));
     } else if constexpr (!is_frame(at<P>.what)) {
       return coordinate_seen<RatesOnly>(thing<P>());
     } else if constexpr (RatesOnly) {
@@ -164,7 +166,7 @@ struct working_element {
       thing<P>().f = thing<P>().f + boost::hana::at_c<i>(l);
     } else if constexpr (is_frame(at<P>.what)) {
       frame<P>().load = dense<S>(frame<P>().load + boost::hana::at_c<i>(l));
-    } else if constexpr (at<P>.what != kind::input) {
+    } else if constexpr (!is_signal(at<P>.what)) {
       add_load(thing<P>(), boost::hana::at_c<i>(l));
     }
   }

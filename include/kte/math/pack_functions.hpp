@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <concepts>
 #include <limits>
 
@@ -23,6 +24,12 @@ KTE_INLINE pack<T, N, A> abs(const pack<T, N, A>& x) {
 template <class T, int N, class A>
 KTE_INLINE pack<T, N, A> fabs(const pack<T, N, A>& x) {
   return abs(x);
+}
+/// Lane by lane.
+template <class T, int N, class A>
+KTE_INLINE pack<T, N, A> exp(pack<T, N, A> x) {
+  for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::exp(x[i]));
+  return x;
 }
 /// As std::min and std::max.
 template <class T, int N, class A>

@@ -19,7 +19,7 @@ struct silent {
  private:
   template <std::size_t P>
   KTE_INLINE static constexpr auto none() {
-    if constexpr (Core::ports[P].what == kind::input) {
+    if constexpr (is_signal(Core::ports[P].what)) {
       return boost::hana::tuple<>{};
     } else {
       return boost::hana::make_tuple(no_load<Core::ports[P].what>());

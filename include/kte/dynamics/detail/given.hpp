@@ -156,10 +156,14 @@ struct same_base {
   KTE_INLINE static constexpr zero_t input() {
     return {};
   }
+  template <int>
+  KTE_INLINE static constexpr zero_t internal() {
+    return {};
+  }
 };
 template <class M>
 same_base(M) -> same_base<M>;
-/// As they are in a state; so are inputs and coordinates declared by base_gen.
+/// As they are in a state; so are signals and coordinates declared by base_gen.
 template <class State>
 struct base_of_state {
   const State& s;
@@ -183,6 +187,10 @@ struct base_of_state {
   KTE_INLINE constexpr auto input() const {
     return s.template get<kind::input>(I);
   }
+  template <int I>
+  KTE_INLINE constexpr auto internal() const {
+    return s.template get<kind::internal>(I).z;
+  }
 };
 
 /// Only the positions of coordinates that are given from outside, and frames of which `Motion` is known.
@@ -202,6 +210,10 @@ struct only_positions {
   template <int I>
   KTE_INLINE constexpr auto input() const {
     return base.template input<I>();
+  }
+  template <int I>
+  KTE_INLINE constexpr auto internal() const {
+    return base.template internal<I>();
   }
 };
 template <class Base, class Motion>
@@ -244,6 +256,10 @@ struct given {
   template <int I>
   KTE_INLINE constexpr auto input() const {
     return bases.template input<I>();
+  }
+  template <int I>
+  KTE_INLINE constexpr auto internal() const {
+    return bases.template internal<I>();
   }
 };
 template <class At, class V, class A, class Base>

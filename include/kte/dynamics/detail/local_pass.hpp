@@ -86,6 +86,8 @@ struct local_types {
   KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
     if constexpr (K == kind::input) {
       return g.template input<Slot>();
+    } else if constexpr (K == kind::internal) {
+      return g.template internal<Slot>();
     } else if constexpr (is_frame(K)) {
       return g.template base<K, Slot>();
     } else if constexpr (wiring::template is_free<K, Slot>) {
@@ -95,7 +97,7 @@ struct local_types {
     }
   }
   template <kind K, int Slot>
-  static constexpr int writer = K == kind::input ? -1 : wiring::writer(K, Slot);
+  static constexpr int writer = is_signal(K) ? -1 : wiring::writer(K, Slot);
 
   /// A coordinate that turns a joint gets its sine and cosine.
   template <std::size_t I, class M>

@@ -157,7 +157,7 @@ inline void move(const topology& t, runtime_state& s, kind k, int index) {
   if (w < 0) return;
   const auto& e = t.elements[static_cast<std::size_t>(w)];
   for (std::size_t p = 0; p < e.ports.size(); ++p)
-    if (!e.ports[p].writes() && e.ports[p].what != kind::input) move(t, s, e.ports[p].what, e.index[p]);
+    if (!e.ports[p].writes() && !is_signal(e.ports[p].what)) move(t, s, e.ports[p].what, e.index[p]);
   e.element->doMotion(s);
 }
 

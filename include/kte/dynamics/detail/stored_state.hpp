@@ -18,7 +18,7 @@ struct sizes_of {
   static constexpr std::size_t columns = static_plan<Chain>.columns;
 };
 
-/// Coordinates and inputs, frames only if positions are wanted, and working memory.
+/// Coordinates and signals, frames only if positions are wanted, and working memory.
 template <class S, class Chain, template <class, class> class... Memory>
 class stored_state {
   using wiring = typename Chain::wiring;
@@ -35,6 +35,7 @@ class stored_state {
     take_coordinates(g, std::make_index_sequence<wiring::freedoms>{});
     take_fixed(g, std::make_integer_sequence<int, wiring::count(kind::gen)>{});
     take_inputs(g, std::make_integer_sequence<int, wiring::count(kind::input)>{});
+    take_internals(g, std::make_integer_sequence<int, wiring::count(kind::internal)>{});
     if constexpr (requires { work.frames; })
       for_each_base<wiring>([&]<kind K, int Slot>() { take_base<K, Slot>(g.template base<K, Slot>()); });
     if constexpr (requires { work.prescribed; }) work.prescribed.fill(0);
@@ -101,6 +102,11 @@ class stored_state {
   template <class Given, int... I>
   void take_inputs(const Given& g, std::integer_sequence<int, I...>) {
     const int done[]{(get<kind::input>(I) = as<S>(g.template input<I>()), 0)..., 0};
+    (void)done;
+  }
+  template <class Given, int... I>
+  void take_internals(const Given& g, std::integer_sequence<int, I...>) {
+    const int done[]{(get<kind::internal>(I).z = as<S>(g.template internal<I>()), 0)..., 0};
     (void)done;
   }
   template <kind K, int Slot, class M>

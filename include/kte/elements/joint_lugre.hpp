@@ -1,0 +1,93 @@
+#pragma once
+
+#include <kte/chain/transmission.hpp>
+
+namespace kte {
+
+/// The parameters of LuGre friction, of a force (N) along a length, or of a torque (Nm) about an angle.
+struct lugre_parameters {
+  double sigma0;             ///< stiffness of the bristles, N/m or Nm/rad; positive
+  double sigma1;             ///< their damping, Ns/m or Nms/rad; not negative
+  double sigma2;             ///< viscous friction, Ns/m or Nms/rad; not negative
+  double coulomb;            ///< Fc, force of fast sliding, N or Nm; positive
+  double stiction;           ///< Fs, force at which sliding begins, N or Nm; not below Fc
+  double stribeck_velocity;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
+};
+
+namespace core {
+
+/// Friction of a joint that sticks, slips before it slides, and slides with less force than it needs to begin: bristles
+/// deflected by z, the internal state of the element (m or rad), between the surfaces:
+///
+///   g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2)          (1)
+///   z_dot = v - sigma0 |v| z / g(v)               (2)
+///   f -= sigma0 z + sigma1 z_dot + sigma2 v       (3)
+///
+/// At constant rate f -> -(g(v) sign(v) + sigma2 v); below stiction it is a spring of stiffness sigma0, so that a
+/// resting load creeps back, not on. |z| stays within Fs / sigma0. The system is stiff: its fastest rates are about
+/// sigma0 |v| / g and (sigma1 + sigma2) / mass.
+///
+/// Canudas de Wit, Olsson, Astrom and Lischinsky, A new model for control of systems with friction, IEEE Trans.
+/// Automatic Control 40 (1995), (1) to (4).
+struct joint_lugre_gen {
+  static constexpr type_name type{"joint_lugre", kind::gen};
+  static constexpr std::array<port, 2> ports{
+      {{kind::gen, access::on, "coordinate"}, {kind::internal, access::keep, "bristles"}}};
+
+  lugre_parameters p;
+
+  template <class C, class Z>
+  KTE_INLINE constexpr auto z_dot(const C& c, const Z& z) const {
+    return rate(c.q_dot, z);
+  }
+  template <class C, class Z>
+  KTE_INLINE constexpr auto doForce(const C& c, const Z& z) const {
+    return make_loads(-(p.sigma0 * z + p.sigma1 * rate(c.q_dot, z) + p.sigma2 * c.q_dot));  // (3)
+  }
+  constexpr void check(const parameter_check& where) const {
+    positive(where, p.sigma0, "sigma0 must be finite and positive");
+    where.not_negative(p.sigma1, "sigma1 must be finite and not negative");
+    where.not_negative(p.sigma2, "sigma2 must be finite and not negative");
+    positive(where, p.coulomb, "coulomb must be finite and positive");
+    where.finite(p.stiction, "stiction must be finite and not below coulomb");
+    where.require(p.stiction >= p.coulomb, "stiction must be finite and not below coulomb", p.stiction);
+    positive(where, p.stribeck_velocity, "stribeck_velocity must be finite and positive");
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("sigma0", self.p.sigma0), visit("sigma1", self.p.sigma1), visit("sigma2", self.p.sigma2);
+    visit("coulomb", self.p.coulomb), visit("stiction", self.p.stiction);
+    visit("stribeck_velocity", self.p.stribeck_velocity);
+  }
+
+ private:
+  static constexpr void positive(const parameter_check& where, double x, const char* rule) {
+    where.finite(x, rule), where.require(x > 0, rule, x);
+  }
+  template <class V, class Z>
+  KTE_INLINE constexpr auto rate(const V& v, const Z& z) const {
+    using std::abs;
+    using std::exp;
+    if constexpr (std::is_same_v<V, zero_t>) {
+      return zero;
+    } else {
+      const auto r = v / p.stribeck_velocity;
+      using number = std::remove_cvref_t<decltype(r)>;
+      const auto g = p.coulomb + (p.stiction - p.coulomb) * number(exp(number(-(r * r))));  // (1)
+      return v - p.sigma0 * number(abs(number(v))) * z / g;                                 // (2)
+    }
+  }
+};
+
+}  // namespace core
+
+/// LuGre friction on a coordinate, with an internal state of the given name:
+///
+///   joint_lugre_gen(q, bristles, {.sigma0 = 1e5, .sigma1 = 316.0, .sigma2 = 0.4, .coulomb = 1.0, .stiction = 1.5,
+///                                 .stribeck_velocity = 0.001})
+template <class Q, class Z>
+constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lugre_parameters& p) {
+  return connect(core::joint_lugre_gen{p}, coordinate, bristles);
+}
+
+}  // namespace kte

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <kte/chain/wiring.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+
+/// Configurations as displacements from another, for integrators (integrators/motion_space.hpp). For a coordinate with
+/// a rotation R and a position p, and d = (u, phi):
+///
+///   R(d) = R exp [phi]x,   p(d) = p + R u                                                  (1)
+///   phi' = w + phi x w / 2 + D phi x (phi x w),   D = (1 - t/2 cot(t/2))/t^2, t = |phi|    (2)
+///   u' = exp([phi]x) v                                                                     (3)
+///
+/// v and w in the axes of the moving frame. By (3) a body in free flight has a constant u'. (2) is the inverse of the
+/// derivative of the exponential, singular where a step turns by 2 pi. For numbers q(d) = q + d, d' = v.
+namespace kte::detail {
+
+template <class S, class Q, class D, class Out>
+void displace_one(const freedom& f, const Q& q, const D& d, Out& out) {
+  const auto i = static_cast<std::size_t>(f.q), j = static_cast<std::size_t>(f.v);
+  if (f.what == kind::gen) {
+    out[f.q] = S(q[i]) + S(d[j]);
+    return;
+  }
+  const auto from = pose_from<S>(f.what, q, i);
+  const auto [u, phi] = rates_from<S>(f.what, d, j);
+  if (f.what == kind::pose_2D) {
+    const auto p = as<S>(from.position + from.rotation * u);
+    out[f.q] = p.x, out[f.q + 1] = p.y, out[f.q + 2] = S(q[i + 2]) + phi.z;
+    return;
+  }
+  const bool with_position = f.what == kind::pose_3D;
+  if (with_position) put_vector(out, f.q, as<S>(from.position + from.rotation * u));
+  put_quaternion(out, with_position ? f.q + 3 : f.q, from.rotation * to_quaternion(phi));
+}
+
+/// (2) and (3): the rates r become those of d.
+template <class S, class D, class R>
+void pull_back_one(const freedom& f, const D& d, R& r) {
+  if (f.what == kind::gen) return;
+  const auto j = static_cast<std::size_t>(f.v);
+  const auto phi = rates_from<S>(f.what, d, j).second;
+  const auto [v, w] = rates_from<S>(f.what, r, j);
+  if (f.what == kind::pose_2D) {
+    const auto u = as<S>(to_quaternion(phi) * v);
+    r[f.v] = u.x, r[f.v + 1] = u.y;
+    return;
+  }
+  const bool with_position = f.what == kind::pose_3D;
+  if (with_position) put_vector(r, f.v, as<S>(to_quaternion(phi) * v));  // (3)
+  const auto turned = cross(phi, w);
+  const S half = S(1) / S(2);
+  put_vector(r, with_position ? f.v + 3 : f.v,
+             as<S>(w + half * turned + unturned_shift(dot(phi, phi)) * cross(phi, turned)));  // (2)
+}
+
+/// How large the numbers of a displacement are where they are not small: lengths as the position, angles 1 rad.
+template <class S, class Q, class M>
+void magnitudes_of(const freedom& f, const Q& q, M& m) {
+  const auto i = static_cast<std::size_t>(f.q);
+  if (f.what == kind::gen) {
+    m[f.v] = S(q[i]);
+    return;
+  }
+  for (int k = 0; k < nv_of(f.what); ++k) m[f.v + k] = S(1);
+  if (f.what == kind::rotation_3D) return;
+  using std::sqrt;
+  const auto p = pose_from<S>(f.what, q, i).position;
+  const S length = sqrt(dot(p, p));
+  for (int k = 0; k < (f.what == kind::pose_2D ? 2 : 3); ++k) m[f.v + k] = length;
+}
+
+/// The derivative of (2) and (3) by d at d = 0, where the rates are r: -[v]x and -[w]x / 2. To be added to J.
+template <class S, class R, class J>
+void add_variation_of_pull_back(const freedom& f, const R& r, J& jacobian) {
+  if (f.what == kind::gen) return;
+  const auto [v, w] = rates_from<S>(f.what, r, static_cast<std::size_t>(f.v));
+  if (f.what == kind::pose_2D) {
+    jacobian(f.v, f.v + 2) -= v.y, jacobian(f.v + 1, f.v + 2) += v.x;
+    return;
+  }
+  const auto subtract_cross = [&jacobian](int i, int j, const vec3<S>& x) {
+    jacobian(i, j + 1) += x.z, jacobian(i, j + 2) -= x.y;
+    jacobian(i + 1, j) -= x.z, jacobian(i + 1, j + 2) += x.x;
+    jacobian(i + 2, j) += x.y, jacobian(i + 2, j + 1) -= x.x;
+  };
+  const int turning = f.what == kind::pose_3D ? f.v + 3 : f.v;
+  if (f.what == kind::pose_3D) subtract_cross(f.v, turning, v);
+  const S half = S(1) / S(2);
+  subtract_cross(turning, turning, as<S>(half * w));
+}
+
+}  // namespace kte::detail

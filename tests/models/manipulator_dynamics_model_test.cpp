@@ -1,0 +1,80 @@
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/runge_kutta4.hpp>
+#include <kte/models/manipulator_dynamics_model.hpp>
+#include <kte/static.hpp>
+
+#include "allocations.hpp"
+#include "catch.hpp"
+
+using namespace kte;
+using kte::test::contains_text;
+
+namespace {
+
+// clang-format off
+constexpr struct q_     final : coord_key<"q">          {} q;
+constexpr struct base_  final : frame_2D_key<"base">    {} base;
+constexpr struct joint_ final : frame_2D_key<"joint">   {} joint;
+constexpr struct tip_   final : frame_2D_key<"tip">     {} tip;
+constexpr struct motor_ final : input_key<"motor">      {} motor;
+constexpr struct hairs_ final : internal_key<"bristles"> {} bristles;
+constexpr struct body_  final : pose_3D_key<"body">     {} body;
+constexpr struct world_ final : frame_3D_key<"world">   {} world;
+constexpr struct trunk_ final : frame_3D_key<"trunk">   {} trunk;
+// clang-format on
+
+constexpr auto pendulum = chain(revolute_joint_2D(q, base, joint), rigid_link_2D(joint, tip, along_x(0.5)),
+                                inertia_2D(tip, point_mass(1.0)), driving_actuator_gen(q, motor))
+                              .gravity(along_y(-9.81));
+constexpr lugre_parameters friction{
+    .sigma0 = 1e5, .sigma1 = 300, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 0.001};
+constexpr auto rubbing = chain(prismatic_joint_2D(q, base, tip, axis::x), inertia_2D(tip, point_mass(2.0)),
+                               joint_lugre_gen(q, bristles, friction), driving_actuator_gen(q, motor));
+
+const auto free_body =
+    chain(free_joint_3D(body, world, trunk), inertia_3D(trunk, rigid_body<>{1.0, {}, {1.0, 0.0, 0.0, 2.0, 0.0, 3.0}}));
+
+}  // namespace
+
+TEST_CASE("A model gives the rates of a pendulum, and takes inputs") {
+  manipulator_dynamics_model model(pendulum);
+  const auto x = model.make_x(std::array{0.0}, std::array{2.0});
+  CHECK(x == Eigen::Vector2d(0, 2));
+  CHECK(model.computeStateRate(0.0, x) == Eigen::Vector2d(2, -9.81 / 0.5));
+  model.input(motor) = 1;
+  CHECK(model(0.0, x)[1] == Approx(-19.62 + 4).epsilon(1e-15));
+  model.setInput(std::array{-1.0});
+  CHECK(model(0.0, x)[1] == Approx(-19.62 - 4).epsilon(1e-15));
+  CHECK(model.computeOutput(0.0, x) == x);
+  const auto height = model.with_output([](const auto& s) { return s[tip].position.y; });
+  CHECK(height.computeOutput(0.0, model.make_x(std::array{0.5}, std::array{0.0})) == Approx(0.5 * std::sin(0.5)));
+  CHECK_THROWS_WITH(model.setInput(std::vector<double>(3)), contains_text("u has 3 numbers, the chain has 1 inputs"));
+}
+
+TEST_CASE("Bristles are part of the state") {
+  manipulator_dynamics_model model(rubbing);
+  static_assert(decltype(model)::state::RowsAtCompileTime == 3);
+  const auto x = model.make_x(std::array{0.0}, std::array{0.3}, std::array{1e-6});
+  const double g = 1 + 0.5 * std::exp(-0.09 / 1e-6), z_dot = 0.3 - 1e5 * 0.3 * 1e-6 / g;
+  const auto r = model(0.0, x);
+  CHECK(r[0] == 0.3);
+  CHECK(r[1] == Approx(-(0.1 + 300 * z_dot + 0.4 * 0.3) / 2).epsilon(1e-14));
+  CHECK(r[2] == Approx(z_dot).epsilon(1e-14));
+}
+
+TEST_CASE("A free body integrates on its group") {
+  manipulator_dynamics_model model(free_body);
+  static_assert(moves_on_group<decltype(model), decltype(model)::state>);
+  const std::array<double, 7> q0{0, 0, 0, 1, 0, 0, 0};
+  const std::array<double, 6> v0{1, 0, 0, 0.01, 10, 0.01};
+  dormand_prince45 solver(std::ref(model), 0.0, model.make_x(q0, v0), {.absolute = 1e-12, .relative = 1e-12});
+  solver.integrate(10);
+  const auto& x = solver.state();
+  // rate of the body at 10 s by elliptic functions
+  CHECK(x[10] == Approx(4.46960797706577079).epsilon(1e-9));
+  CHECK(x[11] == Approx(8.94554104184593343).epsilon(1e-9));
+  CHECK(x[12] == Approx(2.58054228594495049).epsilon(1e-9));
+  CHECK(x.segment<4>(3).norm() == Approx(1).epsilon(1e-15));
+  CHECK(x[0] == Approx(10).epsilon(1e-9));  // in the direction it was thrown
+  CHECK(std::abs(x[1]) + std::abs(x[2]) < 1e-8);
+}
