@@ -3,7 +3,6 @@
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/static.hpp>
 
-#include "allocations.hpp"
 #include "catch.hpp"
 
 using namespace kte;

@@ -16,7 +16,7 @@ namespace kte {
 /// The same elements, rules and passes as in a static chain. Static chains and other runtime chains are appended as one
 /// element. Elements do not change once they are in; a chain is a value and may be shared between threads, each with a
 /// state of its own.
-class kte_map_chain final : public kte_map {
+class kte_map_chain : public kte_map {
  public:
   kte_map_chain() = default;
   kte_map_chain(const kte_map_chain& o) : kte_map(o), gravity_(o.gravity_) {

@@ -55,10 +55,10 @@ struct stored_element {
   /// The same as the kernels see it.
   template <std::size_t P>
   KTE_INLINE constexpr decltype(auto) input() const {
-    if constexpr (at<P>.what == kind::gen || at<P>.what == kind::input) {
+    if constexpr (at<P>.what == kind::gen) {
       return std::as_const(stored<P>());
-    } else if constexpr (at<P>.what == kind::internal) {
-      return (std::as_const(stored<P>().z));
+    } else if constexpr (is_signal(at<P>.what)) {
+      return number_of_signal<at<P>.what>(stored<P>());
     } else {
       return spatial(stored<P>());
     }

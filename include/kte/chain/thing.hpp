@@ -24,6 +24,15 @@ KTE_INLINE constexpr auto& of_kind(Tuple& t) {
   return std::get<static_cast<std::size_t>(K)>(t);
 }
 
+/// The number that kernels see of an input or an internal state.
+template <kind K, class T>
+KTE_INLINE constexpr const auto& number_of_signal(const T& x) {
+  if constexpr (K == kind::internal) {
+    return x.z;
+  } else {
+    return x;
+  }
+}
 template <class V, class Visit>
 KTE_INLINE constexpr void visit_vector(V& v, const Visit& visit) {
   visit(v.x), visit(v.y);

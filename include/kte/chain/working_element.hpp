@@ -127,10 +127,8 @@ struct working_element {
   /// As kernels see it.
   template <std::size_t P, bool RatesOnly>
   decltype(auto) seen() const {
-    if constexpr (at<P>.what == kind::input) {
-      return std::as_const(thing<P>());
-    } else if constexpr (at<P>.what == kind::internal) {
-      return (std::as_const(thing<P>().z));
+    if constexpr (is_signal(at<P>.what)) {
+      return number_of_signal<at<P>.what>(thing<P>());
     } else if constexpr (!is_frame(at<P>.what)) {
       return coordinate_seen<RatesOnly>(thing<P>());
     } else if constexpr (RatesOnly) {

@@ -141,7 +141,7 @@ struct working_variation : working_element<Core, State> {
     if constexpr (at<P>.what == kind::gen) {
       return varied_coordinate<S>(this->template thing<P>(), this->index[P] == this->index[L]);
     } else {
-      return this->template thing<P>();
+      return number_of_signal<at<P>.what>(this->template thing<P>());
     }
   }
   template <std::size_t P, std::size_t L, class Loads>

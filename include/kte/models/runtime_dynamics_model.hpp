@@ -1,0 +1,99 @@
+#pragma once
+
+#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_vectors.hpp>
+#include <kte/models/manipulator_dynamics_model.hpp>
+
+#include <functional>
+
+namespace kte {
+
+namespace detail {
+template <>
+struct sizes_of_model<kte_map_chain> {
+  static constexpr int q = Eigen::Dynamic, v = q, z = q, u = q, x = q, x_dot = q;
+  static constexpr bool only_numbers = false;
+  static std::span<const freedom> freedoms(const kte_map_chain& c) { return c.wiring().free; }
+  static int nq(const kte_map_chain& c) { return c.nq(); }
+  static int nv(const kte_map_chain& c) { return c.dofs(); }
+  static int count(const kte_map_chain& c, kind k) {
+    return static_cast<int>(c.wiring().names[static_cast<std::size_t>(k)].size());
+  }
+};
+}  // namespace detail
+
+/// `manipulator_dynamics_model` of a runtime chain.
+template <>
+class manipulator_dynamics_model<kte_map_chain, double, void> : public state_space<kte_map_chain, double> {
+  using base = state_space<kte_map_chain, double>;
+
+ public:
+  using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
+
+  /// Throws `bad_wiring` as `kte_map_chain::make_state` does.
+  explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {}
+
+  const rate& computeStateRate(double, const state& x) {
+    setJointStates(x, s_);
+    rate_.head(dofs()) = velocities_of(x);
+    rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
+    rates_of_internals();
+    return rate_;
+  }
+  const rate& operator()(double t, const state& x) { return computeStateRate(t, x); }
+
+  using base::input;
+  /// The value of an input; throws `unknown_name`.
+  double& input(std::string_view name) { return u_[wiring().find(name, kind::input)]; }
+
+  /// x of a state of the chain.
+  state getJointStates(const runtime_state& s) const {
+    check(s);
+    Eigen::VectorXd z(internals());
+    for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = s.get<kind::internal>(static_cast<int>(i)).z;
+    return make_x(positions(s), velocities(s), z);
+  }
+  /// Puts x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  void setJointStates(const state& x, runtime_state& s) const {
+    set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
+    for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
+    for (int i = 0; i < u_.size(); ++i) s.get<kind::input>(i) = u_[i];
+  }
+  /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
+  const runtime_state& state_at(double t, const state& x) {
+    computeStateRate(t, x);  // leaves accelerations in the state
+    doMotion(s_), clearForce(s_), doForce(s_);
+    return s_;
+  }
+
+  Eigen::VectorXd computeOutput(double t, const state& x) {
+    if (output_) return output_(state_at(t, x));
+    return x.head(nq() + dofs());
+  }
+  /// The same system with another output, of a state of the chain.
+  manipulator_dynamics_model with_output(output_function f) const {
+    auto m = *this;
+    m.output_ = std::move(f);
+    return m;
+  }
+
+ private:
+  /// doMotion of the elements that keep them, and of what these depend on.
+  void rates_of_internals() {
+    const auto& t = wiring();
+    for (std::size_t i = 0; i < t.keepers.size(); ++i) {
+      const auto& e = t.elements[static_cast<std::size_t>(t.keepers[i])];
+      for (std::size_t p = 0; p < e.ports.size(); ++p)
+        if (!e.ports[p].writes() && !is_signal(e.ports[p].what)) detail::move(t, s_, e.ports[p].what, e.index[p]);
+      e.element->doMotion(s_);
+    }
+    for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
+  }
+
+  runtime_state s_;
+  rate rate_;
+  output_function output_;
+};
+manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
+
+}  // namespace kte

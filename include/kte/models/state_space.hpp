@@ -1,0 +1,110 @@
+#pragma once
+
+#include <kte/models/detail/displacement.hpp>
+
+namespace kte {
+
+namespace detail {
+/// How many numbers the parts of the states of a chain have; Eigen::Dynamic where only the chain itself knows.
+template <class Chain>
+struct sizes_of_model {
+  using wiring = typename Chain::wiring;
+  static constexpr int q = wiring::nq, v = wiring::dofs;
+  static constexpr int z = wiring::count(kind::internal), u = wiring::count(kind::input);
+  static constexpr int x = q + v + z, x_dot = 2 * v + z;
+  static constexpr bool only_numbers = [] {
+    for (std::size_t i = 0; i < wiring::freedoms; ++i)
+      if (wiring::table.free[i].what != kind::gen) return false;
+    return true;
+  }();
+  static std::span<const freedom> freedoms(const Chain&) { return {wiring::table.free.data(), wiring::freedoms}; }
+  static constexpr int nq(const Chain&) { return wiring::nq; }
+  static constexpr int nv(const Chain&) { return wiring::dofs; }
+  static constexpr int count(const Chain&, kind k) { return wiring::count(k); }
+};
+}  // namespace detail
+
+/// A chain with its states as vectors:
+///
+///   x = (q, v, z)        positions, rates, internal states of elements         (1)
+///   x' = (v, a, z')                                                            (2)
+///   u                    inputs, in order of their first appearance
+///
+/// Where coordinates are rotations or poses, q holds quaternions, x' has fewer numbers than x, and integrators move on
+/// the group (integrators/motion_space.hpp). It is the chain, with all that there is for chains.
+template <class Chain, class S>
+class state_space : public Chain {
+  using size = detail::sizes_of_model<Chain>;
+
+ public:
+  using state = Eigen::Matrix<S, size::x, 1>;
+  using rate = Eigen::Matrix<S, size::x_dot, 1>;
+  using input_vector = Eigen::Matrix<S, size::u, 1>;
+
+  explicit state_space(const Chain& c) : Chain(c), u_(input_vector::Zero(size::count(c, kind::input))) {}
+
+  const Chain& chain() const { return *this; }
+  int internals() const { return size::count(chain(), kind::internal); }
+  /// How many numbers x' has.
+  int rates() const { return 2 * numbers_v() + internals(); }
+
+  /// x of q and v, with z = 0 or as given. Throws `bad_argument` for wrong sizes.
+  template <indexable Q, indexable V>
+  state make_x(const Q& q, const V& v) const {
+    return make_x(q, v, Eigen::Matrix<S, size::z, 1>::Zero(internals()).eval());
+  }
+  template <indexable Q, indexable V, indexable Z>
+  state make_x(const Q& q, const V& v, const Z& z) const {
+    const Eigen::Index at_v = numbers_q(), at_z = at_v + numbers_v(), end = at_z + internals();
+    detail::check_configuration(numbers_q(), numbers_v(), q);
+    check_size(static_cast<std::size_t>(numbers_v()), v, "v");
+    check_size(static_cast<std::size_t>(internals()), z, "z", "internal states");
+    state x(end);
+    for (Eigen::Index i = 0; i < at_v; ++i) x[i] = S(q[static_cast<std::size_t>(i)]);
+    for (Eigen::Index i = at_v; i < at_z; ++i) x[i] = S(v[static_cast<std::size_t>(i - at_v)]);
+    for (Eigen::Index i = at_z; i < end; ++i) x[i] = S(z[static_cast<std::size_t>(i - at_z)]);
+    return x;
+  }
+  /// The parts of x, as views.
+  auto positions_of(const state& x) const { return x.head(Eigen::fix<size::q>(numbers_q())); }
+  auto velocities_of(const state& x) const { return x.segment(numbers_q(), Eigen::fix<size::v>(numbers_v())); }
+  auto internals_of(const state& x) const { return x.tail(Eigen::fix<size::z>(internals())); }
+
+  /// Throws `bad_argument` for another count of numbers than the chain has inputs.
+  template <indexable U>
+  void setInput(const U& u) {
+    check_size(static_cast<std::size_t>(u_.size()), u, "u", "inputs");
+    for (Eigen::Index i = 0; i < u_.size(); ++i) u_[i] = S(u[static_cast<std::size_t>(i)]);
+  }
+  const input_vector& input() const { return u_; }
+
+  // ---- motion on the group, where there are rotations
+  void displace(const state& x, const rate& d, state& out) const requires(!size::only_numbers) {
+    const S* from = x.data();
+    for (const auto& f : size::freedoms(chain())) detail::displace_one<S>(f, from, d.data(), out);
+    vectors_of(out) = vectors_of(x) + vectors_of(d);
+  }
+  void pull_back(const rate& d, rate& r) const requires(!size::only_numbers) {
+    for (const auto& f : size::freedoms(chain())) detail::pull_back_one<S>(f, d.data(), r);
+  }
+  void magnitudes(const state& x, rate& m) const requires(!size::only_numbers) {
+    for (const auto& f : size::freedoms(chain())) detail::magnitudes_of<S>(f, x.data(), m);
+    vectors_of(m) = vectors_of(x);
+  }
+
+ protected:
+  int numbers_q() const { return size::nq(chain()); }
+  int numbers_v() const { return size::nv(chain()); }
+
+  input_vector u_;
+
+ private:
+  static constexpr int vectors = size::v == Eigen::Dynamic ? Eigen::Dynamic : size::v + size::z;
+  /// v and z, or their rates.
+  template <class X>
+  auto vectors_of(X& x) const {
+    return x.tail(Eigen::fix<vectors>(numbers_v() + internals()));
+  }
+};
+
+}  // namespace kte

@@ -1,0 +1,109 @@
+#include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/free_joint.hpp>
+#include <kte/elements/inertia.hpp>
+#include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/revolute_joint.hpp>
+#include <kte/elements/rigid_link.hpp>
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
+
+#include "allocations.hpp"
+#include "catch.hpp"
+#include "random.hpp"
+
+using namespace kte;
+using kte::test::contains_text;
+
+namespace {
+
+// clang-format off
+constexpr struct trunk_pose_ final : pose_3D_key<"pose">     {} trunk_pose;
+constexpr struct q_          final : coord_key<"q">          {} q;
+constexpr struct world_      final : frame_3D_key<"world">   {} world;
+constexpr struct trunk_      final : frame_3D_key<"trunk">   {} trunk;
+constexpr struct hip_        final : frame_3D_key<"hip">     {} hip;
+constexpr struct foot_       final : frame_3D_key<"foot">    {} foot;
+constexpr struct motor_      final : input_key<"motor">      {} motor;
+constexpr struct hairs_      final : internal_key<"bristles"> {} bristles;
+// clang-format on
+
+constexpr lugre_parameters friction{
+    .sigma0 = 50, .sigma1 = 1, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 0.1};
+
+/// A free trunk with a leg, a motor and friction in its hip: as a static and as a runtime chain.
+const rigid_body<> body{2.0, {0.01, -0.02, 0.03}, {0.02, 0.001, 0.0, 0.03, 0.0, 0.025}};
+const auto fixed = chain(free_joint_3D(trunk_pose, world, trunk), inertia_3D(trunk, body),
+                         revolute_joint_3D(q, trunk, hip, axis::y), rigid_link_3D(hip, foot, along_z(-0.3)),
+                         inertia_3D(foot, point_mass(0.5)), driving_actuator_gen(q, motor),
+                         joint_lugre_gen(q, bristles, friction))
+                       .gravity(along_z(-9.81));
+kte_map_chain appended() {
+  kte_map_chain c;
+  c.gravity(along_z(-9.81)) << free_joint_3D("pose", "world", "trunk") << inertia_3D("trunk", body)
+                            << revolute_joint_3D("q", "trunk", "hip", axis::y)
+                            << rigid_link_3D("hip", "foot", along_z(-0.3)) << inertia_3D("foot", point_mass(0.5))
+                            << driving_actuator_gen("q", "motor") << joint_lugre_gen("q", "bristles", friction);
+  return c;
+}
+template <class Model>
+auto start(const Model& m) {
+  return m.make_x(std::array{1.0, 2.0, 3.0, 0.5, -0.5, 0.5, 0.5, 0.4},
+                  std::array{0.1, -0.2, 0.3, 0.4, 2.0, -0.6, 0.7}, std::array{0.01});
+}
+
+}  // namespace
+
+TEST_CASE("A model of a runtime chain is the same system as that of a static chain") {
+  manipulator_dynamics_model still(fixed);
+  manipulator_dynamics_model moving(appended());
+  still.input(motor) = 0.3, moving.input("motor") = 0.3;
+  const auto x = start(still);
+  const Eigen::VectorXd x_runtime = start(moving);
+  REQUIRE(x_runtime == x);
+  REQUIRE(moving.rates() == 15);
+  const auto r = still.computeStateRate(0, x);
+  // the same formulas in another order: M has a condition of some 100, so 1e-13 of the largest number
+  CHECK((moving.computeStateRate(0, x_runtime) - r).norm() <= 1e-13 * r.norm());
+  CHECK(r[14] != 0);
+
+  dormand_prince45 a(std::ref(still), 0.0, x, {.absolute = 1e-9, .relative = 1e-9});
+  dormand_prince45 b(std::ref(moving), 0.0, x_runtime, {.absolute = 1e-9, .relative = 1e-9});
+  a.integrate(1), b.integrate(1);
+  CHECK(a.statistics().steps == b.statistics().steps);
+  // Roundings enter the error estimates, 1e-7 of the tolerance, and by them the steps: far less than the tolerance.
+  CHECK((a.state() - b.state()).norm() < 1e-2 * 1e-9 * a.state().norm());
+  CHECK(a.state().segment<4>(3).norm() == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("States of the chain and vectors of a model are the same numbers") {
+  manipulator_dynamics_model still(fixed);
+  manipulator_dynamics_model moving(appended());
+  const auto x = start(still);
+  CHECK(still.getJointStates(still.state_at(0, x)) == x);
+  CHECK(moving.getJointStates(moving.state_at(0, x)) == Eigen::VectorXd(x));
+  CHECK(moving.state_at(0, x).frame_3D("foot").position.x == Approx(still.state_at(0, x)[foot].position.x));
+  CHECK(moving.computeOutput(0, x) == Eigen::VectorXd(x.head(15)));
+  auto height = moving.with_output([](const runtime_state& s) {
+    return Eigen::VectorXd::Constant(1, s.frame_3D("foot").position.z);
+  });
+  CHECK(height.computeOutput(0, x)[0] == moving.state_at(0, x).frame_3D("foot").position.z);
+  CHECK_THROWS_WITH(moving.input("moter"), contains_text("no input 'moter'"));
+  CHECK_THROWS_WITH(moving.make_x(std::array{1.0}, std::array{1.0}), contains_text("q has 1 numbers"));
+}
+
+TEST_CASE("An internal state belongs to one element") {
+  kte_map_chain c = appended();
+  CHECK_THROWS_WITH(c << joint_lugre_gen("q", "bristles", friction),
+                    contains_text("it writes 'bristles', which is then written twice"));
+  CHECK(c.make_state().internal("bristles").z == 0);
+}
+
+TEST_CASE("Rates of a model allocate nothing") {
+  manipulator_dynamics_model still(fixed);
+  manipulator_dynamics_model moving(appended());
+  const auto x = start(still);
+  const Eigen::VectorXd x_runtime = x;
+  double sum = moving(0, x_runtime).sum();
+  CHECK(allocations::during([&] { sum += still(0, x).sum() + moving(0, x_runtime).sum(); }) == 0);
+  CHECK(std::isfinite(sum));
+}
