@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/integrators/integrator.hpp>
+#include <kte/integrators/fixed_step.hpp>
 #include <kte/integrators/tableau.hpp>
 
 namespace kte {
@@ -11,13 +11,14 @@ namespace kte {
 ///   x1 = x + h sum_i b_i k_i                               (2)
 ///   x(t + theta h) = x + h sum_i p_i(theta) k_i            (3)
 ///
-/// Steps are counted from the start of each `integrate`; the last one is shorter where h does not divide the time.
+/// Where states have rotations these are the methods of Munthe-Kaas (integrators/motion_space.hpp).
 /// A `Tableau` has `stages`, `c`, `a`, `weights` (b_i), and `interpolant`: of p_i the coefficients of theta, theta^2,
 /// ...
 template <class Tableau, class F, class X>
-class fixed_step_runge_kutta : public integrator<fixed_step_runge_kutta<Tableau, F, X>, F, X> {
-  using base = integrator<fixed_step_runge_kutta, F, X>;
+class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau, F, X>, F, X> {
+  using base = fixed_step<fixed_step_runge_kutta, F, X>;
   friend base;
+  friend typename base::integrator;
 
  public:
   using typename base::rate;
@@ -27,27 +28,19 @@ class fixed_step_runge_kutta : public integrator<fixed_step_runge_kutta<Tableau,
   /// start that is not finite.
   template <class V>
   fixed_step_runge_kutta(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
-      : base(std::move(f), t0, x0), step_(step) {
-    detail::check_positive(step, "step");
+      : base(std::move(f), t0, x0, step) {
     k_.fill(this->no_rate());
   }
 
  private:
   static constexpr std::size_t stages = Tableau::stages;
 
-  void start(const S& t_end) {
-    grid_ = time_grid<S>(this->time_, t_end, step_, "step");
-    index_ = 0;
-  }
-  void advance(const S&) {
-    const S end = grid_[++index_], h = end - this->time_;
+  void try_step(const S& end) {
+    const S h = end - this->time_;
     this->evaluate(this->time_, this->x_, k_[0]);
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
     this->displace(h * detail::combination<Tableau::weights>(k_));  // (2)
-    if (!this->next_is_finite()) [[unlikely]]
-      this->fail("the next state is not a finite number");
-    this->accept(end);
   }
   template <std::size_t I>
   void stage(const S& h, const S& end) {
@@ -66,9 +59,6 @@ class fixed_step_runge_kutta : public integrator<fixed_step_runge_kutta<Tableau,
   }
 
   std::array<rate, stages> k_;
-  S step_;
-  time_grid<S> grid_;
-  long long index_ = 0;
 };
 
 }  // namespace kte

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <kte/integrators/time_grid.hpp>
+
+namespace kte::detail {
+
+/// Iterates y = g(y) to rounding error: until the change no longer falls and is below 1e-3 of the square root of
+/// epsilon, relative to y. A contraction by a factor c then leaves an error of about epsilon / (1 - c).
+///
+/// step() does one iteration and returns the size of the change, relative. Says whether it converged.
+template <class S, class Step>
+bool iterate(const Step& step, int most = 60) {
+  using std::sqrt;
+  const S eps = std::numeric_limits<S>::epsilon(), small = S(1e-3) * sqrt(eps);
+  S before = std::numeric_limits<S>::max();
+  for (int i = 0; i < most; ++i) {
+    const S change = step();
+    if (!is_finite(change)) return false;
+    if (change <= eps || (change < small && change >= before)) return true;
+    before = change;
+  }
+  return false;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kte/integrators/integrator.hpp>
+
+namespace kte {
+
+/// What methods with a fixed step share. Steps are counted from the start of each `integrate`; the last one is shorter
+/// where the step does not divide the time. A method derives from this with itself as `Method` and has
+///
+///   try_step(end)     one step to the time `end`: leaves the new state in `next_`
+///   dense(theta, x)   as for `integrator`
+///   prepare()         if there is one: before the first step of each `integrate`
+template <class Method, class F, class X>
+class fixed_step : public integrator<Method, F, X> {
+  using base = integrator<Method, F, X>;
+  friend base;
+
+ public:
+  using typename base::rate;
+  using typename base::S;
+
+ protected:
+  template <class V>
+  fixed_step(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
+      : base(std::move(f), t0, x0), step_(step) {
+    detail::check_positive(step, "step");
+  }
+
+ private:
+  void start(const S& t_end) {
+    grid_ = time_grid<S>(this->time_, t_end, step_, "step");
+    index_ = 0;
+    if constexpr (requires(Method & m) { m.prepare(); }) static_cast<Method&>(*this).prepare();
+  }
+  void advance(const S&) {
+    const S end = grid_[++index_];
+    static_cast<Method&>(*this).try_step(end);
+    if (!this->next_is_finite()) [[unlikely]]
+      this->fail("the next state is not a finite number");
+    this->accept(end);
+  }
+
+  S step_;
+  time_grid<S> grid_;
+  long long index_ = 0;
+};
+
+}  // namespace kte

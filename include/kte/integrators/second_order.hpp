@@ -1,0 +1,56 @@
+#pragma once
+
+#include <kte/integrators/integrator.hpp>
+
+namespace kte {
+
+/// What methods need that treat positions and velocities differently: rates r = (v, a, z'), of which the first n are
+/// the rates v of positions and the next n are those of v; x has the numbers v behind its positions.
+///
+/// n is f.velocities() where f has that, as `manipulator_dynamics_model`; else half of the rates, which then have no
+/// third part.
+template <class F, class Rate>
+Eigen::Index velocities_in(const F& f, const Rate& r) {
+  if constexpr (requires { f.velocities(); }) {
+    return f.velocities();
+  } else {
+    if (r.size() % 2 != 0) [[unlikely]]
+      detail::raise<bad_argument>("kte: this method needs a state of positions and their rates; of " +
+                                  std::to_string(r.size()) + " numbers they cannot be halves");
+    return r.size() / 2;
+  }
+}
+
+/// What `second_order` makes.
+template <class G>
+class second_order_system {
+ public:
+  /// Accelerations depend on positions only: one evaluation a step is enough for `stormer_verlet`.
+  static constexpr bool accelerations_ignore_velocities = true;
+
+  explicit second_order_system(G g) : g_(std::move(g)) {}
+
+  template <class T, class X>
+  X operator()(const T& t, const X& x) {
+    const Eigen::Index n = x.size() / 2;
+    X r(x.size());
+    r.head(n) = x.tail(n);
+    r.tail(n) = g_(t, x.head(n));
+    return r;
+  }
+
+ private:
+  G g_;
+};
+
+/// A system q'' = g(t, q) without velocities in it, as a right-hand side: x = (q, v), x' = (v, g(t, q)).
+///
+///   kte::stormer_verlet solver(kte::second_order(g), 0.0, x0, 0.01);
+///
+/// g(t, q): q is a view of the first half of x; returns as many numbers.
+template <class G>
+second_order_system<G> second_order(G g) {
+  return second_order_system<G>(std::move(g));
+}
+
+}  // namespace kte

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <kte/integrators/fixed_point.hpp>
+#include <kte/integrators/fixed_step.hpp>
+#include <kte/integrators/hermite.hpp>
+#include <kte/integrators/second_order.hpp>
+
+namespace kte {
+
+/// The Stormer-Verlet method, order 2, with a fixed step h:
+///
+///   v' = v + h/2 a(t, q, v')              (1)
+///   q1 = q (+) h v'                       (2)
+///   v1 = v' + h/2 a(t + h, q1, v')        (3)
+///
+/// Explicit where a ignores velocities: one evaluation a step where f says so (`second_order`), and then
+/// symplectic, as energy of conservative systems shows: it stays near its value for ever. In general (1) is solved by
+/// fixed-point iteration; the method is then still symmetric, without drift where the motion can be reversed.
+/// Internal states go as v does. Between the ends: cubics by the slopes at both. Hairer, Lubich and Wanner, Geometric
+/// numerical integration illustrated by the Stormer-Verlet method, Acta Numerica 12 (2003), (1.5), (1.7).
+template <class F, class X>
+class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
+  using base = fixed_step<stormer_verlet, F, X>;
+  friend base;
+  friend typename base::integrator;
+
+ public:
+  using typename base::rate;
+  using typename base::S;
+  static constexpr int order = 2, dense_order = 2;
+
+  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// start that is not finite.
+  template <class V>
+  stormer_verlet(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
+      : base(std::move(f), t0, x0, step), k0_(this->no_rate()), k1_(k0_), raw_(k0_), d_(k0_) {}
+
+ private:
+  static constexpr bool separable = requires { requires detail::unwrapped_type<F>::accelerations_ignore_velocities; };
+
+  /// Before the first step: a at the start.
+  void prepare() { this->evaluate(this->time_, this->x_, raw_); }
+
+  void try_step(const S& end) {
+    const S h = end - this->time_;
+    const Eigen::Index n = velocities_in(this->system(), k0_), m = k0_.size() - n;
+    const auto v = this->x_.segment(this->x_.size() - m, n);
+    k0_.swap(raw_);
+    if constexpr (!separable) solve_kick(h, m);  // (1)
+    d_.head(n) = h * (v + (h / 2) * k0_.segment(n, n));
+    d_.tail(m) = (h / 2) * k0_.tail(m);
+    this->displace(d_);  // (2)
+    this->evaluate(end, this->next_, raw_);
+    d_.tail(m) += (h / 2) * raw_.tail(m);  // (3)
+    k0_.head(n) = v;
+    k1_ = raw_, k1_.head(n) = v + d_.segment(n, n);
+    this->displace(d_);
+    this->pull_back(k1_);
+  }
+  /// The rates of v and internal states under which (1) holds, from a guess.
+  void solve_kick(const S& h, Eigen::Index m) {
+    d_.setZero();
+    const bool converged = detail::iterate<S>([&] {
+      d_.tail(m) = (h / 2) * k0_.tail(m);
+      this->displace(d_);
+      this->evaluate(this->time_, this->next_, k1_);
+      const S size = k1_.tail(m).norm(), change = (k1_ - k0_).tail(m).norm();
+      k0_.swap(k1_);
+      return size == S(0) ? change : S(change / size);
+    });
+    if (!converged) [[unlikely]]
+      this->fail("the iteration of a step of " + detail::number(static_cast<double>(h)) +
+                 " does not converge: it is too long");
+  }
+  void dense(const S& theta, X& x) const {
+    this->displaced(detail::hermite_cubic(theta, S(this->time_ - this->previous_time_), d_, k0_, k1_), x);
+  }
+
+  rate k0_, k1_;  ///< of the last step, at its start and its end
+  rate raw_;      ///< at its end, before (3)
+  rate d_;
+};
+template <class F, class V>
+stormer_verlet(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
+    -> stormer_verlet<F, typename V::PlainObject>;
+
+}  // namespace kte
