@@ -80,6 +80,30 @@ void difference_one(const freedom& f, const Q& from, const Q& to, Out& out) {
     out[f.v] = linear.x, out[f.v + 1] = linear.y, out[f.v + 2] = angular.z;
   }
 }
+template <class S, class Q, class V, class Out>
+void rate_of_one(const freedom& f, const Q& q, const V& v, Out& out) {
+  const auto i = static_cast<std::size_t>(f.q), j = static_cast<std::size_t>(f.v);
+  if (f.what == kind::gen) {
+    out[i] = S(v[j]);
+    return;
+  }
+  const auto [linear, angular] = rates_from<S>(f.what, v, j);
+  std::size_t r = i;  // of the rotation
+  if (f.what != kind::rotation_3D) {
+    const auto p = as<S>(pose_from<S>(f.what, q, i).rotation * linear);
+    out[i] = p.x, out[i + 1] = p.y;
+    if (f.what == kind::pose_2D) {
+      out[i + 2] = angular.z;
+      return;
+    }
+    out[i + 2] = p.z;
+    r += 3;
+  }
+  const S half = S(1) / S(2);
+  const auto d = unit_quaternion<S>{S(q[r]), S(q[r + 1]), S(q[r + 2]), S(q[r + 3])} *
+                 unit_quaternion<S>{S(0), half * angular.x, half * angular.y, half * angular.z};
+  out[r] = d.w, out[r + 1] = d.x, out[r + 2] = d.y, out[r + 3] = d.z;
+}
 template <class Out>
 void neutral_one(const freedom& f, Out& out) {
   for (int k = 0; k < nq_of(f.what); ++k) out[f.q + k] = 0;
@@ -102,6 +126,19 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::integrate_one<S>(wiring::table.free[i], q, v, S(dt), out);
   detail::check_finite(out, std::size_t{wiring::nq}, "kte: a coordinate is no finite number");
   return out;
+}
+
+/// The rates of the numbers of q where the chain moves by v: v itself for numbers; R v for positions, q (0, w/2) for
+/// quaternions q. For methods that know vectors only; the lengths of quaternions then drift.
+template <class Gravity, class... E, indexable Q, indexable V>
+auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
+  using wiring = detail::wiring<E...>;
+  using S = value_of<Q>;
+  detail::check_configuration<wiring>(q), check_size<wiring::dofs>(v, "v");
+  std::array<S, std::size_t{wiring::nq} + 1> out;
+  for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::rate_of_one<S>(wiring::table.free[i], q, v, out);
+  detail::check_finite(out, std::size_t{wiring::nq}, "kte: a rate is no finite number");
+  return joint_vector<S, wiring::nq>(Eigen::Map<const joint_vector<S, wiring::nq>>(out.data()));
 }
 
 /// The v by which `integrate` gets from one configuration to another in unit time; rotations take the shorter way. In

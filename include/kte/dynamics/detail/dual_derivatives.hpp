@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/math/dual.hpp>
 
@@ -9,35 +10,14 @@ namespace detail {
 
 /// A configuration that moves along velocity number `direction` of a coordinate: lane `lane` of its numbers.
 template <class S, class Q, int N, std::size_t M>
-void displace(const freedom& f, const Q& q, int direction, std::size_t lane, std::array<dual<S, N>, M>& x) {
-  const auto i = static_cast<std::size_t>(f.q);
-  if (f.what == kind::gen) {
-    x[i].derivative[lane] = S(1);
-    return;
-  }
-  const int linear = f.what == kind::rotation_3D ? 0 : f.what == kind::pose_2D ? 2 : 3;
-  const std::size_t r = i + static_cast<std::size_t>(linear);  // of the rotation
-  if (f.what == kind::pose_2D) {
-    using std::cos;
-    using std::sin;
-    const S c = cos(S(q[r])), s = sin(S(q[r]));
-    x[i].derivative[lane] = direction == 0 ? c : direction == 1 ? S(-s) : S(0);
-    x[i + 1].derivative[lane] = direction == 0 ? s : direction == 1 ? c : S(0);
-    x[r].derivative[lane] = S(direction == 2);
-    return;
-  }
-  const unit_quaternion<S> turn{S(q[r]), S(q[r + 1]), S(q[r + 2]), S(q[r + 3])};
-  const auto unit = [&](int k) { return S(direction == k); };
-  if (direction < linear) {
-    const auto d = matrix_of_any_length(turn) * vec3<S>{unit(0), unit(1), unit(2)};
-    x[i].derivative[lane] = d.x, x[i + 1].derivative[lane] = d.y, x[i + 2].derivative[lane] = d.z;
-  } else {  // q (0, e/2)
-    const S half = S(1) / S(2);
-    const auto d =
-        turn * unit_quaternion<S>{S(0), half * unit(linear), half * unit(linear + 1), half * unit(linear + 2)};
-    const S numbers[]{d.w, d.x, d.y, d.z};
-    for (std::size_t k = 0; k < 4; ++k) x[r + k].derivative[lane] = numbers[k];
-  }
+void displace(freedom f, const Q& q, int direction, std::size_t lane, std::array<dual<S, N>, M>& x) {
+  std::array<S, 6> unit{};
+  unit[static_cast<std::size_t>(direction)] = S(1);
+  f.v = 0;
+  std::array<S, M> rate{};
+  rate_of_one<S>(f, q, unit, rate);
+  for (auto i = static_cast<std::size_t>(f.q), k = i; k < i + static_cast<std::size_t>(nq_of(f.what)); ++k)
+    x[k].derivative[lane] = rate[k];
 }
 
 /// Derivatives of inverse dynamics by q and v in dual numbers, four directions at a time: for chains of any elements.

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/detail/bodies.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/math/dual.hpp>
+
+namespace kte {
+
+namespace detail {
+/// Only what has a mass has forces: bodies, and masses on coordinates.
+struct masses_alone {
+  template <class Core>
+  KTE_INLINE static constexpr decltype(auto) of(const Core& core) {
+    if constexpr (has_output<Core> || has_mass<Core, double>) {
+      return (core);
+    } else {
+      return silent<Core>{};
+    }
+  }
+};
+}  // namespace detail
+
+/// The generalized momenta: the force by which the chain gets a = v from rest, without gravity and other forces,
+///
+///   p = M(q) v                    (1)
+///
+/// without forming M: by the recursion of inverse dynamics. For rotations and poses p is an angular momentum, and a
+/// linear one, in the axes of the moving frame. q and v as for `inverse_dynamics`; kg m/s, kg m^2/s.
+template <class Gravity, class... E, indexable Q, indexable V>
+auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v");
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  const with_loads<chain_type, masses_alone> masses{c};
+  constexpr same_base at_rest{motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
+  return coordinate_forces<S>(masses, given{at, same<zero_t>{}, each<S, V>{v}, at_rest}, minus_one);
+}
+
+/// p of (1), and how fast it changes as the chain moves by constant v:
+///
+///   M_dot v,   M_dot the derivative of M(q) along v            (2)
+///
+/// By dual numbers, exact to rounding.
+template <class Gravity, class... E, indexable Q, indexable V>
+auto generalized_momenta_along(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  using number = dual<S, 1>;
+  constexpr auto nq = std::size_t{chain_type::nq};
+  const auto q_dot = configuration_rate(c, q, v);
+  std::array<number, nq> moving;
+  for (std::size_t i = 0; i < nq; ++i) {
+    moving[i] = number(S(q[i]));
+    moving[i].derivative[0] = q_dot[static_cast<Eigen::Index>(i)];
+  }
+  const auto both = generalized_momenta(c, moving, v);
+  std::pair<joint_vector<S, chain_type::dofs>, joint_vector<S, chain_type::dofs>> p;
+  for (Eigen::Index i = 0; i < chain_type::dofs; ++i) p.first[i] = both[i].value, p.second[i] = both[i].derivative[0];
+  return p;
+}
+
+}  // namespace kte
