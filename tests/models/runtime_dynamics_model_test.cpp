@@ -32,11 +32,11 @@ constexpr lugre_parameters friction{
 
 /// A free trunk with a leg, a motor and friction in its hip: as a static and as a runtime chain.
 const rigid_body<> body{2.0, {0.01, -0.02, 0.03}, {0.02, 0.001, 0.0, 0.03, 0.0, 0.025}};
-const auto fixed = chain(free_joint_3D(trunk_pose, world, trunk), inertia_3D(trunk, body),
-                         revolute_joint_3D(q, trunk, hip, axis::y), rigid_link_3D(hip, foot, along_z(-0.3)),
-                         inertia_3D(foot, point_mass(0.5)), driving_actuator_gen(q, motor),
-                         joint_lugre_gen(q, bristles, friction))
-                       .gravity(along_z(-9.81));
+const auto fixed =
+    chain(free_joint_3D(trunk_pose, world, trunk), inertia_3D(trunk, body), revolute_joint_3D(q, trunk, hip, axis::y),
+          rigid_link_3D(hip, foot, along_z(-0.3)), inertia_3D(foot, point_mass(0.5)), driving_actuator_gen(q, motor),
+          joint_lugre_gen(q, bristles, friction))
+        .gravity(along_z(-9.81));
 kte_map_chain appended() {
   kte_map_chain c;
   c.gravity(along_z(-9.81)) << free_joint_3D("pose", "world", "trunk") << inertia_3D("trunk", body)
@@ -47,8 +47,8 @@ kte_map_chain appended() {
 }
 template <class Model>
 auto start(const Model& m) {
-  return m.make_x(std::array{1.0, 2.0, 3.0, 0.5, -0.5, 0.5, 0.5, 0.4},
-                  std::array{0.1, -0.2, 0.3, 0.4, 2.0, -0.6, 0.7}, std::array{0.01});
+  return m.make_x(std::array{1.0, 2.0, 3.0, 0.5, -0.5, 0.5, 0.5, 0.4}, std::array{0.1, -0.2, 0.3, 0.4, 2.0, -0.6, 0.7},
+                  std::array{0.01});
 }
 
 }  // namespace
@@ -83,9 +83,8 @@ TEST_CASE("States of the chain and vectors of a model are the same numbers") {
   CHECK(moving.getJointStates(moving.state_at(0, x)) == Eigen::VectorXd(x));
   CHECK(moving.state_at(0, x).frame_3D("foot").position.x == Approx(still.state_at(0, x)[foot].position.x));
   CHECK(moving.computeOutput(0, x) == Eigen::VectorXd(x.head(15)));
-  auto height = moving.with_output([](const runtime_state& s) {
-    return Eigen::VectorXd::Constant(1, s.frame_3D("foot").position.z);
-  });
+  auto height = moving.with_output(
+      [](const runtime_state& s) { return Eigen::VectorXd::Constant(1, s.frame_3D("foot").position.z); });
   CHECK(height.computeOutput(0, x)[0] == moving.state_at(0, x).frame_3D("foot").position.z);
   CHECK_THROWS_WITH(moving.input("moter"), contains_text("no input 'moter'"));
   CHECK_THROWS_WITH(moving.make_x(std::array{1.0}, std::array{1.0}), contains_text("q has 1 numbers"));

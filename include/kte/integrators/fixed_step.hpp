@@ -4,10 +4,12 @@
 
 namespace kte {
 
-/// What methods with a fixed step share. Steps are counted from the start of each `integrate`; the last one is shorter
+/// What methods with a fixed step share. What a step loses in rounding is kept and added to the next one (compensated
+/// summation, Kahan 1965; Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, VIII.5): so many small
+/// steps do not add up their rounding. Steps are counted from the start of each `integrate`; the last one is shorter
 /// where the step does not divide the time. A method derives from this with itself as `Method` and has
 ///
-///   try_step(end)     one step to the time `end`: leaves the new state in `next_`
+///   try_step(end)     one step to the time `end`: leaves the new state in `next_`, put there by `displace_at_last`
 ///   dense(theta, x)   as for `integrator`
 ///   prepare()         if there is one: before the first step of each `integrate`
 template <class Method, class F, class X>
@@ -24,12 +26,25 @@ class fixed_step : public integrator<Method, F, X> {
   fixed_step(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
       : base(std::move(f), t0, x0), step_(step) {
     detail::check_positive(step, "step");
+    lost_ = total_ = this->no_rate();
+  }
+  /// next_ = state (+) d, with what earlier steps lost.
+  template <class D>
+  void displace_at_last(const D& d) {
+    total_ = d + lost_;
+    this->displace(total_);
+    if constexpr (!base::on_group) {
+      lost_ = total_ - (this->next_ - this->x_);
+    } else if constexpr (requires { this->system().rounding(this->x_, total_, this->next_, lost_); }) {
+      this->system().rounding(this->x_, total_, this->next_, lost_);
+    }
   }
 
  private:
   void start(const S& t_end) {
     grid_ = time_grid<S>(this->time_, t_end, step_, "step");
     index_ = 0;
+    lost_.setZero();
     if constexpr (requires(Method & m) { m.prepare(); }) static_cast<Method&>(*this).prepare();
   }
   void advance(const S&) {
@@ -41,6 +56,7 @@ class fixed_step : public integrator<Method, F, X> {
   }
 
   S step_;
+  rate lost_, total_;
   time_grid<S> grid_;
   long long index_ = 0;
 };

@@ -40,7 +40,7 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
     this->evaluate(this->time_, this->x_, k_[0]);
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
-    this->displace(h * detail::combination<Tableau::weights>(k_));  // (2)
+    this->displace_at_last(h * detail::combination<Tableau::weights>(k_));  // (2)
   }
   template <std::size_t I>
   void stage(const S& h, const S& end) {

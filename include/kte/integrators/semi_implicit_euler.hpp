@@ -36,7 +36,7 @@ class semi_implicit_euler : public fixed_step<semi_implicit_euler<F, X>, F, X> {
     const Eigen::Index n = velocities_in(this->system(), d_);
     d_.head(n) += h * d_.segment(n, n);
     d_ *= h;
-    this->displace(d_);  // (1)
+    this->displace_at_last(d_);  // (1)
   }
   void dense(const S& theta, X& x) const { this->displaced(theta * d_, x); }
 

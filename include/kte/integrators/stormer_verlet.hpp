@@ -54,7 +54,7 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
     d_.tail(m) += (h / 2) * raw_.tail(m);  // (3)
     k0_.head(n) = v;
     k1_ = raw_, k1_.head(n) = v + d_.segment(n, n);
-    this->displace(d_);
+    this->displace_at_last(d_);
     this->pull_back(k1_);
   }
   /// The rates of v and internal states under which (1) holds, from a guess.

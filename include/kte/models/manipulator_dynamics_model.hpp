@@ -29,12 +29,12 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     : public state_space<static_chain<Gravity, E...>, S> {
   using chain_type = static_chain<Gravity, E...>;
   using base = state_space<chain_type, S>;
-  using wiring = typename chain_type::wiring;
   using size = detail::sizes_of_model<chain_type>;
 
  public:
   using typename base::rate;
   using typename base::state;
+  using typename chain_type::wiring;
 
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
 
@@ -52,6 +52,14 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return r;
   }
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
+  /// The forces at x that accelerations answer: M a, of gravity, elements and inputs, less centrifugal ones; N and Nm.
+  joint_vector<S, size::v> forces_at(const state& x) const {
+    const S *q = x.data(), *v = q + size::q;
+    const detail::configuration<S, wiring, const S*> at(q);
+    const auto bases = detail::with_signals(detail::base_under_gravity(this->chain()), this->u_.data(), v + size::v);
+    return detail::coordinate_forces<S>(
+        this->chain(), detail::given{at, detail::each<S, const S*>{v}, detail::same<zero_t>{}, bases}, one);
+  }
 
   using base::input;
   /// The value of an input: `model.input(motor) = 2.0`.

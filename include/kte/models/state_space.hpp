@@ -91,6 +91,12 @@ class state_space : public Chain {
     for (const auto& f : size::freedoms(chain())) detail::magnitudes_of<S>(f, x.data(), m);
     vectors_of(m) = vectors_of(x);
   }
+  void rounding(const state& x, const rate& d, const state& out, rate& rest) const requires(!size::only_numbers) {
+    rest.setZero();
+    for (const auto& f : size::freedoms(chain()))
+      if (f.what == kind::gen) rest[f.v] = d[f.v] - (out[f.q] - x[f.q]);
+    vectors_of(rest) = vectors_of(d) - (vectors_of(out) - vectors_of(x));
+  }
 
  protected:
   int numbers_q() const { return size::nq(chain()); }

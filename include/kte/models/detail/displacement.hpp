@@ -89,4 +89,23 @@ void add_variation_of_pull_back(const freedom& f, const R& r, J& jacobian) {
   subtract_cross(turning, turning, as<S>(half * w));
 }
 
+/// d from one configuration to another; rotations take the shorter way.
+template <class S, class Q, class D>
+void displacement_between(const freedom& f, const Q& from, const Q& to, D& d) {
+  const auto i = static_cast<std::size_t>(f.q);
+  if (f.what == kind::gen) {
+    d[f.v] = S(to[i]) - S(from[i]);
+    return;
+  }
+  const auto a = pose_from<S>(f.what, from, i), b = pose_from<S>(f.what, to, i);
+  const auto back = conjugate(a.rotation);
+  const auto u = as<S>(back * (b.position - a.position));
+  if (f.what == kind::pose_2D) {
+    d[f.v] = u.x, d[f.v + 1] = u.y, d[f.v + 2] = S(to[i + 2]) - S(from[i + 2]);
+    return;
+  }
+  if (f.what == kind::pose_3D) put_vector(d, f.v, u);
+  put_vector(d, f.what == kind::pose_3D ? f.v + 3 : f.v, to_rotation_vector(back * b.rotation));
+}
+
 }  // namespace kte::detail

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <kte/dynamics/momentum.hpp>
+#include <kte/integrators/fixed_point.hpp>
+#include <kte/integrators/fixed_step.hpp>
+#include <kte/integrators/hermite.hpp>
+#include <kte/models/detail/momentum_transport.hpp>
+#include <kte/models/manipulator_dynamics_model.hpp>
+
+namespace kte {
+
+/// A variational integrator of a mechanism, of order 2 or 4, with a fixed step h: the motion that makes the sum of
+///
+///   h L(q_m, v)   of every step, q_m its middle, v its velocity          (1)
+///
+/// stationary, with L the chain's kinetic less its potential energy. So it is symplectic: energy oscillates and does
+/// not drift, however long. And what a symmetry keeps is kept to rounding: the linear and the angular momentum of a
+/// mechanism that floats. For numbers it is the midpoint rule in momenta:
+///
+///   p = M(q_m) v,   p0, p1 = p -+ h/2 p',   p' = M_dot v + f(q_m, v)        (2)
+///   q_m = q0 + h/2 v,   q1 = q0 + h v                                       (3)
+///
+/// with f as `forces_at`: dampers and motors act by their force at the middle. For rotations see
+/// models/detail/momentum_transport.hpp. Solved to rounding by iteration, for which h must be below about 1 over the
+/// fastest rate. Order 4: five steps of (1), of lengths
+///
+///   g h, g h, (1 - 4 g) h, g h, g h,   g = 1/(4 - 4^(1/3))                  (4)
+///
+/// Between the ends: cubics by the velocities at both, of order 3. For models of static chains without internal states:
+///
+///   kte::variational4 solver(std::ref(model), 0.0, model.make_x(q, v), 0.01);
+///
+/// Marsden and West, Discrete mechanics and variational integrators, Acta Numerica 10 (2001), 2.3; (4): Suzuki, Phys.
+/// Lett. A 146 (1990).
+template <int Order, class F, class X>
+class variational : public fixed_step<variational<Order, F, X>, F, X> {
+  using base = fixed_step<variational, F, X>;
+  friend base;
+  friend typename base::integrator;
+  using model = detail::unwrapped_type<F>;
+  static_assert(Order == 2 || Order == 4, "kte: variational integrators are of order 2 or 4");
+
+ public:
+  using typename base::rate;
+  using typename base::S;
+  static constexpr int order = Order, dense_order = 3;
+
+  /// A model, start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// start that is not finite.
+  template <class V>
+  variational(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
+      : base(std::move(f), t0, x0, step), middle_(this->x_) {}
+
+ private:
+  using wiring = typename model::wiring;
+  static constexpr int n = wiring::dofs, nq = wiring::nq;
+  static_assert(wiring::count(kind::internal) == 0, "kte: variational integrators know no internal states of elements");
+  using vector = joint_vector<S, n>;
+
+  void prepare() {
+    v_ = this->x_.template tail<n>();
+    p_ = generalized_momenta(chain(), this->x_.data(), v_);
+    lost_q_.setZero(), lost_p_.setZero();
+  }
+  void try_step(const S& end) {
+    const S h = end - this->time_;
+    this->next_ = this->x_;
+    if constexpr (Order == 2) {
+      advance_by(h);
+    } else {
+      using std::cbrt;
+      const S g = 1 / (4 - cbrt(S(4)));
+      for (const S& part : {g, g, S(1 - 4 * g), g, g}) advance_by(part * h);  // (4)
+    }
+    vector v = p_;
+    auto m = mass_matrix(chain(), this->next_.data());
+    detail::solve_in_place(m, v);
+    this->next_.template tail<n>() = v;
+  }
+  /// One step of (1): q in `next_` and p_.
+  void advance_by(const S& h) {
+    const X start = this->next_;
+    vector d, half, change;
+    const bool converged = detail::iterate<S>([&] {
+      for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
+      half = d / 2;
+      displace(start, half, middle_);
+      middle_.template tail<n>() = v_;
+      auto [p, rate_of_p] = generalized_momenta_along(chain(), middle_.data(), v_);
+      rate_of_p += this->system().forces_at(middle_);
+      ++this->statistics_.evaluations;
+      vector v = p_;
+      for_each([&](const auto& f) {
+        const detail::momentum_step<S> step(f, h, v_);
+        step.subtract_turning(p, rate_of_p);
+        step.to_middle(rate_of_p, v);
+        step.change(rate_of_p, p_, change);
+      });
+      v -= p;
+      auto m = mass_matrix(chain(), middle_.data());
+      detail::solve_in_place(m, v);
+      const S size = v_.norm(), by = v.norm();
+      v_ += v;
+      return size == S(0) ? by : S(by / size);
+    });
+    if (!converged) [[unlikely]]
+      this->fail("the iteration of a step of " + detail::number(static_cast<double>(h)) +
+                 " does not converge: it is too long");
+    for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
+    d += lost_q_, change += lost_p_;
+    displace(start, d, this->next_);
+    for_each([&](const auto& f) {
+      if (f.what == kind::gen) lost_q_[f.v] = d[f.v] - (this->next_[f.q] - start[f.q]);
+    });
+    const vector p = p_;
+    p_ += change;
+    lost_p_ = change - (p_ - p);
+  }
+
+  void dense(const S& theta, X& x) const {
+    const S h = this->time_ - this->previous_time_;
+    vector d = vector::Zero(), v1 = this->x_.template tail<n>();
+    const vector v0 = this->previous_.template tail<n>();
+    const S *from = this->previous_.data(), *to = this->x_.data();
+    for_each([&](const auto& f) { detail::displacement_between<S>(f, from, to, d); });
+    for_each([&](const auto& f) { detail::pull_back_one<S>(f, d, v1); });
+    const vector at = detail::hermite_cubic(theta, h, d, v0, v1);
+    vector v = detail::hermite_slope(theta, h, d, v0, v1);
+    displace(this->previous_, at, x);
+    for_each([&](const auto& f) { detail::push_forward_one<S>(f, at, v); });
+    x.template tail<n>() = v;
+  }
+
+  const auto& chain() const { return this->system().chain(); }
+  template <class Visit>
+  static void for_each(const Visit& visit) {
+    for (std::size_t i = 0; i < wiring::freedoms; ++i) visit(wiring::table.free[i]);
+  }
+  static void displace(const X& from, const vector& d, X& to) {
+    for_each([&](const auto& f) { detail::displace_one<S>(f, from, d, to); });
+  }
+
+  X middle_;
+  vector p_, v_;            ///< momenta at the present q; velocities of the last step, a guess for the next
+  vector lost_q_, lost_p_;  ///< in rounding, as `fixed_step` has it
+};
+
+template <class F, class X>
+class variational2 : public variational<2, F, X> {
+ public:
+  using variational<2, F, X>::variational;
+};
+template <class F, class V>
+variational2(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
+    -> variational2<F, typename V::PlainObject>;
+template <class F, class X>
+class variational4 : public variational<4, F, X> {
+ public:
+  using variational<4, F, X>::variational;
+};
+template <class F, class V>
+variational4(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
+    -> variational4<F, typename V::PlainObject>;
+
+}  // namespace kte
