@@ -2,6 +2,7 @@
 
 #include <kte/chain/static_chain.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/math/dual.hpp>
 #include <kte/math/rigid_motion.hpp>
 
 /// Configurations with rotations are no vectors: these functions take the place of q + dt v and q_1 - q_0.
@@ -162,5 +163,20 @@ auto neutral_configuration(const static_chain<Gravity, E...>&) {
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::neutral_one(wiring::table.free[i], out);
   return out;
 }
+
+namespace detail {
+/// A configuration that moves by v: its numbers with their rates, for derivatives along the motion.
+template <class Chain, class Q, class V>
+auto moving_along(const Chain& c, const Q& q, const V& v) {
+  using S = value_of<Q>;
+  const auto q_dot = configuration_rate(c, q, v);
+  std::array<dual<S, 1>, std::size_t{Chain::nq}> moving;
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    moving[i] = dual<S, 1>(S(q[i]));
+    moving[i].derivative[0] = q_dot[static_cast<Eigen::Index>(i)];
+  }
+  return moving;
+}
+}  // namespace detail
 
 }  // namespace kte

@@ -48,14 +48,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 auto generalized_momenta_along(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  using number = dual<S, 1>;
-  constexpr auto nq = std::size_t{chain_type::nq};
-  const auto q_dot = configuration_rate(c, q, v);
-  std::array<number, nq> moving;
-  for (std::size_t i = 0; i < nq; ++i) {
-    moving[i] = number(S(q[i]));
-    moving[i].derivative[0] = q_dot[static_cast<Eigen::Index>(i)];
-  }
+  const auto moving = detail::moving_along(c, q, v);
   const auto both = generalized_momenta(c, moving, v);
   std::pair<joint_vector<S, chain_type::dofs>, joint_vector<S, chain_type::dofs>> p;
   for (Eigen::Index i = 0; i < chain_type::dofs; ++i) p.first[i] = both[i].value, p.second[i] = both[i].derivative[0];

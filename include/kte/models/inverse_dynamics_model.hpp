@@ -1,0 +1,49 @@
+#pragma once
+
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/momentum.hpp>
+
+namespace kte {
+
+/// A chain as a model for controllers that compute forces from motions. It is the chain: an element of larger chains,
+/// with the passes and all algorithms.
+///
+///   kte::inverse_dynamics_model arm(chain);
+///   auto tau = arm.computeForces(q, v, a);
+///
+/// Arguments and units as for `inverse_dynamics`.
+template <class Chain>
+class inverse_dynamics_model : public Chain {
+ public:
+  explicit constexpr inverse_dynamics_model(const Chain& c) : Chain(c) {}
+
+  /// What must be applied for the accelerations a: inverse dynamics (RNEA).
+  template <indexable Q, indexable V, indexable A>
+  auto computeForces(const Q& q, const V& v, const A& a) const {
+    return inverse_dynamics(chain(), q, v, a);
+  }
+  /// That and its derivatives by q, v and a.
+  template <indexable Q, indexable V, indexable A>
+  auto computeForcesAndDerivatives(const Q& q, const V& v, const A& a) const {
+    return inverse_dynamics_derivatives(chain(), q, v, a);
+  }
+  template <indexable Q>
+  auto getMassMatrix(const Q& q) const {
+    return mass_matrix(chain(), q);
+  }
+  /// M and its rate of change as the chain moves by v; by dual numbers, exact to rounding.
+  template <indexable Q, indexable V>
+  auto getMassMatrixAndDerivative(const Q& q, const V& v) const {
+    using S = value_of<Q>;
+    using matrix = joint_matrix<S, Chain::dofs>;
+    const auto both = mass_matrix(chain(), detail::moving_along(chain(), q, v));
+    return std::pair<matrix, matrix>{both.unaryExpr([](const auto& x) { return x.value; }),
+                                     both.unaryExpr([](const auto& x) { return x.derivative[0]; })};
+  }
+
+  constexpr const Chain& chain() const { return *this; }
+};
+template <class Gravity, class... E>
+inverse_dynamics_model(const static_chain<Gravity, E...>&) -> inverse_dynamics_model<static_chain<Gravity, E...>>;
+
+}  // namespace kte

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/jacobian.hpp>
+
+namespace kte {
+
+/// A chain with the frames that matter, its tools: their poses, Jacobians and motions. It is the chain: an element of
+/// larger chains, with the passes and all algorithms.
+///
+///   kte::manipulator_kinematics_model arm(chain, tool);
+///   auto [R, p] = arm.getDependentPoses(q)[0];
+///
+/// Jacobians and motions are in world axes, linear before angular, one frame below the other; as `jacobian(c, q, frame,
+/// in_world_axes)`.
+template <class Chain, key_type... Frames>
+class manipulator_kinematics_model : public Chain {
+  static_assert(sizeof...(Frames) > 0, "kte: a kinematics model needs a frame that depends on the joints");
+  static_assert(((Chain::wiring::template find<Frames>() >= 0) && ...), "kte: this chain has no frame of this name");
+  static constexpr int n = Chain::dofs, rows = 6 * static_cast<int>(sizeof...(Frames));
+
+ public:
+  explicit constexpr manipulator_kinematics_model(const Chain& c, const Frames&...) : Chain(c) {}
+
+  /// Where the frames stand, in the axes of the base.
+  template <indexable Q>
+  auto getDependentPoses(const Q& q) const {
+    return std::array{forward_kinematics(chain(), q, Frames{})...};
+  }
+  template <indexable Q>
+  auto getJacobianMatrix(const Q& q) const {
+    Eigen::Matrix<value_of<Q>, rows, n> j;
+    int row = 0;
+    ((j.template middleRows<6>(row) = jacobian(chain(), q, Frames{}, in_world_axes), row += 6), ...);
+    return j;
+  }
+  /// J and its rate of change as the chain moves by v; by dual numbers, exact to rounding. The accelerations of the
+  /// frames are J a + dJ/dt v.
+  template <indexable Q, indexable V>
+  auto getJacobianMatrixAndDerivative(const Q& q, const V& v) const {
+    using matrix = Eigen::Matrix<value_of<Q>, rows, n>;
+    const auto both = getJacobianMatrix(detail::moving_along(chain(), q, v));
+    return std::pair<matrix, matrix>{both.unaryExpr([](const auto& x) { return x.value; }),
+                                     both.unaryExpr([](const auto& x) { return x.derivative[0]; })};
+  }
+  /// Velocities of the frames: J v.
+  template <indexable Q, indexable V>
+  auto getDependentVelocities(const Q& q, const V& v) const {
+    check_size<n>(v, "v");
+    joint_vector<value_of<Q>, n> rates;
+    for (std::size_t i = 0; i < std::size_t{n}; ++i) rates[static_cast<Eigen::Index>(i)] = v[i];
+    return Eigen::Matrix<value_of<Q>, rows, 1>(getJacobianMatrix(q) * rates);
+  }
+
+  constexpr const Chain& chain() const { return *this; }
+};
+template <class Gravity, class... E, key_type... Frames>
+manipulator_kinematics_model(const static_chain<Gravity, E...>&, const Frames&...)
+    -> manipulator_kinematics_model<static_chain<Gravity, E...>, Frames...>;
+
+}  // namespace kte

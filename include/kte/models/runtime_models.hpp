@@ -1,0 +1,77 @@
+#pragma once
+
+#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/models/inverse_dynamics_model.hpp>
+#include <kte/models/manipulator_kinematics_model.hpp>
+
+namespace kte {
+
+/// `inverse_dynamics_model` of a runtime chain. It has a state of its own to work in; what it returns is valid until
+/// its next call: one model a thread.
+template <>
+class inverse_dynamics_model<kte_map_chain> : public kte_map_chain {
+ public:
+  explicit inverse_dynamics_model(const kte_map_chain& c) : kte_map_chain(c), s_(make_state()) {}
+
+  template <indexable Q, indexable V, indexable A>
+  const Eigen::VectorXd& computeForces(const Q& q, const V& v, const A& a) {
+    return inverse_dynamics(*this, s_, q, v, a);
+  }
+  template <indexable Q, indexable V, indexable A>
+  const auto& computeForcesAndDerivatives(const Q& q, const V& v, const A& a) {
+    return inverse_dynamics_derivatives(*this, s_, q, v, a);
+  }
+  template <indexable Q>
+  const Eigen::MatrixXd& getMassMatrix(const Q& q) {
+    return mass_matrix(*this, s_, q);
+  }
+
+ private:
+  runtime_state s_;
+};
+inverse_dynamics_model(const kte_map_chain&)->inverse_dynamics_model<kte_map_chain>;
+
+/// `manipulator_kinematics_model` of a runtime chain, of frames by name.
+template <>
+class manipulator_kinematics_model<kte_map_chain> : public kte_map_chain {
+ public:
+  /// Throws `unknown_name` for a frame that the chain does not have.
+  manipulator_kinematics_model(const kte_map_chain& c, std::vector<std::string> frames)
+      : kte_map_chain(c), frames_(std::move(frames)), s_(make_state()) {
+    if (frames_.empty()) throw bad_argument("kte: a kinematics model needs a frame that depends on the joints");
+    for (const auto& f : frames_)
+      if (!is_frame(wiring().kind_of(f))) throw unknown_name("kte: '" + f + "' is no frame");
+  }
+
+  template <indexable Q>
+  std::vector<pose<mat3<vec3<>>, vec3<>>> getDependentPoses(const Q& q) {
+    set_positions(s_, q);
+    std::vector<pose<mat3<vec3<>>, vec3<>>> poses;
+    for (const auto& f : frames_) poses.push_back(forward_kinematics(*this, s_, f));
+    return poses;
+  }
+  template <indexable Q>
+  Eigen::MatrixXd getJacobianMatrix(const Q& q) {
+    set_positions(s_, q);
+    Eigen::MatrixXd j(6 * static_cast<Eigen::Index>(frames_.size()), dofs());
+    Eigen::Index row = 0;
+    for (const auto& f : frames_) j.middleRows(row, 6) = jacobian(*this, s_, f, in_world_axes), row += 6;
+    return j;
+  }
+  /// Velocities of the frames: J v.
+  template <indexable Q, indexable V>
+  Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) {
+    set_velocities(s_, v);
+    return getJacobianMatrix(q) * velocities(s_);
+  }
+
+ private:
+  std::vector<std::string> frames_;
+  runtime_state s_;
+};
+manipulator_kinematics_model(const kte_map_chain&, std::vector<std::string>)
+    ->manipulator_kinematics_model<kte_map_chain>;
+
+}  // namespace kte
