@@ -33,7 +33,7 @@ struct bad_argument : error {
 struct singular_mass_matrix : error {
   using error::error;
 };
-/// A model file that cannot be read; what() says where.
+/// A file that cannot be read; what() says where.
 struct bad_file : error {
   using error::error;
 };

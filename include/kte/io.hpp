@@ -1,6 +1,9 @@
 #pragma once
 
-/// Files: models as XML and JSON (needs cereal), tables of results.
+/// Files: models as XML and JSON (needs cereal), tables of results and recorders, progress.
+#include <kte/io/memory_table.hpp>
 #include <kte/io/model_file.hpp>
+#include <kte/io/progress_bar.hpp>
+#include <kte/io/recorder.hpp>
 #include <kte/io/table_reader.hpp>
 #include <kte/io/table_writer.hpp>

@@ -2,89 +2,154 @@
 #include <kte/io/table_writer.hpp>
 
 #include <cmath>
-#include <fstream>
+#include <cstring>
 #include <limits>
 #include <random>
-#include <sstream>
 
 #include "catch.hpp"
+#include "scratch.hpp"
 
 using namespace kte;
 using kte::test::contains_text;
+using kte::test::scratch;
 
 namespace {
 
-/// A file of its own, removed at the end.
-struct scratch {
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("kte_table_" + std::to_string(std::random_device{}()) + ".txt");
-
-  explicit scratch(const std::string& content = "") { std::ofstream(path, std::ios::binary) << content; }
-  ~scratch() { std::filesystem::remove(path); }
-  std::string text() const {
-    std::ostringstream s;
-    s << std::ifstream(path, std::ios::binary).rdbuf();
-    return s.str();
-  }
-};
-
-TEST_CASE("A table is a line of names and lines of numbers") {
-  scratch file;
-  table_writer out(file.path, {"t", "q", "qd", "n", "f"});
-  out.row(0.0, 0.1, -1e-300, 7, 0.1f);
-  out.row(1.5, std::vector<double>{1.0 / 3, 2e22}, -8LL, std::array<double, 1>{5});
-  CHECK(file.text().empty());
-  out.flush();
-  CHECK(file.text() == "t q qd n f\n0 0.1 -1e-300 7 0.1\n1.5 0.3333333333333333 2e+22 -8 5\n");
-  out.row(1, 2, 3, 4, 5);
-  out.close();
-  CHECK(file.text().ends_with("\n1 2 3 4 5\n"));
-  out.close();
-  CHECK_THROWS_WITH(out.row(1, 2, 3, 4, 5), contains_text("is closed"));
-  CHECK_THROWS_AS(out.flush(), bad_file);
+TEST_CASE("A text is a line of names and lines of numbers") {
+  const auto text = [](const char* extension) {
+    scratch file(extension);
+    table_writer out(file.path, {"t", "q", "tip/x", "n", "f"});
+    out.row(0.0, 0.1, -1e-3, 7, 0.25f);
+    out.row(1.5, std::vector<double>{1.0 / 3, 2e22}, -8LL, std::array<double, 1>{5});
+    CHECK(file.text().empty());
+    out.flush();
+    const auto flushed = file.text();
+    out.row(1, 2, 3, 4, 5);
+    out.close();
+    CHECK(file.text().starts_with(flushed));
+    out.close();
+    CHECK_THROWS_WITH(out.row(1, 2, 3, 4, 5), contains_text("is closed"));
+    CHECK_THROWS_AS(out.flush(), bad_file);
+    return file.text();
+  };
+  const std::string spaces =
+      "t q tip/x n f\n0.0 0.1 -0.001 7.0 0.25\n1.5 0.3333333333333333 2e+22 -8.0 5.0\n1.0 2.0 3.0 4.0 5.0\n";
+  const auto with = [&spaces](char separator) {
+    std::string s = spaces;
+    std::replace(s.begin(), s.end(), ' ', separator);
+    return s;
+  };
+  CHECK(text(".ssv") == spaces);
+  CHECK(text(".txt") == spaces);
+  CHECK(text(".csv") == with(','));
+  CHECK(text(".tsv") == with('\t'));
 }
 
-TEST_CASE("The destructor writes what is left") {
-  scratch file;
-  { table_writer(file.path, {"x"}).row(3); }
-  CHECK(file.text() == "x\n3\n");
+TEST_CASE("No number looks like an integer and the first row has no exponent, as PlotJuggler guesses types by it") {
+  using limits = std::numeric_limits<double>;
+  scratch file(".csv");
+  table_writer out(file.path, {"a", "b", "c", "d"});
+  out.row(1e-17, -2e22, 3, -0.0);
+  out.row(1e-17, -2e22, limits::infinity(), -limits::infinity());
+  out.row(limits::quiet_NaN(), -limits::quiet_NaN(), 0, 1);
+  out.close();
+  CHECK(file.text() ==
+        "a,b,c,d\n0.00000000000000001,-20000000000000000000000.0,3.0,-0.0\n1e-17,-2e+22,inf,-inf\nnan,nan,0.0,1.0\n");
+  table_writer longest(file.path, {"a", "b", "c"});
+  longest.row(-limits::denorm_min(), limits::max(), -limits::min());
+  longest.close();
+  const table t = read_table(file.path);
+  CHECK(t["a"][0] == -limits::denorm_min());
+  CHECK(t["b"][0] == limits::max());
+  CHECK(t["c"][0] == -limits::min());
+  CHECK(file.text().find('e') == std::string::npos);
 }
 
-TEST_CASE("Numbers are read back bit for bit") {
-  scratch file;
+TEST_CASE("In every format numbers are read back bit for bit") {
   using limits = std::numeric_limits<double>;
   std::vector<double> values = {
       0.0,      -0.0, limits::max(), limits::min(), -limits::denorm_min(), limits::infinity(), -limits::infinity(),
       0.1 + 0.2};
   std::mt19937_64 random(1);
-  while (values.size() < 20000) {
+  while (values.size() < 5000) {
     const double x =
         std::ldexp(std::uniform_real_distribution<>(-1, 1)(random), static_cast<int>(random() % 2000) - 1000);
     values.push_back(x);
   }
-  table_writer out(file.path, {"i", "x"});
-  for (std::size_t i = 0; i < values.size(); ++i) out.row(i, values[i]);
-  out.row(-1, limits::quiet_NaN());
-  out.close();
-  const table t = read_table(file.path);
-  CHECK(t.names == std::vector<std::string>{"i", "x"});
-  REQUIRE(t["x"].size() == values.size() + 1);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    REQUIRE(t["i"][i] == static_cast<double>(i));
-    REQUIRE(std::memcmp(&t["x"][i], &values[i], sizeof(double)) == 0);
+  for (const auto& extension : test::table_extensions) {
+    CAPTURE(extension);
+    scratch file(extension);
+    table_writer out(file.path, {"i", "x/y"});
+    for (std::size_t i = 0; i < values.size(); ++i) out.row(i, values[i]);
+    out.row(values.size(), limits::quiet_NaN());
+    out.close();
+    const table t = read_table(file.path);
+    CHECK(t.names == std::vector<std::string>{"i", "x/y"});
+    REQUIRE(t.rows() == values.size() + 1);
+    REQUIRE(t["x/y"].size() == values.size() + 1);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      REQUIRE(t["i"][i] == static_cast<double>(i));
+      REQUIRE(std::memcmp(&t["x/y"][i], &values[i], sizeof(double)) == 0);
+    }
+    CHECK(std::isnan(t["x/y"].back()));
+    CHECK_THROWS_WITH(t["y"], contains_text("no column 'y'"));
   }
-  CHECK(std::isnan(t["x"].back()));
-  CHECK_THROWS_WITH(t["y"], contains_text("no column 'y'"));
+}
+
+TEST_CASE("Tables without rows keep their names, and the destructor writes what is left") {
+  for (const auto& extension : test::table_extensions) {
+    CAPTURE(extension);
+    scratch file(extension);
+    table_writer(file.path, {"t", "x"}).flush();
+    CHECK(read_table(file.path).names == std::vector<std::string>{"t", "x"});
+    CHECK(read_table(file.path).rows() == 0);
+    { table_writer(file.path, {"t"}).row(3); }
+    CHECK(read_table(file.path)["t"] == std::vector<double>{3});
+    CHECK_NOTHROW(table_writer("/dev/full", {"t"}, format_of(file.path)));
+  }
+}
+
+TEST_CASE("Rows flush by themselves every so many, and where the buffer is full") {
+  for (const auto& extension : test::table_extensions) {
+    CAPTURE(extension);
+    scratch file(extension);
+    const auto rows = [&file] { return file.text().empty() ? 0 : read_table(file.path).rows(); };
+    table_writer out(file.path, {"t", "x"});
+    out.flush_every(3);
+    std::vector<std::size_t> there;
+    for (int i = 0; i < 7; ++i) out.row(i, i), there.push_back(rows());
+    CHECK(there == std::vector<std::size_t>{0, 0, 3, 3, 3, 6, 6});
+    out.flush();
+    CHECK(rows() == 7);
+    out.row(7, 7), out.row(8, 8);
+    CHECK(rows() == 7);  // counted from the last flush
+    out.row(9, 9);
+    CHECK(rows() == 10);
+    out.flush_every(0);
+    for (int i = 10; i < 30000; ++i) out.row(i, 0.1 * i);  // at least 200 kB
+    const auto n = rows();
+    CHECK(n > 10000);
+    CHECK(n < 30000);
+    CHECK(read_table(file.path)["t"].back() == static_cast<double>(n - 1));
+  }
 }
 
 TEST_CASE("Bad names and rows of the wrong size are rejected") {
-  scratch file("untouched");
+  scratch file(".txt", "untouched");
   using names = std::vector<std::string>;
-  CHECK_THROWS_WITH(table_writer(file.path, names{}), contains_text("needs a column"));
-  CHECK_THROWS_WITH(table_writer(file.path, {"a", "", "b"}), contains_text("no name"));
-  CHECK_THROWS_WITH(table_writer(file.path, {"a", "b c"}), contains_text("'b c' has a blank"));
-  CHECK_THROWS_AS(table_writer(file.path, {"a", "b\nc"}), bad_argument);
-  CHECK_THROWS_WITH(table_writer(file.path, {"a", "b", "a"}), contains_text("two columns are named 'a'"));
+  const auto message = [&file](const names& n) {
+    return test::message_of<bad_argument>([&] { table_writer(file.path, n); });
+  };
+  CHECK(message({}) == "kte: a table needs a column");
+  CHECK(message({"a", "", "b"}) == "kte: a column of a table has no name");
+  CHECK(message({"a", "b c"}) == "kte: the column name 'b c' has a blank");
+  CHECK(message({"a\n"}) == "kte: the column name 'a\n' has a blank");
+  CHECK(message({"a,b"}) == "kte: the column name 'a,b' has a comma");
+  CHECK(message({"a'"}) == "kte: the column name 'a'' has a quote or a backslash");
+  CHECK(message({"a\""}) == "kte: the column name 'a\"' has a quote or a backslash");
+  CHECK(message({"a\\b"}) == "kte: the column name 'a\\b' has a quote or a backslash");
+  CHECK(message({"a\x01"}) == "kte: the column name 'a\x01' has a control character");
+  CHECK(message({"a", "b", "a"}) == "kte: two columns are named 'a'");
   CHECK(file.text() == "untouched");
   table_writer out(file.path, {"a", "b"});
   CHECK_THROWS_WITH(out.row(1),
@@ -92,65 +157,56 @@ TEST_CASE("Bad names and rows of the wrong size are rejected") {
   CHECK_THROWS_AS(out.row(1, std::vector<double>{2, 3}), bad_argument);
   out.row(1, 2);
   out.close();
-  CHECK(file.text() == "a b\n1 2\n");
+  CHECK(file.text() == "a b\n1.0 2.0\n");
 }
 
-TEST_CASE("Files that cannot be opened or written are errors") {
+TEST_CASE("The extension chooses the format, and an unknown one is an error that lists the known ones") {
+  scratch file(".dat", "untouched");
+  const std::string message = "kte: the name '" + file.path.string() +
+                              "' has no extension of a table: .ssv .txt .csv .tsv .npy .mcap (or give a table_format)";
+  CHECK(test::message_of<bad_argument>([&] { table_writer(file.path, {"a"}); }) == message);
+  CHECK(test::message_of<bad_argument>([&] { read_table(file.path); }) == message);
+  CHECK(file.text() == "untouched");
+  table_writer out(file.path, {"a", "b"}, table_format::csv);
+  out.row(1, 2);
+  out.close();
+  CHECK(file.text() == "a,b\n1.0,2.0\n");
+  CHECK(read_table(file.path, table_format::csv)["b"] == std::vector<double>{2});
+}
+
+TEST_CASE("Files that cannot be opened are errors") {
   CHECK_THROWS_WITH(table_writer("/no/such/folder/x.txt", {"a"}),
                     contains_text("cannot open '/no/such/folder/x.txt': No such file"));
-  CHECK_THROWS_WITH(read_table("/no/such/file"), contains_text("cannot open '/no/such/file': No such file"));
-  CHECK_THROWS_WITH(read_table("/tmp"), contains_text("cannot read '/tmp': Is a directory"));
+  CHECK_THROWS_WITH(read_table("/no/such/file.csv"), contains_text("cannot open '/no/such/file.csv': No such file"));
+  CHECK_THROWS_WITH(read_table("/tmp", table_format::npy), contains_text("cannot read '/tmp': Is a directory"));
 }
 
-TEST_CASE("A full disk is an error") {
+TEST_CASE("In every format a full disk is an error") {
   if (!std::filesystem::exists("/dev/full")) return;
   const auto full = contains_text("cannot write '/dev/full': No space left on device");
-  {
-    table_writer out("/dev/full", {"a"});
-    out.row(1);
-    CHECK_THROWS_WITH(out.close(), full);
-    CHECK_NOTHROW(out.close());
-    CHECK_THROWS_AS(out.row(1), bad_file);
-  }
-  {
-    table_writer out("/dev/full", {"a"});
-    CHECK_THROWS_WITH(out.flush(), full);
-  }
-  {
-    table_writer out("/dev/full", {"a"});
-    CHECK_THROWS_WITH(
-        [&] {
-          for (int i = 0; i < 100000; ++i) out.row(i);
-        }(),
-        full);
-  }
-  CHECK_NOTHROW(table_writer("/dev/full", {"a"}));
-}
-
-TEST_CASE("A bad file is reported by line and column") {
-  const auto message = [](const std::string& content) {
-    scratch file(content);
-    try {
-      read_table(file.path);
-    } catch (const bad_file& e) {
-      const std::string what = e.what(), path = "'" + file.path.string() + "', ";
-      return what.substr(what.find(path) + path.size());
+  for (const auto& extension : test::table_extensions) {
+    CAPTURE(extension);
+    const auto format = format_of("x" + extension);
+    {
+      table_writer out("/dev/full", {"a"}, format);
+      out.row(1);
+      CHECK_THROWS_WITH(out.close(), full);
+      CHECK_NOTHROW(out.close());
+      CHECK_THROWS_AS(out.row(1), bad_file);
     }
-    return std::string();
-  };
-  CHECK(message("a b\n").empty());
-  CHECK(message("a\tb\r\n 1   2 \r\n").empty());
-  CHECK(message("") == "line 1: no column names");
-  CHECK(message("\n1\n") == "line 1: no column names");
-  CHECK(message("a b") == "line 1: no line end, the file is cut off");
-  CHECK(message("a b a\n") == "line 1, column 3: 'a' is there twice");
-  CHECK(message("a b\n1 2\n3 x4\n") == "line 3, column 2: 'x4' is not a number");
-  CHECK(message("a b\n1 2z\n") == "line 2, column 2: '2z' is not a number");
-  CHECK(message("a b\n1 1e999\n") == "line 2, column 2: '1e999' is not a number");
-  CHECK(message("a b\n1 2 3\n") == "line 2, column 3: '3' is one too many");
-  CHECK(message("a b\n1\n") == "line 2: 1 numbers for 2 columns");
-  CHECK(message("a b\n1 2\n\n") == "line 3: 0 numbers for 2 columns");
-  CHECK(message("a b\n1 2\n3 4.") == "line 3: no line end, the file is cut off");
+    {
+      table_writer out("/dev/full", {"a"}, format);
+      CHECK_THROWS_WITH(out.flush(), full);
+    }
+    {
+      table_writer out("/dev/full", {"a"}, format);
+      CHECK_THROWS_WITH(
+          [&] {
+            for (int i = 0; i < 100000; ++i) out.row(i);
+          }(),
+          full);
+    }
+  }
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ struct joint_lugre_gen {
       const auto r = v / p.stribeck_velocity;
       using number = std::remove_cvref_t<decltype(r)>;
       const auto g = p.coulomb + (p.stiction - p.coulomb) * number(exp(number(-(r * r))));  // (1)
-      return v - p.sigma0 * number(abs(number(v))) * z / g;                                 // (2)
+      return v - (p.sigma0 * number(abs(number(v))) / g) * z;                               // (2)
     }
   }
 };

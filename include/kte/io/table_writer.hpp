@@ -1,134 +1,127 @@
 #pragma once
 
-#include <kte/errors.hpp>
+#include <kte/io/file.hpp>
+#include <kte/io/mcap_table.hpp>
+#include <kte/io/npy_table.hpp>
+#include <kte/io/table_format.hpp>
+#include <kte/io/table_row.hpp>
+#include <kte/io/text_table.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <charconv>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
+#include <variant>
 
 namespace kte {
 
-namespace detail {
-
-[[noreturn]] inline void raise_file(const char* action, const std::filesystem::path& path, int code) {
-  raise<bad_file>(std::string("kte: cannot ") + action + " '" + path.string() + "': " + std::strerror(code));
-}
-
-struct close_file {
-  void operator()(std::FILE* f) const { std::fclose(f); }
-};
-using file = std::unique_ptr<std::FILE, close_file>;
-
-inline file open_file(const std::filesystem::path& path, const char* mode) {
-  file f(std::fopen(path.string().c_str(), mode));
-  if (!f) raise_file("open", path, errno);
-  return f;
-}
-
-inline constexpr std::string_view blanks = " \t\r\n\v\f";
-
-}  // namespace detail
-
-/// Writes a text file of numbers: a line of column names, then one line a row, all separated by single spaces. Numbers
-/// have the fewest digits that give the same number when read again (`std::to_chars`).
+/// Writes a file of numbers row by row, in the format that its extension says (`table_format`).
 ///
-///   kte::table_writer out("run.txt", {"t", "theta", "omega"});
+///   kte::table_writer out("run.csv", {"t", "theta", "omega"});
 ///   solver.integrate(10.0, kte::every(0.01), [&](double t, const auto& x) { out.row(t, x); });
 ///   out.close();
 ///
-/// Rows go through a buffer; no row allocates. Throws `bad_file` with the path and the reason where the file cannot be
-/// opened or written, at the latest in `close`. The destructor writes what is left and says nothing.
+/// `read_table` gives every double back bit for bit. Time comes first: in seconds for MCAP, and for PlotJuggler
+/// increasing and named `t`. Names with slashes, `tip/position/x`, are shown as trees.
+///
+/// Rows go through a buffer. What was flushed can be read whatever happens to the program later. No row allocates, but
+/// for those before the first flush where they are very long. Throws `bad_file` with the path and the reason where the
+/// file cannot be opened or written, at the latest in `close`. The destructor closes and says nothing.
 class table_writer {
  public:
-  /// Throws `bad_argument` for no names, or one that is empty, has a blank or occurs twice.
+  /// Throws `bad_argument` for an unknown extension; for no names, or one that is empty, occurs twice, or has a blank,
+  /// a comma, a quote or a backslash.
   table_writer(const std::filesystem::path& path, const std::vector<std::string>& names)
-      : path_(path), columns_(names.size()) {
-    if (names.empty()) detail::raise<bad_argument>("kte: a table needs a column");
-    for (auto n = names.begin(); n != names.end(); ++n) {
-      if (n->empty()) detail::raise<bad_argument>("kte: a column of a table has no name");
-      if (n->find_first_of(detail::blanks) != std::string::npos)
-        detail::raise<bad_argument>("kte: the column name '" + *n + "' has a blank");
-      if (std::find(names.begin(), n, *n) != n) detail::raise<bad_argument>("kte: two columns are named '" + *n + "'");
-    }
-    file_ = detail::open_file(path, "wb");
+      : table_writer(path, names, format_of(path)) {}
+  /// In a format that the path does not say.
+  table_writer(const std::filesystem::path& path, const std::vector<std::string>& names, table_format format)
+      : path_(path),
+        row_(detail::check_column_names(names).size(), ": '" + path.string() + "'"),
+        medium_(medium_of(format)),
+        file_(detail::open_file(path, "wb")) {
     std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-    buffer_.reserve(capacity);
-    for (const auto& n : names) put(n);
-    buffer_.back() = '\n';
+    buffer_.reserve(2 * capacity);
+    std::visit([&](auto& m) { m.head(names, buffer_); }, medium_);
   }
   table_writer(const table_writer&) = delete;
   table_writer& operator=(const table_writer&) = delete;
-  ~table_writer() {
-    if (file_) std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get());
-  }
+  ~table_writer() { finish(); }
 
   /// A row of numbers and vectors of numbers, as many as there are columns; else throws `bad_argument`.
   template <class... T>
   void row(const T&... values) {
-    const std::size_t n = (std::size_t{0} + ... + count(values));
-    if (n != columns_) [[unlikely]]
-      detail::raise<bad_argument>("kte: a row of " + std::to_string(n) + " numbers in a table of " +
-                                  std::to_string(columns_) + " columns: '" + path_.string() + "'");
-    (put(values), ...);
-    buffer_.back() = '\n';
+    const auto numbers = row_.gather(values...);
+    check_open();
+    std::visit([&](auto& m) { m.row(numbers, buffer_); }, medium_);
+    ++rows_;
+    if (++waiting_ == most_waiting_ || buffer_.size() > capacity) flush();
   }
-  /// Hands the rows so far to the operating system.
+  /// Hands the rows so far to the operating system, so that they outlive the program.
   void flush() {
-    if (!file_) detail::raise<bad_file>("kte: cannot write '" + path_.string() + "': it is closed");
-    errno = 0;
-    if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size()) {
-      const int code = errno;
-      file_.reset();
-      detail::raise_file("write", path_, code);
-    }
-    buffer_.clear();
+    check_open();
+    if (const int code = write_buffer()) fail("write", code);
   }
+  /// Flushes by itself after every so many rows; 0, as at the start, when the buffer is full.
+  void flush_every(std::size_t rows) { most_waiting_ = rows; }
   /// Writes what is left and closes the file. Does nothing the second time.
   void close() {
-    if (!file_) return;
-    flush();
-    if (std::fclose(file_.release()) != 0) detail::raise_file("close", path_, errno);
+    const auto [action, code] = finish();
+    if (code != 0) fail(action, code);
   }
 
  private:
+  using media = std::variant<detail::text_table, detail::npy_table, detail::mcap_table>;
   static constexpr std::size_t capacity = 1 << 16;
 
-  template <class T>
-  static std::size_t count(const T& x) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      return 1;
-    } else {
-      return static_cast<std::size_t>(x.size());
+  static media medium_of(table_format f) {
+    switch (f) {
+      case table_format::npy:
+        return detail::npy_table();
+      case table_format::mcap:
+        return detail::mcap_table();
+      default:
+        return detail::text_table(detail::separator_of(f));
     }
   }
-  template <class T>
-  void put(const T& x) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      char text[64];
-      put(std::string_view(text, static_cast<std::size_t>(std::to_chars(text, text + sizeof text, x).ptr - text)));
-    } else {
-      for (decltype(x.size()) i = 0; i < x.size(); ++i) put(x[i]);
-    }
+  void check_open() const {
+    if (!file_) [[unlikely]]
+      detail::raise<bad_file>("kte: cannot write '" + path_.string() + "': it is closed");
   }
-  void put(std::string_view word) {
-    if (!file_ || (!buffer_.empty() && buffer_.size() + word.size() + 1 > capacity)) flush();
-    buffer_.append(word).push_back(' ');
+  [[noreturn]] void fail(const char* action, int code) {
+    file_.reset();
+    detail::raise_file(action, path_, code);
   }
-  void put(const std::string& word) { put(std::string_view(word)); }
+
+  // These give the error, or 0.
+  int write(const char* bytes, std::size_t n) {
+    errno = 0;
+    if (std::fwrite(bytes, 1, n, file_.get()) == n) return 0;
+    return errno != 0 ? errno : EIO;
+  }
+  int write_buffer() {
+    if (const int code = write(buffer_.data(), buffer_.size())) return code;
+    buffer_.clear();
+    waiting_ = 0;
+    const auto* const npy = std::get_if<detail::npy_table>(&medium_);
+    return npy == nullptr ? 0 : count_rows(*npy);
+  }
+  /// After the rows themselves: whenever the program ends, the header counts rows that are there.
+  int count_rows(const detail::npy_table& npy) {
+    const auto shape = npy.shape(rows_);
+    if (std::fseek(file_.get(), static_cast<long>(npy.shape_at()), SEEK_SET) != 0) return errno;
+    if (const int code = write(shape.data(), shape.size())) return code;
+    return std::fseek(file_.get(), 0, SEEK_END) == 0 ? 0 : errno;
+  }
+  std::pair<const char*, int> finish() {
+    if (!file_) return {"", 0};
+    std::visit([&](auto& m) { m.tail(buffer_); }, medium_);
+    if (const int code = write_buffer()) return {"write", code};
+    return {"close", std::fclose(file_.release()) == 0 ? 0 : errno};
+  }
 
   std::filesystem::path path_;
-  std::size_t columns_;
+  detail::table_row row_;
+  media medium_;
   detail::file file_;
   std::string buffer_;
+  std::uint64_t rows_ = 0;
+  std::size_t waiting_ = 0, most_waiting_ = 0;
 };
 
 }  // namespace kte

@@ -120,6 +120,10 @@ std::array<S, 7> load_in_world(const gen_coord<S>& c) {
   return {c.f};
 }
 template <class S>
+std::array<S, 7> load_in_world(const internal_state<S>&) {
+  return {};
+}
+template <class S>
 std::array<S, 7> load_in_world(const S&) {
   return {};
 }
@@ -130,6 +134,10 @@ auto load_in_world(const Frame& frame) {
   const auto w = transmit(x, load_of(frame));
   const auto f = as<S>(w.force), t = as<S>(w.torque);
   return std::array<S, 7>{S(0), f.x, f.y, f.z, t.x, t.y, t.z};
+}
+template <class S>
+std::pair<S, S> power(const internal_state<S>&) {
+  return {S(0), S(0)};
 }
 template <class S>
 std::pair<S, S> power(const S&) {  // of an input

@@ -44,6 +44,10 @@ void move(pose_coord_3D<S>& c, const S& t) {
   c.rotation = c.rotation * to_quaternion(t * (c.ang_velocity + t / 2 * c.ang_acceleration));
 }
 template <class S>
+void move(internal_state<S>& x, const S& t) {
+  x.z = x.z + t * x.z_dot;
+}
+template <class S>
 void move(S&, const S&) {}  // an input
 
 /// A thing of kind K, of numbers in [-1, 1); rotations by up to some 3 rad.
@@ -75,6 +79,8 @@ kte::detail::thing_of<K, S> random_thing(Draw& draw) {
             .ang_velocity = vector(),
             .acceleration = vector(),
             .ang_acceleration = vector()};
+  } else if constexpr (K == kind::internal) {
+    return {number(), S(0)};
   } else {
     return number();
   }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <kte/errors.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+/// Files of the C library: their errors come with a reason.
+namespace kte::detail {
+
+[[noreturn]] inline void raise_file(const char* action, const std::filesystem::path& path, int code) {
+  raise<bad_file>(std::string("kte: cannot ") + action + " '" + path.string() + "': " + std::strerror(code));
+}
+
+struct close_file {
+  void operator()(std::FILE* f) const { std::fclose(f); }
+};
+using file = std::unique_ptr<std::FILE, close_file>;
+
+inline file open_file(const std::filesystem::path& path, const char* mode) {
+  file f(std::fopen(path.string().c_str(), mode));
+  if (!f) raise_file("open", path, errno);
+  return f;
+}
+
+/// All bytes of a file. It takes as much memory as there are bytes, whatever they say.
+inline std::string read_file(const std::filesystem::path& path) {
+  std::string bytes;
+  const auto f = open_file(path, "rb");
+  char part[1 << 14];
+  while (const auto n = std::fread(part, 1, sizeof part, f.get())) bytes.append(part, n);
+  if (std::ferror(f.get())) raise_file("read", path, errno);
+  return bytes;
+}
+
+}  // namespace kte::detail

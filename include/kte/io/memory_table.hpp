@@ -1,0 +1,45 @@
+#pragma once
+
+#include <kte/io/table.hpp>
+#include <kte/io/table_row.hpp>
+
+namespace kte {
+
+/// A table in memory, written like one in a file:
+///
+///   kte::memory_table out({"t", "q"});
+///   out.row(0.0, x);
+///   out["q"].back();
+class memory_table {
+ public:
+  /// Throws `bad_argument` for names that files do not take.
+  explicit memory_table(const std::vector<std::string>& names)
+      : row_(detail::check_column_names(names).size(), ""), table_{names, {}} {
+    table_.columns.resize(names.size());
+  }
+
+  /// As `table_writer::row`. Allocates as vectors that grow do, unless `reserve` was called.
+  template <class... T>
+  void row(const T&... values) {
+    const auto numbers = row_.gather(values...);
+    for (std::size_t j = 0; j < numbers.size(); ++j) table_.columns[j].push_back(numbers[j]);
+  }
+  /// Makes room for so many rows in all.
+  void reserve(std::size_t rows) {
+    for (auto& c : table_.columns) c.reserve(rows);
+  }
+  // What files do; here there is nothing to do.
+  void flush() {}
+  void flush_every(std::size_t) {}
+  void close() {}
+
+  const table& contents() const { return table_; }
+  /// The column of a name. Throws `unknown_name`.
+  const std::vector<double>& operator[](std::string_view name) const { return table_[name]; }
+
+ private:
+  detail::table_row row_;
+  table table_;
+};
+
+}  // namespace kte

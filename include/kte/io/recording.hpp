@@ -1,0 +1,154 @@
+#pragma once
+
+#include <kte/chain/static_chain.hpp>
+#include <kte/chain/topology.hpp>
+#include <kte/io/quantities.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+/// From names of quantities to places in the state of a chain, once for all rows.
+namespace kte::detail {
+
+/// The names of a chain and where its things are in a state, by kind, in the order of their first appearance: that is
+/// the same for static and for runtime chains.
+struct named_slot {
+  std::string name;
+  int slot;
+};
+using named_slots = std::array<std::vector<named_slot>, kinds>;
+
+template <class Gravity, class... E>
+named_slots slots_of(const static_chain<Gravity, E...>&) {
+  using wiring = detail::wiring<E...>;
+  named_slots r;
+  std::size_t port = 0;
+  const auto add = [&](std::string_view name) {
+    auto& of_kind = r[static_cast<std::size_t>(wiring::table.what[port])];
+    const int slot = wiring::table.slot[port++];
+    if (std::none_of(of_kind.begin(), of_kind.end(), [&](const named_slot& x) { return x.slot == slot; }))
+      of_kind.push_back({std::string(name), slot});
+  };
+  const auto element_names = [&]<class Core, class... Keys>(const element<Core, Keys...>*) { (add(Keys::name), ...); };
+  const int done[]{(element_names(static_cast<const E*>(nullptr)), 0)..., 0};
+  (void)done;
+  return r;
+}
+inline named_slots slots_of(const topology& t) {
+  named_slots r;
+  for (std::size_t k = 0; k < kinds; ++k)
+    for (const auto& name : t.names[k]) r[k].push_back({name, static_cast<int>(r[k].size())});
+  return r;
+}
+template <class Chain>
+requires requires(const Chain& c) { c.wiring().names; }
+named_slots slots_of(const Chain& c) { return slots_of(c.wiring()); }
+
+/// Some of the numbers of one quantity of one thing.
+struct recorded {
+  kind what;
+  int slot;
+  std::size_t quantity;  ///< of `quantities`
+  std::size_t first, count;
+};
+
+/// What to record, and under which names of columns.
+class recording {
+ public:
+  std::vector<recorded> cells;
+  std::vector<std::string> columns{"t"};
+
+  /// Without names: see `recorder`.
+  recording(named_slots all, const std::vector<std::string>& names) : all_(std::move(all)) {
+    for (const auto& n : names) add(n);
+    if (!names.empty()) return;
+    for (const bool frames : {false, true})  // coordinates first, as they move everything
+      each_slot([&]<kind K>(const named_slot& p) {
+        if (is_frame(K) == frames) add_group<K>(p, is_frame(K) ? "q" : "qvaf");
+      });
+  }
+
+ private:
+  template <class Visit>
+  void each_slot(const Visit& visit) const {
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+      (std::for_each(all_[K].begin(), all_[K].end(),
+                     [&](const named_slot& p) { visit.template operator()<static_cast<kind>(K)>(p); }),
+       ...);
+    }
+    (std::make_index_sequence<kinds>{});
+  }
+
+  /// Of the things by whose name `wanted` begins, the one of the longest name: names may have slashes themselves.
+  void add(const std::string& wanted) {
+    std::size_t longest = 0;
+    each_slot([&]<kind>(const named_slot& p) {
+      const std::size_t n = p.name.size();
+      if (wanted == p.name || (wanted.size() > n && wanted.starts_with(p.name) && wanted[n] == '/'))
+        longest = std::max(longest, n);
+    });
+    if (longest == 0) unknown(wanted);
+    each_slot([&]<kind K>(const named_slot& p) {
+      if (p.name.size() == longest && wanted.starts_with(p.name)) add_of<K>(p, wanted);
+    });
+  }
+  template <kind K>
+  void add_of(const named_slot& p, const std::string& wanted) {
+    if (wanted == p.name) return void(add_group<K>(p, "q"));
+    const std::string_view rest = std::string_view(wanted).substr(p.name.size() + 1);
+    const auto& list = quantities<K, double>;
+    for (std::size_t i = 0; i < std::size(list); ++i) {
+      const auto& q = list[i];
+      if (rest == q.name) return add_cell<K>(p, i, 0, q.size());
+      if (q.components.empty() || !rest.starts_with(q.name) || rest.size() != q.name.size() + 2) continue;
+      const auto c = q.components.find(rest.back());
+      if (rest[q.name.size()] == '/' && c != q.components.npos) return add_cell<K>(p, i, c, 1);
+    }
+    if (rest.size() == 1 && rest != "q" && add_group<K>(p, rest)) return;
+    unknown_quantity<K>(p, wanted);
+  }
+  /// All quantities of some groups; whether there are any.
+  template <kind K>
+  bool add_group(const named_slot& p, std::string_view groups) {
+    bool any = false;
+    const auto& list = quantities<K, double>;
+    for (std::size_t i = 0; i < std::size(list); ++i)
+      if (groups.find(list[i].group) != groups.npos) add_cell<K>(p, i, 0, list[i].size()), any = true;
+    return any;
+  }
+  template <kind K>
+  void add_cell(const named_slot& p, std::size_t quantity, std::size_t first, std::size_t count) {
+    cells.push_back({K, p.slot, quantity, first, count});
+    for (std::size_t c = first; c < first + count; ++c)
+      columns.push_back(name_of(p, quantities<K, double>[quantity], c));
+  }
+  template <class Thing>
+  static std::string name_of(const named_slot& p, const quantity<Thing>& q, std::size_t component) {
+    std::string s = p.name;
+    if (!q.name.empty()) s.append("/").append(q.name);
+    if (!q.components.empty()) s.append("/") += q.components[component];
+    return s;
+  }
+
+  [[noreturn]] void unknown(const std::string& wanted) const {
+    std::string known;
+    each_slot([&]<kind K>(const named_slot& p) {
+      known.append(known.empty() ? "" : ", ").append(to_string(K)).append(" '").append(p.name).append("'");
+    });
+    raise<unknown_name>("kte: cannot record '" + wanted + "': the chain has " + known);
+  }
+  template <kind K>
+  [[noreturn]] static void unknown_quantity(const named_slot& p, const std::string& wanted) {
+    std::string known;
+    for (const auto& q : quantities<K, double>)
+      for (std::size_t c = 0; c < q.size() && !q.name.empty(); ++c)
+        known.append(known.empty() ? "" : ", ").append(name_of(p, q, c));
+    raise<unknown_name>("kte: cannot record '" + wanted + "': the " + std::string(to_string(K)) + " '" + p.name +
+                        "' has " + (known.empty() ? "no parts" : known));
+  }
+
+  named_slots all_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <kte/io/file.hpp>
+#include <kte/io/table.hpp>
+#include <kte/io/table_number.hpp>
+
+#include <span>
+
+namespace kte::detail {
+
+/// A table as text: a line of column names, then a line a row.
+///
+/// As PlotJuggler reads such files best: no number looks like an integer, and the first row, by which the type of each
+/// column is guessed, has no exponents.
+class text_table {
+ public:
+  explicit text_table(char separator) : separator_(separator) {}
+
+  void head(const std::vector<std::string>& names, std::string& out) const {
+    for (const auto& n : names) out.append(n).push_back(separator_);
+    out.back() = '\n';
+  }
+  void row(std::span<const double> numbers, std::string& out) {
+    for (const double x : numbers) {
+      append_number(out, x, first_);
+      out.push_back(separator_);
+    }
+    out.back() = '\n';
+    first_ = false;
+  }
+  void tail(std::string&) const {}
+
+ private:
+  char separator_;
+  bool first_ = true;
+};
+
+inline std::string_view without_blanks(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+/// Cuts the first cell off a line, which is then without it and the separator. Spaces stand for any blanks, also
+/// several; other separators are one a cell.
+inline std::string_view next_cell(std::string_view& line, char separator) {
+  const auto end = std::min(separator == ' ' ? line.find_first_of(blanks) : line.find(separator), line.size());
+  const auto cell = line.substr(0, end);
+  line.remove_prefix(std::min(end + 1, line.size()));
+  if (separator != ' ') return without_blanks(cell);
+  line = without_blanks(line);
+  return cell;
+}
+
+/// Reads a text that is a table. Throws `bad_file` with the path, the line and the column, counted from 1, where
+/// something is wrong; also for a text cut off within a line.
+inline table read_text_table(const std::filesystem::path& path, std::string_view text, char separator) {
+  std::size_t line = 0, column = 0;
+  std::string_view cell;
+  const auto bad = [&](const std::string& what) {
+    raise<bad_file>("kte: '" + path.string() + "', line " + std::to_string(line) + what);
+  };
+  const auto bad_cell = [&](const char* what) {
+    bad(", column " + std::to_string(column + 1) + ": '" + std::string(cell.substr(0, 80)) + "' " + what);
+  };
+  table t;
+  known_names known;
+  const auto name = [&] {
+    if (cell.empty()) bad_cell("is no name");
+    if (!known.add(cell)) bad_cell("is there twice");
+    t.names.emplace_back(cell);
+    t.columns.emplace_back();
+  };
+  const auto number = [&] {
+    double x{};
+    if (column == t.names.size()) bad_cell("is one too many");
+    if (!read_number(cell, x)) bad_cell("is not a number");
+    t.columns[column].push_back(x);
+  };
+  while (++line == 1 || !text.empty()) {
+    const auto end = text.find('\n');
+    if (end == text.npos) bad(text.empty() ? ": no column names" : ": no line end, the file is cut off");
+    auto rest = without_blanks(text.substr(0, end));
+    text.remove_prefix(end + 1);
+    for (column = 0; !rest.empty(); ++column) {
+      cell = next_cell(rest, separator);
+      line == 1 ? name() : number();
+    }
+    if (t.names.empty()) bad(": no column names");
+    if (column != t.names.size())
+      bad(": " + std::to_string(column) + " numbers for " + std::to_string(t.names.size()) + " columns");
+  }
+  return t;
+}
+
+}  // namespace kte::detail

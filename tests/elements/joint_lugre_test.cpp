@@ -1,0 +1,130 @@
+#include <kte/chain/from_record.hpp>
+#include <kte/chain/registry.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/integrators/rosenbrock23.hpp>
+#include <kte/models/manipulator_dynamics_model.hpp>
+#include <kte/static.hpp>
+
+#include <cmath>
+
+#include "catch.hpp"
+#include "elements/laws.hpp"
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+// clang-format off
+inline constexpr struct q_     final : coord_key<"q">           {} q;
+inline constexpr struct push_  final : input_key<"push">        {} push;
+inline constexpr struct hairs_ final : internal_key<"bristles"> {} bristles;
+inline constexpr struct base_  final : frame_2D_key<"base">     {} base;
+inline constexpr struct cart_  final : frame_2D_key<"cart">     {} cart;
+// clang-format on
+
+constexpr lugre_parameters dry{
+    .sigma0 = 1e5, .sigma1 = 316, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 0.001};
+
+template <class S>
+struct answer {
+  S force, z_dot;
+};
+template <class S>
+answer<S> answer_to(const lugre_parameters& p, const S& v, const S& z) {
+  auto x = trial_of<S>(joint_lugre_gen("q", "z", p), 1);
+  x.template at<0>() = {.q_dot = v};
+  x.template at<1>().z = z;
+  x.doMotion(), x.doForce();
+  return {x.template at<0>().f, x.template at<1>().z_dot};
+}
+/// By the formulas of the paper, in 50 digits.
+answer<digits50> by_paper(const lugre_parameters& p, const digits50& v, const digits50& z) {
+  const digits50 r = v / digits50(p.stribeck_velocity);
+  const digits50 g = p.coulomb + (digits50(p.stiction) - p.coulomb) * exp(digits50(-r * r));
+  const digits50 z_dot = v - digits50(p.sigma0) * abs(v) * z / g;
+  return {-(digits50(p.sigma0) * z + p.sigma1 * z_dot + p.sigma2 * v), z_dot};
+}
+
+/// A cart of 1 kg that rubs and is pushed.
+constexpr auto cart_on_rail = chain(prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(1.0)),
+                                    joint_lugre_gen(q, bristles, dry), driving_actuator_gen(q, push));
+/// Where the cart is after 2 s under a push that rises for 1 s, so slowly that the bristles do not swing, with the
+/// state of the bristles.
+Eigen::Vector3d pushed_by(double force) {
+  manipulator_dynamics_model model(cart_on_rail);
+  const auto pushed = [&](double t, const Eigen::Vector3d& x) {
+    model.input(push) = force * std::min(t, 1.0);
+    return model(t, x);
+  };
+  rosenbrock23 solver(pushed, 0.0, model.make_x(std::array{0.0}, std::array{0.0}),
+                      {.absolute = 1e-10, .relative = 1e-6});
+  solver.integrate(1), solver.integrate(2);
+  return solver.state();
+}
+
+}  // namespace
+
+TEST_CASE("LuGre friction is as in the paper", "[elements][joint_lugre]") {
+  random_numbers draw(1);
+  for (int i = 0; i < 20; ++i) {
+    const double v = draw(0.003), z = draw(1.5e-5);
+    const auto x = answer_to(dry, v, z);
+    const auto exact = by_paper(dry, v, z), same = answer_to<digits50>(dry, v, z);
+    // some 8 roundings, of terms up to 1e5 z = 1.5 and 316 z_dot = 3
+    CHECK(std::abs(x.force - double(exact.force)) < 8 * 1.1e-16 * 5);
+    CHECK(std::abs(x.z_dot - double(exact.z_dot)) < 8 * 1.1e-16 * 0.01);
+    CHECK(abs(same.force - exact.force) < 1e-47);
+  }
+}
+
+TEST_CASE("sliding steadily, the force is that of Stribeck's curve", "[elements][joint_lugre]") {
+  for (const double v : {-1.0, -0.002, 0.0005, 0.1}) {
+    const double r = v / 0.001, g = 1 + 0.5 * std::exp(-r * r), z = std::copysign(g / 1e5, v);
+    const auto x = answer_to(dry, v, z);
+    CHECK(std::abs(x.z_dot) < 1e-16);
+    CHECK(x.force == Approx(-(std::copysign(g, v) + 0.4 * v)).epsilon(1e-13));
+  }
+  CHECK(answer_to(dry, 0.0, 1e-5).z_dot == 0);
+  CHECK(answer_to(dry, 0.0, 1e-5).force == -1);  // a spring
+}
+
+TEST_CASE("below stiction a load is held for ever, above it slides", "[elements][joint_lugre]") {
+  const auto held = pushed_by(1.4), sliding = pushed_by(1.6);
+  // (2) for slow rates: dz/dx = 1 - z sigma0 / Fs
+  CHECK(held[0] == Approx(-1.5e-5 * std::log(1 - 1.4 / 1.5)).epsilon(0.15));
+  CHECK(held[2] == Approx(1.4e-5).epsilon(1e-4));
+  CHECK(std::abs(held[1]) < 1e-8);
+  CHECK(sliding[0] > 0.25);
+  CHECK(std::abs(sliding[2]) <= 1.5e-5);
+}
+
+TEST_CASE("derivatives pass through LuGre friction", "[elements][joint_lugre]") {
+  const auto c = chain(prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(1.0)),
+                       joint_lugre_gen(q, bristles, dry));
+  const std::array x{0.0}, v{0.002}, a{0.0};
+  const auto d = inverse_dynamics_derivatives(c, x, v, a);
+  CHECK(d.by_v(0, 0) == Approx(316 + 0.4).epsilon(1e-15));  // without bristles: z = 0
+  CHECK(d.tau[0] == Approx(0.002 * 316.4).epsilon(1e-15));
+}
+
+TEST_CASE("LuGre friction is saved and loaded", "[elements][joint_lugre]") {
+  const auto saved = record_of(cart_on_rail);
+  CHECK(record_of(to_chain(saved)) == saved);
+  CHECK(record_of(from_record(cart_on_rail, saved)) == saved);
+}
+
+TEST_CASE("LuGre friction rejects what makes no sense", "[elements][joint_lugre]") {
+  const auto what = [](auto member, double x) {
+    auto p = dry;
+    p.*member = x;
+    return complaint([&] { joint_lugre_gen("q", "z", p); });
+  };
+  const std::string where = "kte: joint_lugre_gen (coordinate 'q', bristles 'z'): ";
+  CHECK(what(&lugre_parameters::sigma0, 0) == where + "sigma0 must be finite and positive, got 0");
+  CHECK(what(&lugre_parameters::sigma1, -1) == where + "sigma1 must be finite and not negative, got -1");
+  CHECK(what(&lugre_parameters::sigma2, not_a_number).starts_with(where + "sigma2 must be"));
+  CHECK(what(&lugre_parameters::coulomb, -2) == where + "coulomb must be finite and positive, got -2");
+  CHECK(what(&lugre_parameters::stiction, 0.5) == where + "stiction must be finite and not below coulomb, got 0.5");
+  CHECK(what(&lugre_parameters::stribeck_velocity, 0) ==
+        where + "stribeck_velocity must be finite and positive, got 0");
+}

@@ -1,0 +1,54 @@
+#include <kte/io/table_reader.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include "catch.hpp"
+#include "scratch.hpp"
+
+using namespace kte;
+using kte::test::scratch;
+
+namespace {
+
+std::string message(const std::string& content, const char* extension = ".txt") {
+  scratch file(extension, content);
+  return test::message_about<bad_file>(file, [&] { read_table(file.path); });
+}
+
+TEST_CASE("A bad text is reported by line and column") {
+  CHECK(message("a b\n").empty());
+  CHECK(message("a\tb\r\n 1   2 \r\n").empty());
+  CHECK(message("") == "line 1: no column names");
+  CHECK(message("\n1\n") == "line 1: no column names");
+  CHECK(message("a b") == "line 1: no line end, the file is cut off");
+  CHECK(message("a b a\n") == "line 1, column 3: 'a' is there twice");
+  CHECK(message("a b\n1 2\n3 x4\n") == "line 3, column 2: 'x4' is not a number");
+  CHECK(message("a b\n1 2z\n") == "line 2, column 2: '2z' is not a number");
+  CHECK(message("a b\n1 1e999\n") == "line 2, column 2: '1e999' is not a number");
+  CHECK(message("a b\n1 2 3\n") == "line 2, column 3: '3' is one too many");
+  CHECK(message("a b\n1\n") == "line 2: 1 numbers for 2 columns");
+  CHECK(message("a b\n1 2\n\n") == "line 3: 0 numbers for 2 columns");
+  CHECK(message("a b\n1 2\n3 4.") == "line 3: no line end, the file is cut off");
+}
+
+TEST_CASE("Commas and tabs separate cells one by one, with blanks around them") {
+  const auto cells = [](const char* extension, const std::string& content) {
+    scratch file(extension, content);
+    return read_table(file.path);
+  };
+  const table commas = cells(".csv", "t, q 1\r\n1,inf\r\n-2 , NaN\r\n");
+  CHECK(commas.names == std::vector<std::string>{"t", "q 1"});
+  CHECK(commas["t"] == std::vector<double>{1, -2});
+  CHECK(commas["q 1"][0] == std::numeric_limits<double>::infinity());
+  CHECK(std::isnan(commas["q 1"][1]));
+  CHECK(cells(".tsv", "t\tq 1\n1\t 2\n")["q 1"] == std::vector<double>{2});
+
+  CHECK(message("a,b\n1 2\n", ".csv") == "line 2, column 1: '1 2' is not a number");
+  CHECK(message("a,b\n1,,2\n", ".csv") == "line 2, column 2: '' is not a number");
+  CHECK(message("a,,b\n", ".csv") == "line 1, column 2: '' is no name");
+  CHECK(message("a,b\n1,\n", ".csv") == "line 2: 1 numbers for 2 columns");
+  CHECK(message("a\tb\n1,2\n", ".tsv") == "line 2, column 1: '1,2' is not a number");
+}
+
+}  // namespace
