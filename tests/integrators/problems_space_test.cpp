@@ -1,0 +1,69 @@
+#include "catch.hpp"
+#include "data/problems/dzhanibekov.hpp"
+#include "data/problems/flyball_governor.hpp"
+#include "data/problems/heavy_top.hpp"
+#include "data/problems/iiwa14_free_swing.hpp"
+#include "data/problems/spherical_double_pendulum.hpp"
+#include "integrators/mechanism_error.hpp"
+
+// The mechanisms of data/problems in space against their references, by the library's forward dynamics. How bounds were
+// found is said in mechanism_error.hpp.
+
+using namespace kte;
+using namespace kte::problems;
+using namespace kte::test;
+
+namespace {
+
+/// At the end, with the tolerance 1e-12.
+template <class Mechanism>
+auto state_after(double t) {
+  using problem = equation_of_motion<Mechanism>;
+  dormand_prince45 solver(problem{}, 0.0, problem::start(), {.absolute = 1e-12, .relative = 1e-12});
+  solver.integrate(t);
+  return solver.state();
+}
+
+}  // namespace
+
+TEST_CASE("The spherical double pendulum reaches its references, without turns about its rods") {
+  using problem = equation_of_motion<spherical_double_pendulum>;
+  // [400, 2000, 4000; 2e1, 5e2, 7e3; 7e-12, 4e-10, 5e-9]
+  check_references<spherical_double_pendulum>(2e-10, {3e-11, 2e-9, 2e-8});
+  CHECK(problem::energy(problem::start()) == Approx(0.75).epsilon(1e-15));
+  CHECK(problem::angular_momentum(problem::start())[2] == Approx(1.0).epsilon(1e-15));
+  const auto x = state_after<spherical_double_pendulum>(1);
+  CHECK(problem::angular_momentum(x)[2] == Approx(1.0).epsilon(1e-10));
+  // The second rod lies along y of its frame.
+  const auto w = frame_velocity(spherical_double_pendulum::model, problem::q(x), problem::v(x),
+                                spherical_double_pendulum_names::rod2);
+  CHECK(std::fabs(w.angular.y) < 1e-10);
+  CHECK(std::fabs(problem::v(x)[0]) < 1e-10);
+}
+TEST_CASE("A free body flips as Dzhanibekov saw, with the momentum it has") {
+  using problem = equation_of_motion<dzhanibekov>;
+  // [284, 3161, 31304; 3e2, 3e6, 2e7; 7e-12, 1e-8, 3e-8]: the start is almost an unstable turn
+  check_references<dzhanibekov>(4e-9, {3e-11, 6e-8, 2e-7});
+  const Eigen::Vector3d h(0.01, 20, 0.03);
+  CHECK((problem::angular_momentum(problem::start()) - h).norm() < 1e-15);
+  CHECK((problem::angular_momentum(state_after<dzhanibekov>(10)) - h).norm() < 1e-9);
+  CHECK(problem::energy(problem::start()) == Approx(100.0002).epsilon(1e-15));
+}
+TEST_CASE("The heavy top reaches its references") {
+  using problem = equation_of_motion<heavy_top>;
+  // [950, 9600, 19000; 2e2, 9e2, 2e3; 2e-11, 2e-10, 2e-10]
+  check_references<heavy_top>(2e-7, {1e-10, 1e-9, 1e-9});
+  CHECK(problem::energy(problem::start()) == Approx(5435.696790865546875).epsilon(1e-15));
+  CHECK(problem::angular_momentum(problem::start())[2] == Approx(-70.3124296875).epsilon(1e-15));
+}
+TEST_CASE("The robot swings freely to its reference") {
+  check_references<iiwa14_free_swing>(5e-10, {5e-9});  // [1600, 3e4, 1e-9], with rates up to 78 rad/s
+}
+TEST_CASE("The governor reaches its references by explicit steps, both rods alike") {
+  using problem = equation_of_motion<flyball_governor>;
+  // [1400, 4900, 9600, 95000; 1e1, 1e1, 1e1, 5e1; 6e-13, 1e-12, 2e-12, 3e-12]: stability limits steps, not accuracy.
+  // The damper takes 3e-3 J.
+  check_references<flyball_governor>(4e-3, {3e-12, 5e-12, 1e-11, 1e-11});
+  const auto x = state_after<flyball_governor>(0.5);
+  CHECK(problem::q(x)[2] == Approx(problem::q(x)[3]).epsilon(1e-13));
+}
