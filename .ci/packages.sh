@@ -29,6 +29,7 @@ install_packages() {
   need catch2
   need libbenchmark-dev
   need libcereal-dev
+  need libsundials-dev
   need libxsimd-dev
   updated=
   for package in $missing; do

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <kte/adapters/sundials/integrator.hpp>
+
+namespace kte::sundials {
+
+/// Integrators of SUNDIALS of x' = f(t, x): f and its Jacobian, as CVODE and ARKODE call them.
+///
+///   J_ij = d f_i / d x_j          (1)
+///
+/// is f.jacobian(t, x, J) where f has that: J a square matrix of the right size, filled by f. Otherwise SUNDIALS takes
+/// differences, one evaluation a column.
+template <class Method, class F, class X>
+class explicit_form : public integrator<Method, F, X> {
+  using base = integrator<Method, F, X>;
+
+ public:
+  using typename base::S;
+
+ protected:
+  static constexpr int size = X::RowsAtCompileTime;
+  using matrix = Eigen::Matrix<double, size, size>;
+  static constexpr bool has_jacobian = requires(kte::detail::unwrapped_type<F> & f, const S& t, const X& x, matrix& j) {
+    f.jacobian(t, x, j);
+  };
+
+  template <class V>
+  explicit_form(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol)
+      : base(std::move(f), t0, x0, tol), argument_(this->x_), slope_(this->x_) {}
+
+  static int right_hand_side(realtype t, N_Vector y, N_Vector y_dot, void* self) {
+    explicit_form& me = *static_cast<Method*>(self);
+    return me.relay_.guard([&] {
+      me.argument_ = detail::numbers<X>(y);
+      me.evaluate(t, me.argument_, me.slope_);
+      detail::numbers<X>(y_dot) = me.slope_;
+      return me.judged(me.slope_);
+    });
+  }
+  static int jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix out, void* self, N_Vector, N_Vector, N_Vector) {
+    explicit_form& me = *static_cast<Method*>(self);
+    return me.relay_.guard([&] {
+      me.argument_ = detail::numbers<X>(y);
+      me.system().jacobian(t, me.argument_, me.jacobian_);
+      detail::numbers(out) = me.jacobian_;
+      return me.judged(me.jacobian_);
+    });
+  }
+
+ private:
+  X argument_, slope_;
+  matrix jacobian_ = matrix::Zero(this->x_.size(), this->x_.size());
+};
+
+}  // namespace kte::sundials
