@@ -45,6 +45,8 @@ class state_space : public Chain {
 
   const Chain& chain() const { return *this; }
   int internals() const { return size::count(chain(), kind::internal); }
+  /// The coordinates, with their places in q and v.
+  std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
   /// How many numbers x' has.
   int rates() const { return 2 * numbers_v() + internals(); }
 
@@ -81,19 +83,19 @@ class state_space : public Chain {
   // ---- motion on the group, where there are rotations
   void displace(const state& x, const rate& d, state& out) const requires(!size::only_numbers) {
     const S* from = x.data();
-    for (const auto& f : size::freedoms(chain())) detail::displace_one<S>(f, from, d.data(), out);
+    for (const auto& f : freedoms()) detail::displace_one<S>(f, from, d.data(), out);
     vectors_of(out) = vectors_of(x) + vectors_of(d);
   }
   void pull_back(const rate& d, rate& r) const requires(!size::only_numbers) {
-    for (const auto& f : size::freedoms(chain())) detail::pull_back_one<S>(f, d.data(), r);
+    for (const auto& f : freedoms()) detail::pull_back_one<S>(f, d.data(), r);
   }
   void magnitudes(const state& x, rate& m) const requires(!size::only_numbers) {
-    for (const auto& f : size::freedoms(chain())) detail::magnitudes_of<S>(f, x.data(), m);
+    for (const auto& f : freedoms()) detail::magnitudes_of<S>(f, x.data(), m);
     vectors_of(m) = vectors_of(x);
   }
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const requires(!size::only_numbers) {
     rest.setZero();
-    for (const auto& f : size::freedoms(chain()))
+    for (const auto& f : freedoms())
       if (f.what == kind::gen) rest[f.v] = d[f.v] - (out[f.q] - x[f.q]);
     vectors_of(rest) = vectors_of(d) - (vectors_of(out) - vectors_of(x));
   }

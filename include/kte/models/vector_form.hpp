@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kte/integrators/motion_space.hpp>
+#include <kte/models/state_space.hpp>
+
+namespace kte {
+
+/// A model with the rates of all numbers of x, for methods that know vectors only (`adams`, `bdf`):
+///
+///   x' = (q', v', z'),   q' = v for numbers, R v for positions, q (0, w/2) for quaternions q
+///
+///   kte::adams solver(kte::vector_form(std::cref(model)), 0.0, model.make_x(q, v));
+///
+/// Of runtime chains too, also where all coordinates are numbers. The length of a quaternion means nothing to the
+/// model; it drifts by the error of the integration.
+template <class F>
+class vector_form {
+  using model = detail::unwrapped_type<F>;
+
+ public:
+  using state = typename model::state;
+  using S = typename state::Scalar;
+
+  explicit vector_form(F f) : f_(std::move(f)) {}
+
+  const state& operator()(const S& t, const state& x) {
+    auto& m = detail::unwrapped(f_);
+    const auto& r = m(t, x);
+    if (x_dot_.size() != x.size()) x_dot_ = x;
+    const Eigen::Index rest = m.velocities_of(x).size() + m.internals_of(x).size();
+    const S *q = x.data(), *v = r.data();
+    for (const detail::freedom& f : m.freedoms()) detail::rate_of_one<S>(f, q, v, x_dot_);
+    for (Eigen::Index i = 1; i <= rest; ++i) x_dot_[x.size() - i] = r[r.size() - i];
+    return x_dot_;
+  }
+
+ private:
+  F f_;
+  state x_dot_ = state::Zero(state::RowsAtCompileTime == Eigen::Dynamic ? 0 : state::RowsAtCompileTime);
+};
+
+}  // namespace kte
