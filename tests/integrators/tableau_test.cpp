@@ -3,9 +3,11 @@
 #include <kte/integrators/euler.hpp>
 #include <kte/integrators/fehlberg45.hpp>
 #include <kte/integrators/midpoint.hpp>
+#include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
@@ -72,6 +74,42 @@ void check_embedded() {
   }
 }
 
+using real50 = boost::multiprecision::cpp_bin_float_50;
+
+/// A tableau and the stages of its extension in one.
+template <class Tableau>
+struct extended {
+  static constexpr std::size_t stages = Tableau::stages + Tableau::extension::stages;
+  using row = tableau_row<stages>;
+  template <std::size_t N>
+  static constexpr row padded(const tableau_row<N>& r) {
+    row w{};
+    for (std::size_t i = 0; i < N; ++i) w[i] = r[i];
+    return w;
+  }
+  static constexpr std::array<row, stages> all_rows() {
+    std::array<row, stages> rows{};
+    for (std::size_t i = 0; i < Tableau::stages; ++i) rows[i] = padded(Tableau::a[i]);
+    for (std::size_t i = Tableau::stages; i < stages; ++i) rows[i] = Tableau::extension::a[i - Tableau::stages];
+    return rows;
+  }
+  static constexpr row all_times() {
+    row w = padded(Tableau::c);
+    for (std::size_t i = Tableau::stages; i < stages; ++i) w[i] = Tableau::extension::c[i - Tableau::stages];
+    return w;
+  }
+  static constexpr row c = all_times();
+  static constexpr std::array<row, stages> a = all_rows();
+};
+
+/// Weights of an order up to the rounding of published fractions, and of no higher one.
+template <class Conditions>
+void check_rounded_order(const Conditions& conditions, const typename Conditions::vector& b, int order,
+                         const real50& theta = 1) {
+  for (int r = 1; r <= order; ++r) CHECK(conditions.defect(b, r, theta) < 2e-17);
+  CHECK(conditions.defect(b, order + 1, theta) > 1e-7);
+}
+
 }  // namespace
 
 TEST_CASE("rooted trees") {
@@ -91,4 +129,30 @@ TEST_CASE("methods that choose their steps have their orders") {
   SECTION("Bogacki and Shampine 3(2)") { check_embedded<bogacki_shampine23_tableau>(); }
   SECTION("Fehlberg 4(5)") { check_embedded<fehlberg45_tableau>(); }
   SECTION("Dormand and Prince 5(4)") { check_embedded<dormand_prince45_tableau>(); }
+}
+
+TEST_CASE("Prince and Dormand 8(7) has its orders, between the ends too, as exactly as its fractions are published") {
+  using tableau = prince_dormand87_tableau;
+  using whole = extended<tableau>;
+  const test::order_conditions<real50, whole> conditions(9);
+  CHECK(conditions.count(9) == 286);
+  CHECK(conditions.defect_of_rows() < 2e-17);
+  const auto b = conditions.exact(whole::padded(tableau::a.back()));
+  check_rounded_order(conditions, b, tableau::order);
+  check_rounded_order(conditions, conditions.exact(whole::padded(tableau::embedded)), tableau::embedded_order);
+  CHECK(tableau::order_of_error == tableau::embedded_order + 1);
+  auto w = b;
+  for (int i = 1; i < 16; ++i) {  // (4) of embedded_runge_kutta, with (2) of continuous_extension
+    const real50 u = real50(i) / 16, r = 1 - u;
+    for (std::size_t j = 0; j < b.size(); ++j) w[j] = u * b[j] - u * r * (1 - 2 * u) * b[j];
+    w[0] += u * r * r;
+    w[tableau::stages - 1] -= u * u * r;
+    real50 power = u * u * r * r;
+    for (const auto& row : tableau::extension::dense) {
+      const auto d = conditions.exact(row);
+      for (std::size_t j = 0; j < b.size(); ++j) w[j] += power * d[j];
+      power *= u;
+    }
+    check_rounded_order(conditions, w, tableau::dense_order, u);
+  }
 }

@@ -30,9 +30,14 @@ class fixed_step : public integrator<Method, F, X> {
   }
   /// next_ = state (+) d, with what earlier steps lost.
   template <class D>
-  void displace_at_last(const D& d) {
+  void displace_with_lost(const D& d) {
     total_ = d + lost_;
     this->displace(total_);
+  }
+  /// The same for the new state.
+  template <class D>
+  void displace_at_last(const D& d) {
+    displace_with_lost(d);
     if constexpr (!base::on_group) {
       lost_ = total_ - (this->next_ - this->x_);
     } else if constexpr (requires { this->system().rounding(this->x_, total_, this->next_, lost_); }) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/integrators/integrator.hpp>
-#include <kte/integrators/step_control.hpp>
+#include <kte/integrators/step_choice.hpp>
 
 #include <Eigen/LU>
 
@@ -32,10 +32,34 @@ class implicit_integrator : public integrator<Method, F, X> {
         tolerances_(tol),
         jacobian_(matrix::Zero(this->rates(), this->rates())),
         matrix_(jacobian_),
-        shifted_(this->no_rate()) {
+        shifted_(this->no_rate()),
+        probe_(shifted_) {
     tol.check(this->rates());
   }
 
+  /// Chooses the first step towards t_end by an Euler step with `slope`; the slope after it is left in `trial`.
+  void choose_first_step(detail::step_choice<S>& steps, const S& t_end, const rate& slope, rate& trial) {
+    const auto slope_after = [&](const S& h) -> const rate& {
+      this->displace(h * slope);
+      this->slope(S(this->time_ + h), trial);
+      return trial;
+    };
+    steps.choose_first(this->time_, t_end, tolerances_, slope, this->magnitudes(this->x_), slope_after,
+                       [&](const std::string& why) { this->fail(why); });
+  }
+  /// Tries steps towards t_end until one is accepted; try_step(end): a `detail::attempt` that leaves its state in
+  /// `next_`.
+  template <class Try>
+  void take_step(detail::step_choice<S>& steps, const S& t_end, const Try& try_step) {
+    this->previous_time_ = this->time_;  // the stages of the last step are gone
+    this->accept(steps.take(this->time_, t_end, tolerances_, this->statistics_.rejected, try_step,
+                            [&](const std::string& why) { this->fail(why); }));
+  }
+  /// Throws where f is not a number at the present time and state.
+  void check_finite_slope(const rate& slope) const {
+    if (!((slope - slope).array() == S(0)).all()) [[unlikely]]
+      this->fail("the right-hand side is not a finite number");
+  }
   /// J at the present time and state, where f is `slope`. Overwrites `next_`.
   void differentiate(const rate& slope) {
     ++this->statistics_.jacobians;
@@ -45,7 +69,8 @@ class implicit_integrator : public integrator<Method, F, X> {
       using std::abs;
       using std::sqrt;
       const auto& sizes = this->magnitudes(this->x_);
-      rate d = this->no_rate();
+      rate& d = probe_;
+      d.setZero();
       for (Eigen::Index j = 0; j < this->rates(); ++j) {
         const S x = abs(sizes[j]), least = tolerances_.absolute[j] / tolerances_.relative[j];
         d[j] = root_of_epsilon() * (x < least ? least : x);
@@ -98,7 +123,7 @@ class implicit_integrator : public integrator<Method, F, X> {
 
   matrix matrix_;
   Eigen::PartialPivLU<matrix> factors_{matrix_};
-  rate shifted_;
+  rate shifted_, probe_;
 };
 
 }  // namespace kte

@@ -129,7 +129,7 @@ class integrator {
   rate no_rate() const { return rate::Zero(rates()); }
 
   /// x_dot = f(t, x).
-  void evaluate(const S& t, const X& x, rate& x_dot) {
+  void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
     x_dot = f_(t, x);
     if (x_dot.size() != rates()) [[unlikely]]
@@ -163,6 +163,17 @@ class integrator {
       system().displace(previous_, as_vector, x);
     } else {
       x = previous_ + d;
+    }
+  }
+  /// The rate of the displacement from the start of the last step, where it is d: for a `dense` that needs evaluations.
+  /// Overwrites `next_`.
+  template <class D>
+  void slope_within(const S& t, const D& d, rate& k) const {
+    displaced(d, next_);
+    evaluate(t, next_, k);
+    if constexpr (on_group) {
+      const rate as_vector = d;
+      system().pull_back(as_vector, k);
     }
   }
   /// The displacement of the last step; of this one before `accept`.
@@ -199,9 +210,10 @@ class integrator {
   /// Whether `next_` has finite numbers only.
   bool next_is_finite() const { return ((next_ - next_).array() == S(0)).all(); }
 
-  X x_, next_, previous_;
+  X x_, previous_;
+  mutable X next_;
   S time_{}, previous_time_{};
-  step_statistics statistics_;
+  mutable step_statistics statistics_;
 
  private:
   Method& method() { return static_cast<Method&>(*this); }
@@ -223,7 +235,7 @@ class integrator {
     }
   }
 
-  F f_;
+  mutable std::remove_const_t<F> f_;
   [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
 };
 

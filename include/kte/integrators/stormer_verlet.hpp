@@ -49,7 +49,7 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
     if constexpr (!separable) solve_kick(h, m);  // (1)
     d_.head(n) = h * (v + (h / 2) * k0_.segment(n, n));
     d_.tail(m) = (h / 2) * k0_.tail(m);
-    this->displace(d_);  // (2)
+    this->displace_with_lost(d_);  // (2)
     this->evaluate(end, this->next_, raw_);
     d_.tail(m) += (h / 2) * raw_.tail(m);  // (3)
     k0_.head(n) = v;

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <kte/integrators/adams_differences.hpp>
+#include <kte/integrators/adams_errors.hpp>
+#include <kte/integrators/integrator.hpp>
+#include <kte/integrators/step_choice.hpp>
+
+namespace kte {
+
+/// The method of Adams with variable steps and orders: a predictor of order k, 1 to 12, from the k newest slopes, and a
+/// corrector of order k + 1 (local extrapolation), two evaluations a step:
+///
+///   p = x + h sum_{j<k} g_j beta_j phi_j                   (1)
+///   e_k = f(t + h, p) - sum_{j<k} beta_j phi_j             (2)
+///   x1 = p + h g_k e_k                                     (3)
+///   error = h (g_k - g_{k-1}) e_k                          (4)
+///
+/// of the history of slopes, see `adams_differences`. (4) is the difference to the corrector of order k. The same with
+/// k - 1 and k + 1, for which e_{k-1} = e_k + beta_{k-1} phi_{k-1}, tells the errors of the neighbours of the order;
+/// that with the longest next step is taken. Between the ends of a step, the integral of the polynomial through its
+/// k + 1 slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the start, so that
+/// state and slope are continuous:
+///
+///   x(t + theta h) = x1 - int P + (1 - theta)^2 (1 + 2 theta) h g_k (f(t + h, x1) - f(t + h, p))      (5)
+///
+/// The method for smooth right-hand sides that are expensive, and for tight tolerances: few evaluations, but more
+/// arithmetic of its own than one-step methods. An `integrate` goes on with the history of the last one where time,
+/// direction and slope are those it left; otherwise, after `restart`, or where f has changed, it starts again with
+/// order 1. So it does not suit inputs that jump at every sample, for which one-step methods are made.
+///
+///   kte::adams solver(f, 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
+///   solver.integrate(10.0);
+///
+/// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, III.5 and III.7; Shampine and Gordon,
+/// Computer Solution of Ordinary Differential Equations, 1975; (5): Watts and Shampine, Smoother interpolants for Adams
+/// codes, SIAM J. Sci. Stat. Comput. 7 (1986).
+template <class F, class X>
+class adams : public integrator<adams<F, X>, F, X> {
+  using base = integrator<adams, F, X>;
+  friend base;
+  static_assert(!base::on_group,
+                "kte: this method keeps a history of slopes, which needs states that are vectors: use a one-step "
+                "method, such as dormand_prince45 or prince_dormand87");
+
+ public:
+  using typename base::S;
+  static constexpr int max_order = 12;
+
+  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
+  /// for a start that is not finite.
+  template <class V>
+  adams(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
+      : base(std::move(f), t0, x0), tolerances_(tol), past_(this->no_rate()) {
+    tol.check(this->rates());
+    slope_ = predicted_ = change_ = gap_ = this->no_rate();
+  }
+
+  /// The order k of the predictor of the next step.
+  int order() const { return order_; }
+
+ private:
+  void start(const S& t_end) {
+    tries_ = 0;
+    const bool forward = this->time_ < t_end, restarted = this->previous_time_ == this->time_;
+    this->evaluate(this->time_, this->x_, slope_);
+    if (!restarted && forward == forward_ && slope_ == past_.newest()) return;
+    forward_ = forward;
+    detail::step_choice<S> first(2);
+    const auto slope_after = [&](const S& h) -> const X& {
+      this->displace(h * slope_);
+      this->evaluate(S(this->time_ + h), this->next_, change_);
+      return change_;
+    };
+    first.choose_first(this->time_, t_end, tolerances_, slope_, this->x_, slope_after,
+                       [&](const std::string& why) { this->fail(why); });
+    step_ = first.proposed(S(0), S(1));
+    past_.start(this->time_, slope_);
+    order_ = 1;
+    this->previous_time_ = this->time_;  // the polynomial of the last step is gone
+  }
+
+  void advance(const S& t_end) {
+    using std::abs;
+    this->previous_time_ = this->time_;  // the polynomial of the last step goes
+    const S rest = abs(S(t_end - this->time_)), least = least_step(rest);
+    S error(0);
+    for (int failures = 0;;) {
+      const bool last = rest <= S(1.01) * step_;  // no tiny last step: stretched by 1/100, or the rest halved
+      const S length = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
+      if (!last && length < least) [[unlikely]]
+        fail_at_step(length, error);
+      if (tries_++ == tolerances_.max_steps) [[unlikely]]
+        this->fail("max_steps = " + std::to_string(tolerances_.max_steps) + " steps are used up");
+      const S end = last ? t_end : forward_ ? S(this->time_ + length) : S(this->time_ - length);
+      detail::adams_errors<S> e = predict(end);
+      if (e.same <= S(1) && correct(end, e)) {
+        this->accept(end);
+        interpolated_ = order_ + 1;
+        step_ = e.next_step(length, step_, order_);
+        return;
+      }
+      ++this->statistics_.rejected;
+      error = e.same;
+      step_ = e.shorter_step(length, order_);
+      if (++failures == 3) past_.forget(), order_ = 1;  // the history is of no use here
+    }
+  }
+
+  /// (1), (2), (4).
+  detail::adams_errors<S> predict(const S& end) {
+    h_ = end - this->time_;
+    past_.aim(end, order_);
+    past_.extrapolate(order_, change_, slope_);
+    this->next_ = this->x_ + h_ * slope_;
+    this->evaluate(end, this->next_, predicted_);
+    change_ = predicted_ - change_;
+    detail::adams_errors<S> e{size(order_, change_)};
+    const int lower = order_ - 1;
+    if (lower > 0) e.lower = size(lower, change_ + past_.beta(lower) * past_.difference(lower));
+    return e;
+  }
+  /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.
+  bool correct(const S& end, detail::adams_errors<S>& e) {
+    const S by = h_ * past_.g(order_);
+    this->next_ += by * change_;
+    this->evaluate(end, this->next_, slope_);
+    gap_ = by * (slope_ - predicted_);
+    if (!this->next_is_finite() || !((slope_ - slope_).array() == S(0)).all()) {
+      e.same = std::numeric_limits<S>::quiet_NaN();
+      return false;
+    }
+    const int higher = order_ + 1;
+    const bool known = higher <= past_.known() && higher <= max_order;
+    past_.append(end, slope_);
+    if (known) e.higher = size(higher, past_.difference(higher));
+    return true;
+  }
+  /// The norm of (4).
+  template <class E>
+  S size(int k, const E& e) const {
+    using std::abs;
+    return abs(S(h_ * (past_.g(k) - past_.g(k - 1)))) * detail::error_norm(tolerances_, e, this->x_, this->next_);
+  }
+
+  void dense(const S& theta, X& x) const {
+    const S r = S(1) - theta, t = this->time_ - r * h_;
+    past_.interpolate(t, interpolated_, x);
+    x = this->x_ - (r * h_) * x + (r * r * (1 + 2 * theta)) * gap_;  // (5)
+  }
+
+  /// A few ulp of the time; with `rest` left to go, more than nothing at time 0.
+  S least_step(const S& rest) const {
+    using std::abs;
+    const S eps = std::numeric_limits<S>::epsilon(), t = abs(this->time_), at_zero = eps * rest;
+    return 4 * eps * (t < at_zero ? at_zero : t);
+  }
+  [[noreturn, gnu::cold, gnu::noinline]] void fail_at_step(const S& h, const S& error) const {
+    this->fail(detail::is_finite(error)
+                   ? "the tolerances need a step of " + detail::number(static_cast<double>(h)) +
+                         ", which is lost in the rounding of t"
+                   : "the next state or its derivative is not a finite number, however short the step");
+  }
+
+  tolerances<S> tolerances_;
+  detail::adams_differences<X> past_;
+  X slope_, predicted_, change_;  ///< at the end of the step; at p; (2)
+  X gap_;                         ///< the last factor of (5)
+  S step_{};                      ///< length proposed for the next step
+  S h_{};                         ///< of the step being tried, or the last one
+  int order_ = 1;                 ///< k
+  int interpolated_ = 1;          ///< slopes of the polynomial of the last step
+  bool forward_ = true;
+  long long tries_ = 0;
+};
+
+template <class F, class V>
+adams(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
+    -> adams<F, typename V::PlainObject>;
+
+}  // namespace kte

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <kte/integrators/step_control.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace kte::detail {
+
+/// What came of trying a step.
+template <class S>
+struct attempt {
+  S error;  ///< its norm; at most 1: accepted. Not finite: there is no new state, because of the obstacle
+  const char* obstacle = "the next state or its derivative is not a finite number";
+};
+
+/// Chooses the steps of an integrator by their errors, and lands on the end without a tiny last step.
+template <class S>
+class step_choice {
+ public:
+  /// The order of the error in h. A step that could grow, but by less than keep_below times, stays: a factorization of
+  /// its matrix then stays too.
+  explicit step_choice(int order_of_error, const S& keep_below = S(1))
+      : order_of_error_(order_of_error), control_(order_of_error), keep_below_(keep_below) {}
+
+  /// A new `integrate`.
+  void start() { tries_ = 0; }
+  /// Whether a step has been chosen.
+  bool started() const { return step_ != S(0); }
+  /// What is proposed, with the sign of the way from t to t_end.
+  S proposed(const S& t, const S& t_end) const { return t_end < t ? S(-step_) : step_; }
+
+  /// Chooses the first step from t to t_end. f0: slope at t; sizes: of the state; slope_after(h): slope after an Euler
+  /// step h; fail(why): does not return.
+  template <class R, class X, class Slope, class Fail>
+  void choose_first(const S& t, const S& t_end, const tolerances<S>& tol, const R& f0, const X& sizes,
+                    const Slope& slope_after, const Fail& fail) {
+    using std::abs;
+    const S d0 = error_norm(tol, sizes, sizes, sizes), d1 = error_norm(tol, f0, sizes, sizes);
+    if (!is_finite(d1)) [[unlikely]]
+      fail("the right-hand side is not a finite number");
+    const S span = abs(S(t_end - t)), least = 4 * least_step(t, span);
+    const S trial = trial_step(d0, d1), h0 = span < trial ? span : trial < least ? least : trial;
+    const S h = t_end < t ? S(-h0) : h0;
+    const S d2 = error_norm(tol, (slope_after(h) - f0) / h, sizes, sizes);
+    const S first = first_step(h0, d1, d2, order_of_error_);
+    step_ = first < least ? least : first;
+  }
+
+  /// Tries steps from t towards t_end until one is accepted, and says where it ends. try_step(end): an `attempt`;
+  /// rejected: counts those; fail(why): does not return.
+  template <class Try, class Fail>
+  S take(const S& t, const S& t_end, const tolerances<S>& tol, long long& rejected, const Try& try_step,
+         const Fail& fail) {
+    using std::abs;
+    const S rest = abs(S(t_end - t)), least = least_step(t, rest);
+    attempt<S> tried{S(0)};
+    for (bool again = false;; again = true) {
+      const bool last = rest <= S(1.01) * step_;  // no tiny last step: stretched by 1/100, or the rest halved
+      const S h = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
+      if (!last && h < least) [[unlikely]]
+        fail(too_short(h, tried));
+      if (tries_++ == tol.max_steps) [[unlikely]]
+        fail("max_steps = " + std::to_string(tol.max_steps) + " steps are used up");
+      const S end = last ? t_end : t_end < t ? S(t - h) : S(t + h);
+      tried = try_step(end);
+      if (tried.error <= S(1)) {
+        const S factor = control_.accepted(tried.error, again);
+        const S next = h * (S(1) < factor && factor < keep_below_ ? S(1) : factor);
+        step_ = h < step_ && next < step_ ? step_ : next;  // a step cut short says nothing about the next
+        return end;
+      }
+      ++rejected;
+      step_ = h * control_.rejected(tried.error);
+    }
+  }
+
+  /// The shortest step: a few ulp of the time; with `rest` left to go, more than nothing at time 0.
+  static S least_step(const S& time, const S& rest) {
+    using std::abs;
+    const S eps = std::numeric_limits<S>::epsilon(), t = abs(time), at_zero = eps * rest;
+    return 4 * eps * (t < at_zero ? at_zero : t);
+  }
+
+ private:
+  [[gnu::cold, gnu::noinline]] static std::string too_short(const S& h, const attempt<S>& tried) {
+    return is_finite(tried.error) ? "the tolerances need a step of " + number(static_cast<double>(h)) +
+                                        ", which is lost in the rounding of t"
+                                  : std::string(tried.obstacle) + ", however short the step";
+  }
+
+  int order_of_error_;
+  step_controller<S> control_;
+  S keep_below_;
+  S step_{0};  ///< length proposed for the next step; 0: none yet
+  long long tries_ = 0;
+};
+
+}  // namespace kte::detail
