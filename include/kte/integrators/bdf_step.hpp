@@ -1,0 +1,129 @@
+#pragma once
+
+#include <kte/integrators/backward_differences.hpp>
+#include <kte/integrators/bdf_coefficients.hpp>
+#include <kte/integrators/implicit_integrator.hpp>
+#include <kte/integrators/newton_progress.hpp>
+
+namespace kte {
+
+/// One step of `bdf` of a given order and length h: solves (2) of `bdf_coefficients` by simplified Newton iterations
+///
+///   (I - c J) D = c f(t + h, p + d) - sum_j w_j D^j x - d,   d <- d + D                      (1)
+///
+/// The Jacobian J stays until they converge badly, the matrix as long as the order and the step do.
+template <class Method, class F, class X>
+class bdf_step : public implicit_integrator<Method, F, X> {
+  using base = implicit_integrator<Method, F, X>;
+
+ public:
+  using typename base::rate;
+  using typename base::S;
+
+ protected:
+  template <class V>
+  bdf_step(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, bdf_formula formula)
+      : base(std::move(f), t0, x0, tol), formulas_(formula) {
+    slope_ = change_ = correction_ = predicted_ = history_ = this->no_rate();
+  }
+
+  /// f at the present time and state.
+  const rate& slope_now() {
+    if (!slope_is_known_) this->evaluate(this->time_, this->x_, slope_);
+    slope_is_known_ = true;
+    return slope_;
+  }
+  /// A history of the present state and slope only, for steps h and order 1.
+  void begin_history(const S& h) {
+    differences_.start(this->x_, h * slope_now());
+    h_ = h;
+    order_ = 1;
+    equal_steps_ = 0;
+  }
+  /// Another step; but a difference of less than 1/100 that is lost in the rounding of times is none.
+  void change_step(const S& h) {
+    using std::abs;
+    const S difference = abs(S(h - h_));
+    const bool rounding = difference <= 8 * std::numeric_limits<S>::epsilon() * abs(this->time_);
+    if (rounding && difference <= S(0.01) * abs(h_)) return;
+    differences_.rescale(order_, S(h / h_));
+    h_ = h;
+    equal_steps_ = 0;
+  }
+  /// J at the present state.
+  void renew_jacobian() {
+    this->differentiate(slope_now());
+    jacobian_is_known_ = jacobian_is_new_ = true;
+    matrix_is_known_ = false;
+  }
+
+  /// (1), until `end`; the solution is left in `next_`. Says whether that was possible; otherwise `obstacle_` says why.
+  bool solve_formula(const S& end) {
+    if (!jacobian_is_known_) renew_jacobian();
+    if (!factorize_for(S(h_ * formulas_.slope(order_)))) return false;
+    differences_.predict(order_, predicted_);
+    differences_.combine(
+        order_, [&](int j) { return formulas_.history(order_, j); }, history_);
+    correction_.setZero();
+    this->next_ = predicted_;
+    const S rounding = size(std::numeric_limits<S>::epsilon() * this->x_);
+    newton_.begin(S(0.05), rounding);  // a small part of the error that a step may have
+    auto progress = detail::newton::go_on;
+    while (progress == detail::newton::go_on) {
+      this->evaluate(end, this->next_, change_);
+      change_ = c_ * change_ - history_ - correction_;
+      this->solve(change_);
+      correction_ += change_;
+      this->next_ = predicted_ + correction_;
+      progress = newton_.judge(size(change_));
+    }
+    if (progress == detail::newton::hopeless)
+      obstacle_ = this->next_is_finite() ? "Newton's iterations do not converge"
+                                         : "the next state or its derivative is not a finite number";
+    return progress == detail::newton::converged;
+  }
+  /// The error of the step that is solved.
+  S error() const { return size(formulas_.error(order_) * correction_); }
+  /// The error of the step that ends with `next_`, had it been of order q, which is the present one or one beside it.
+  S error(int q) const { return size(formulas_.error(q) * differences_[q + 1]); }
+  /// The state `next_` belongs to the history from now on.
+  void extend_history() {
+    differences_.add(order_, correction_);
+    this->next_ = differences_[0];
+    ++equal_steps_;
+    slope_is_known_ = jacobian_is_new_ = false;
+  }
+
+  detail::backward_differences<S, X::RowsAtCompileTime> differences_;  ///< of the states until now, h apart
+  rate slope_, change_;                                                ///< f now, if it is known; D of (1)
+  S h_{0};                                                             ///< with its sign
+  int order_ = 1;
+  int equal_steps_ = 0;             ///< how many steps were of this order and length
+  const char* obstacle_ = nullptr;  ///< why (1) could not be solved
+  bool slope_is_known_ = false, jacobian_is_known_ = false;
+  bool jacobian_is_new_ = false;  ///< J is that of the present state
+
+ private:
+  bool factorize_for(const S& c) {
+    if (matrix_is_known_ && c == c_) return true;
+    newton_.forget();
+    c_ = c;
+    matrix_is_known_ = this->factorize(c);
+    if (!matrix_is_known_) obstacle_ = "the matrix of Newton's iterations is singular";
+    return matrix_is_known_;
+  }
+  /// Of an error of the step to `next_`. Tenfold: errors of steps sum up, and that in the end shall be about the
+  /// tolerance (tests/integrators/bdf_problems_test.cpp).
+  template <class E>
+  S size(const E& e) const {
+    return 10 * detail::error_norm(this->tolerances_, e, this->x_, this->next_);
+  }
+
+  detail::bdf_coefficients<S> formulas_;
+  detail::newton_progress<S> newton_;
+  rate correction_, predicted_, history_;  ///< d, p and the sum of (1)
+  S c_{0};                                 ///< of the matrix
+  bool matrix_is_known_ = false;
+};
+
+}  // namespace kte

@@ -1,0 +1,256 @@
+#include <kte/integrators/bdf.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include "catch.hpp"
+
+using namespace kte;
+using kte::test::contains_text;
+
+namespace {
+
+using real50 = boost::multiprecision::cpp_bin_float_50;
+template <class S>
+using one = Eigen::Matrix<S, 1, 1>;
+constexpr bdf_formula ndf = bdf_formula::numerical_differentiation, plain = bdf_formula::backward_differentiation;
+
+/// Prothero and Robinson: x = cos t whatever lambda is, if it starts there.
+template <class S>
+auto towards_cosine(S lambda) {
+  return [lambda](const S& t, const one<S>& x) {
+    using std::cos;
+    using std::sin;
+    return one<S>(S(-lambda * (x[0] - cos(t)) - sin(t)));
+  };
+}
+
+/// The slope of y over x by least squares.
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<Eigen::Index>(x.size());
+  const Eigen::Map<const Eigen::ArrayXd> a(x.data(), n), b(y.data(), n);
+  return ((a - a.mean()) * (b - b.mean())).sum() / (a - a.mean()).square().sum();
+}
+
+TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))") {
+  const auto g = [](long double t) { return std::exp(-t / 2); };  // all derivatives alike, so steps are, too
+  const auto f = [&](long double t, const one<long double>& x) {
+    return one<long double>(-g(t) / 2 - (x[0] - g(t)) * (1 + x[0] / g(t)));
+  };
+  const double loosest[]{3, 4, 6, 8, 10};  // powers of 1/10; four powers
+  for (const bdf_formula formula : {ndf, plain}) {
+    for (int k = 1; k <= 5; ++k) {
+      std::vector<double> tolerance, steps, errors, between;
+      for (int i = 0; i <= 12; ++i) {
+        const long double tol = std::pow(10.0L, -loosest[k - 1] - i / 3.0L);
+        bdf solver(f, 0.0L, one<long double>(1.0L), {.absolute = 1e-6L * tol, .relative = tol}, {k, formula});
+        solver.integrate(6);
+        const auto before = solver.statistics().steps;
+        auto sampled = solver;
+        long double most = 0, most_between = 0;
+        solver.integrate(12, [&](long double t, const auto& x) { most = std::max(most, std::fabs(x[0] / g(t) - 1)); });
+        sampled.integrate(12, every(0.0137L), [&](long double t, const auto& x) {
+          most_between = std::max(most_between, std::fabs(x[0] / g(t) - 1));
+        });
+        tolerance.push_back(std::log(static_cast<double>(tol)));
+        steps.push_back(std::log(static_cast<double>(solver.statistics().steps - before)));
+        errors.push_back(std::log(static_cast<double>(most)));
+        between.push_back(std::log(static_cast<double>(most_between)));
+      }
+      UNSCOPED_INFO("order " << k);
+      CHECK(slope(steps, errors) == Approx(-k).margin(0.1));
+      CHECK(slope(steps, between) == Approx(-k).margin(0.1));
+      CHECK(slope(tolerance, steps) == Approx(-1.0 / (k + 1)).margin(0.03));  // steps may stay 1.3 times too short
+    }
+  }
+}
+
+TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error constants say") {
+  const auto steps = [](int order, bdf_formula formula) {
+    bdf solver(towards_cosine(1.0), 0.0, one<double>(1.0), {.absolute = 1e-8, .relative = 1e-8}, {order, formula});
+    solver.integrate(10);
+    return static_cast<double>(solver.statistics().steps);
+  };
+  for (int k = 1; k <= 3; ++k) CHECK(steps(k, plain) / steps(k, ndf) == Approx(1.26).margin(0.05));
+}
+
+TEST_CASE("BDF: stiffness costs nothing") {
+  const auto solve = [](double lambda) {
+    bdf solver(towards_cosine(lambda), 0.0, one<double>(1.5), {.absolute = 1e-8, .relative = 1e-8});
+    solver.integrate(10);
+    CHECK(solver.state()[0] == Approx(std::cos(10.0)).margin(1e-8));
+    CHECK(solver.statistics().jacobians == 1);  // linear
+    CHECK(solver.statistics().factorizations < solver.statistics().steps / 5);
+    return solver.statistics().evaluations;
+  };
+  CHECK(solve(1e3) < 1500);
+  for (double lambda : {1e6, 1e9, 1e12}) CHECK(solve(lambda) < 1500);
+}
+
+TEST_CASE("BDF: fast oscillations that decay slowly are followed or damped, not blown up") {
+  for (double w : {10.0, 100.0, 1000.0, 1e4}) {
+    for (double damping : {0.0, 0.01, 0.1, 0.5}) {  // outside of the stability of order 5, until 0.5
+      const auto f = [=](double t, const Eigen::Vector2d& x) {
+        const Eigen::Vector2d e(x[0] - std::cos(t), x[1] - std::cos(t));
+        return Eigen::Vector2d(-std::sin(t) + w * (e[1] - damping * e[0]), -std::sin(t) - w * (e[0] + damping * e[1]));
+      };
+      bdf solver(f, 0.0, Eigen::Vector2d(1, 1));
+      solver.integrate(20);
+      UNSCOPED_INFO(w << ' ' << damping);
+      CHECK(solver.state()[0] == Approx(std::cos(20.0)).margin(1e-4));
+      CHECK(solver.statistics().steps < 6000);  // 320 periods of w = 100 are seen
+    }
+  }
+}
+
+TEST_CASE("BDF: the dense output goes through the ends of steps, and is as exact as they are") {
+  bdf solver(towards_cosine(50.0), 0.0, one<double>(1.0), {.absolute = 1e-9, .relative = 1e-9});
+  double before = 0, x_before = 1;
+  solver.integrate(10, [&](double t, const auto& x) {
+    if (t == before) return;
+    const double d = 1e-9 * (t - before);
+    CHECK(solver.interpolate(before + d)[0] == Approx(x_before).margin(2 * d));
+    CHECK(solver.interpolate(t - d)[0] == Approx(x[0]).margin(2 * d));
+    for (int i = 1; i < 8; ++i) {
+      const double s = before + (t - before) * i / 8;
+      CHECK(solver.interpolate(s)[0] == Approx(std::cos(s)).margin(1e-9));
+    }
+    before = t, x_before = x[0];
+  });
+  CHECK(solver.order() == 5);
+}
+
+TEST_CASE("BDF: no tiny last step, and the step before goes on") {
+  const auto f = towards_cosine(1e4);
+  bdf solver(f, 0.0, one<double>(1.0));
+  for (int i = 1; i <= 100; ++i) {
+    std::vector<double> times;
+    const double start = i / 90.0, end = 3 + i * 0.137;
+    solver.restart(start, one<double>(std::cos(start)));
+    solver.integrate(end, [&](double t, const auto&) { times.push_back(t); });
+    CHECK(solver.time() == end);
+    const std::size_t n = times.size();
+    CHECK(times[n - 1] - times[n - 2] > 0.4 * (times[n - 2] - times[n - 3]));
+  }
+  const double end = solver.time();
+  solver.integrate(end + 1e-3);  // cut to less than a tenth: its differences say little about much longer steps
+  solver.begin(end + 1);
+  solver.step(end + 1);
+  CHECK(solver.time() - end - 1e-3 == Approx(2e-3));
+  solver.integrate(end + 1);
+  CHECK(solver.state()[0] == Approx(std::cos(end + 1)).margin(1e-7));
+  bdf at_once(f, 0.0, one<double>(1.0)), in_pieces = at_once, in_small_pieces = at_once;
+  at_once.integrate(10);
+  for (int i = 1; i <= 10; ++i) in_pieces.integrate(i);
+  CHECK(in_pieces.statistics().steps < at_once.statistics().steps + 3 * 10);
+  for (int i = 1; i <= 1000; ++i) in_small_pieces.integrate(i * 0.01);  // one step each, but for those of the start
+  CHECK(in_small_pieces.statistics().steps < 1000 + 50);
+  CHECK(in_small_pieces.statistics().factorizations < 30);
+  CHECK(in_small_pieces.state()[0] == Approx(std::cos(10.0)).margin(1e-9));
+}
+
+TEST_CASE("BDF: the history goes on where nothing has changed, else it begins anew") {
+  double input = 1;
+  const auto f = [&](double, const one<double>& x) { return one<double>(-x[0] + input); };
+  bdf solver(f, 0.0, one<double>(3.0));
+  const auto order_of_next_step = [&](double t_end) {
+    solver.begin(t_end);
+    solver.step(t_end);
+    const int order = solver.order();
+    while (solver.time() != t_end) solver.step(t_end);
+    return order;
+  };
+  solver.integrate(1);
+  const int order = solver.order();
+  CHECK(order > 3);
+  CHECK(order_of_next_step(1.1) >= order - 1);
+  const double x = solver.state()[0];
+  solver.restart(1.1, one<double>(x));  // the same
+  CHECK(order_of_next_step(2) > 2);
+  input = 2;
+  solver.begin(3);
+  CHECK_THROWS_AS(solver.interpolate(1.9999), bad_argument);  // with the history went the last step
+  CHECK(solver.interpolate(2) == solver.state());
+  CHECK(order_of_next_step(3) == 1);
+  CHECK(solver.state()[0] == Approx(2 + (1 + 2 * std::exp(-2) - 2) * std::exp(-1)).margin(1e-6));
+  solver.restart(3, one<double>(5.0));
+  CHECK(order_of_next_step(4) == 1);
+  solver.restart(5, solver.state());
+  CHECK(order_of_next_step(6) == 1);
+  CHECK(order_of_next_step(5) == 1);  // backward
+}
+
+TEST_CASE("BDF: discontinuities of the right-hand side") {
+  long long calls = 0;
+  const auto f = [&](double t, const one<double>& x) {
+    ++calls;
+    return one<double>(-x[0] + (t < 1 ? 1 : t < 2 ? -1 : 3));
+  };
+  bdf solver(f, 0.0, one<double>(0.5), {.absolute = 1e-8, .relative = 1e-8});
+  const double x1 = 1 + (0.5 - 1) * std::exp(-1), x2 = -1 + (x1 + 1) * std::exp(-1), x3 = 3 + (x2 - 3) * std::exp(-1);
+  solver.integrate(1.5);
+  CHECK(solver.state()[0] == Approx(-1 + (x1 + 1) * std::exp(-0.5)).margin(2e-8));
+  solver.integrate(3);
+  CHECK(solver.state()[0] == Approx(x3).margin(2e-8));
+  CHECK(solver.statistics().rejected < 40);
+  CHECK(solver.statistics().evaluations == calls);
+}
+
+TEST_CASE("BDF: backward in time") {
+  bdf solver(towards_cosine(-1e5), 2.0, one<double>(0.0), {.absolute = 1e-9, .relative = 1e-9});
+  double last = 3;
+  solver.integrate(-8, every(0.25), [&](double t, const auto& x) {
+    CHECK(t < last);
+    if (t < 1.9) CHECK(x[0] == Approx(std::cos(t)).margin(1e-9));
+    last = t;
+  });
+  CHECK(solver.time() == -8);
+  CHECK(solver.statistics().steps < 1000);
+}
+
+TEST_CASE("BDF: in every scalar") {
+  bdf f(towards_cosine(1e3f), 0.0f, one<float>(1.0f), {.absolute = 1e-5f, .relative = 1e-5f});
+  bdf l(towards_cosine(1e3L), 0.0L, one<long double>(1.0L), {.absolute = 1e-16L, .relative = 1e-16L});
+  bdf m(towards_cosine(real50(1000)), real50(0), one<real50>(real50(1)), {.absolute = 1e-16, .relative = 1e-16});
+  f.integrate(1), l.integrate(1), m.integrate(1);
+  CHECK(f.state()[0] == Approx(std::cos(1.0f)).margin(1e-5));
+  CHECK(std::fabs(l.state()[0] - std::cos(1.0L)) < 1e-16L);
+  CHECK(abs(m.state()[0] - cos(real50(1))) < 1e-16);
+  CHECK(std::abs(l.statistics().steps - m.statistics().steps) < 20);
+}
+
+TEST_CASE("BDF: dynamic states, and a Jacobian of one's own") {
+  struct chain {  // heat along a rod
+    Eigen::VectorXd operator()(double, const Eigen::VectorXd& x) const {
+      Eigen::VectorXd f = -2 * x;
+      f.head(x.size() - 1) += x.tail(x.size() - 1);
+      f.tail(x.size() - 1) += x.head(x.size() - 1);
+      return 1000 * f;
+    }
+  };
+  struct with_jacobian : chain {
+    void jacobian(double, const Eigen::VectorXd& x, Eigen::MatrixXd& J) const {
+      J.setZero();
+      J.diagonal().setConstant(-2000);
+      J.diagonal(1).setConstant(1000);
+      J.diagonal(-1).setConstant(1000);
+      CHECK(J.rows() == x.size());
+    }
+  };
+  Eigen::VectorXd x0(20);
+  const double pi = std::acos(-1.0);
+  for (int i = 0; i < 20; ++i) x0[i] = std::sin(3 * pi * (i + 1) / 21);  // an eigenvector
+  const double rate = 2000 * (std::cos(3 * pi / 21) - 1);
+  const tolerances<double> tol{.absolute = 1e-10, .relative = 1e-8};
+  bdf a(chain(), 0.0, x0, tol);
+  bdf b(with_jacobian(), 0.0, x0, tol);
+  a.integrate(0.01), b.integrate(0.01);
+  CHECK((a.state() - std::exp(0.01 * rate) * x0).norm() < 1e-8);
+  CHECK((b.state() - std::exp(0.01 * rate) * x0).norm() < 1e-8);
+  CHECK(a.statistics().evaluations - b.statistics().evaluations == Approx(20 * a.statistics().jacobians).margin(10));
+}
+
+}  // namespace
