@@ -1,5 +1,13 @@
+#include <kte/integrators/adams.hpp>
+#include <kte/integrators/adams_BM.hpp>
+#include <kte/integrators/bdf.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
+#include <kte/integrators/implicit_midpoint.hpp>
+#include <kte/integrators/prince_dormand87.hpp>
+#include <kte/integrators/rodas.hpp>
+#include <kte/integrators/stormer_verlet.hpp>
+#include <kte/integrators/tr_bdf2.hpp>
 #include <kte/io/table_writer.hpp>
 
 #include "allocations.hpp"
@@ -21,6 +29,13 @@ TEST_CASE("Integration of a fixed size and the rows of a table do not allocate")
           a.integrate(100, every(0.01), record);
           euler b(f, 0.0, Eigen::Vector2d(1, 0), 0.01);
           b.integrate(100, every(0.015), record);
+        }) == 0);
+  const auto run = [&](auto solver) { solver.integrate(100, every(0.01), record); };
+  const Eigen::Vector2d x0(1, 0);
+  CHECK(allocations::during([&] {
+          run(prince_dormand87(f, 0.0, x0)), run(adams(f, 0.0, x0)), run(adams_BM5(f, 0.0, x0, 0.01));
+          run(rodas(f, 0.0, x0)), run(tr_bdf2(f, 0.0, x0)), run(bdf(f, 0.0, x0));
+          run(implicit_midpoint(f, 0.0, x0, 0.01)), run(stormer_verlet(f, 0.0, x0, 0.01));
         }) == 0);
   CHECK(rows > 15000);
 }

@@ -60,50 +60,41 @@ class adams : public integrator<adams<F, X>, F, X> {
 
  private:
   void start(const S& t_end) {
-    tries_ = 0;
+    steps_.start();
     const bool forward = this->time_ < t_end, restarted = this->previous_time_ == this->time_;
     this->evaluate(this->time_, this->x_, slope_);
     if (!restarted && forward == forward_ && slope_ == past_.newest()) return;
     forward_ = forward;
-    detail::step_choice<S> first(2);
     const auto slope_after = [&](const S& h) -> const X& {
       this->displace(h * slope_);
       this->evaluate(S(this->time_ + h), this->next_, change_);
       return change_;
     };
-    first.choose_first(this->time_, t_end, tolerances_, slope_, this->x_, slope_after,
-                       [&](const std::string& why) { this->fail(why); });
-    step_ = first.proposed(S(0), S(1));
+    steps_.choose_first(this->time_, t_end, tolerances_, slope_, this->x_, slope_after,
+                        [&](const std::string& why) { this->fail(why); });
     past_.start(this->time_, slope_);
     order_ = 1;
     this->previous_time_ = this->time_;  // the polynomial of the last step is gone
   }
 
   void advance(const S& t_end) {
-    using std::abs;
     this->previous_time_ = this->time_;  // the polynomial of the last step goes
-    const S rest = abs(S(t_end - this->time_)), least = least_step(rest);
-    S error(0);
-    for (int failures = 0;;) {
-      const bool last = rest <= S(1.01) * step_;  // no tiny last step: stretched by 1/100, or the rest halved
-      const S length = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
-      if (!last && length < least) [[unlikely]]
-        fail_at_step(length, error);
-      if (tries_++ == tolerances_.max_steps) [[unlikely]]
-        this->fail("max_steps = " + std::to_string(tolerances_.max_steps) + " steps are used up");
-      const S end = last ? t_end : forward_ ? S(this->time_ + length) : S(this->time_ - length);
-      detail::adams_errors<S> e = predict(end);
-      if (e.same <= S(1) && correct(end, e)) {
-        this->accept(end);
-        interpolated_ = order_ + 1;
-        step_ = e.next_step(length, step_, order_);
-        return;
-      }
-      ++this->statistics_.rejected;
-      error = e.same;
-      step_ = e.shorter_step(length, order_);
-      if (++failures == 3) past_.forget(), order_ = 1;  // the history is of no use here
+    failures_ = 0;
+    this->accept(steps_.take(
+        this->time_, t_end, tolerances_, this->statistics_.rejected, [&](const S& end) { return try_step(end); },
+        [&](const std::string& why) { this->fail(why); }));
+  }
+  detail::attempt<S> try_step(const S& end) {
+    using std::abs;
+    detail::adams_errors<S> e = predict(end);
+    const S length = abs(h_);
+    if (e.same <= S(1) && correct(end, e)) {
+      interpolated_ = order_ + 1;
+      return {.error = e.same, .next = e.next_step(length, steps_.proposed(), order_)};
     }
+    const S next = e.shorter_step(length, order_);
+    if (++failures_ == 3) past_.forget(), order_ = 1;  // the history is of no use here
+    return {.error = e.same, .next = next};
   }
 
   /// (1), (2), (4).
@@ -148,29 +139,16 @@ class adams : public integrator<adams<F, X>, F, X> {
     x = this->x_ - (r * h_) * x + (r * r * (1 + 2 * theta)) * gap_;  // (5)
   }
 
-  /// A few ulp of the time; with `rest` left to go, more than nothing at time 0.
-  S least_step(const S& rest) const {
-    using std::abs;
-    const S eps = std::numeric_limits<S>::epsilon(), t = abs(this->time_), at_zero = eps * rest;
-    return 4 * eps * (t < at_zero ? at_zero : t);
-  }
-  [[noreturn, gnu::cold, gnu::noinline]] void fail_at_step(const S& h, const S& error) const {
-    this->fail(detail::is_finite(error)
-                   ? "the tolerances need a step of " + detail::number(static_cast<double>(h)) +
-                         ", which is lost in the rounding of t"
-                   : "the next state or its derivative is not a finite number, however short the step");
-  }
-
   tolerances<S> tolerances_;
+  detail::step_choice<S> steps_{2};
   detail::adams_differences<X> past_;
   X slope_, predicted_, change_;  ///< at the end of the step; at p; (2)
   X gap_;                         ///< the last factor of (5)
-  S step_{};                      ///< length proposed for the next step
   S h_{};                         ///< of the step being tried, or the last one
   int order_ = 1;                 ///< k
   int interpolated_ = 1;          ///< slopes of the polynomial of the last step
+  int failures_ = 0;              ///< of the present step
   bool forward_ = true;
-  long long tries_ = 0;
 };
 
 template <class F, class V>

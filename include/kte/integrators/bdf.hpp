@@ -60,17 +60,15 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
 
  private:
   void start(const S& t_end) {
-    tries_ = 0;
+    steps_.start();
     this->evaluate(this->time_, this->x_, this->change_);
     if (continues(t_end)) return;
     this->previous_time_ = this->time_;  // nothing left to interpolate
     this->slope_.swap(this->change_);
     this->slope_is_known_ = true;
     this->jacobian_is_known_ = false;
-    detail::step_choice<S> first(2);
-    this->choose_first_step(first, t_end, this->slope_, this->change_);
-    step_ = first.proposed(this->time_, t_end);
-    this->begin_history(step_);
+    this->choose_first_step(steps_, t_end, this->slope_, this->change_);
+    this->begin_history(steps_.proposed(this->time_, t_end));
     time_of_history_ = this->time_;
   }
   /// Whether the history leads to the present, and in the direction of t_end. `change_` is the slope now.
@@ -80,73 +78,44 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
   }
 
   void advance(const S& t_end) {
-    using std::abs;
-    this->previous_time_ = this->time_;  // the differences will be others
-    const S rest = t_end - this->time_, least = detail::step_choice<S>::least_step(this->time_, abs(rest));
-    this->obstacle_ = nullptr;
-    for (;;) {
-      const bool last = abs(rest) <= S(1.01) * abs(step_);  // no tiny last step: stretched by 1/100, or the rest halved
-      const S h = last ? rest : abs(rest) < 2 * abs(step_) ? S(rest / 2) : step_;
-      if (!last && abs(h) < least) [[unlikely]]
-        fail_at_step(h);
-      if (tries_++ == this->tolerances_.max_steps) [[unlikely]]
-        this->fail("max_steps = " + std::to_string(this->tolerances_.max_steps) + " steps are used up");
-      const S end = last ? t_end : S(this->time_ + h);
-      this->change_step(h);
-      if (try_step(end)) {
-        finish(end);
-        if (last) this->slope_now();  // the next `start` compares
-        return;
-      }
-      ++this->statistics_.rejected;
-    }
+    this->take_step(steps_, t_end, [&](const S& end) { return try_step(end); });
+    time_of_history_ = this->time_;
+    if (this->time_ == t_end) this->slope_now();  // the next `start` compares
   }
-  /// Leaves the new state in `next_`; or a shorter step to try, or a new Jacobian.
-  bool try_step(const S& end) {
+  /// Leaves the new state in `next_`; or proposes a shorter step, or the same with a new Jacobian.
+  detail::attempt<S> try_step(const S& end) {
+    using std::abs;
+    this->change_step(end - this->time_);
+    const S length = abs(this->h_);
     if (!this->solve_formula(end)) {
-      step_ = this->jacobian_is_new_ ? S(this->h_ / 4) : this->h_;
-      if (!this->jacobian_is_new_) this->renew_jacobian();
-      return false;
+      const S nan = std::numeric_limits<S>::quiet_NaN();
+      if (this->jacobian_is_new_) return {nan, this->obstacle_, length / 4};
+      this->renew_jacobian();
+      return {nan, this->obstacle_, length};
     }
     const S error = this->error();
-    if (error <= S(1)) return true;
-    this->obstacle_ = nullptr;
-    step_ = this->h_ * detail::shrink_step(this->order_, error);
-    return false;
-  }
-  void finish(const S& end) {
-    this->extend_history();
-    order_of_last_ = this->order_;
-    plan();
-    this->accept(end);
-    time_of_history_ = end;
+    if (error <= S(1)) {
+      this->extend_history();
+      order_of_last_ = this->order_;
+      return {.error = error, .next = plan(length)};
+    }
+    return {.error = error, .next = length * detail::shrink_step(this->order_, error)};
   }
   /// The next step, and its order.
-  void plan() {
-    using std::abs;
-    if (abs(step_) <= abs(this->h_)) {
-      step_ = this->h_;
-    } else if (2 * abs(this->h_) < abs(step_)) {
-      step_ = 2 * this->h_;  // cut short, to end where it shall; tells little about much longer steps
+  S plan(const S& length) {
+    if (this->equal_steps_ <= this->order_) {  // D^{k+2} needs k + 1 equal steps
+      const S& proposed = steps_.proposed();   // more where this one was cut short, which tells little of longer ones
+      return proposed < length ? length : 2 * length < proposed ? S(2 * length) : proposed;
     }
-    if (this->equal_steps_ <= this->order_) return;  // D^{k+2} needs k + 1 equal steps
     const auto next = detail::choose_order<S>(this->order_, max_order_, [&](int q) { return this->error(q); });
     if (this->order_ != next.order) this->equal_steps_ = 0;
     this->order_ = next.order;
-    step_ = this->h_ * next.factor;
+    return length * next.factor;
   }
   void dense(const S& theta, X& x) const { this->differences_.interpolate(order_of_last_, S(theta - 1), x); }
 
-  [[noreturn, gnu::cold, gnu::noinline]] void fail_at_step(const S& h) const {
-    using std::abs;
-    this->fail(this->obstacle_ ? std::string(this->obstacle_) + ", however short the step"
-                               : "the tolerances need a step of " + detail::number(static_cast<double>(abs(h))) +
-                                     ", which is lost in the rounding of t");
-  }
-
-  S step_{0};  ///< proposed for the next step, with its sign
+  detail::step_choice<S> steps_{2};
   S time_of_history_{0};
-  long long tries_ = 0;
   int max_order_, order_of_last_ = 1;
 };
 

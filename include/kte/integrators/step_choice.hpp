@@ -13,6 +13,7 @@ template <class S>
 struct attempt {
   S error;  ///< its norm; at most 1: accepted. Not finite: there is no new state, because of the obstacle
   const char* obstacle = "the next state or its derivative is not a finite number";
+  S next{0};  ///< length of the next step, or try, that the method proposes; 0: by the error
 };
 
 /// Chooses the steps of an integrator by their errors, and lands on the end without a tiny last step.
@@ -28,7 +29,9 @@ class step_choice {
   void start() { tries_ = 0; }
   /// Whether a step has been chosen.
   bool started() const { return step_ != S(0); }
-  /// What is proposed, with the sign of the way from t to t_end.
+  /// The length that is proposed for the next step.
+  const S& proposed() const { return step_; }
+  /// The same with the sign of the way from t to t_end.
   S proposed(const S& t, const S& t_end) const { return t_end < t ? S(-step_) : step_; }
 
   /// Chooses the first step from t to t_end. f0: slope at t; sizes: of the state; slope_after(h): slope after an Euler
@@ -66,24 +69,26 @@ class step_choice {
       const S end = last ? t_end : t_end < t ? S(t - h) : S(t + h);
       tried = try_step(end);
       if (tried.error <= S(1)) {
-        const S factor = control_.accepted(tried.error, again);
-        const S next = h * (S(1) < factor && factor < keep_below_ ? S(1) : factor);
-        step_ = h < step_ && next < step_ ? step_ : next;  // a step cut short says nothing about the next
+        step_ = tried.next != S(0) ? tried.next : after(h, control_.accepted(tried.error, again));
         return end;
       }
       ++rejected;
-      step_ = h * control_.rejected(tried.error);
+      step_ = tried.next != S(0) ? tried.next : S(h * control_.rejected(tried.error));
     }
   }
 
+ private:
+  /// The step after an accepted one of length h, whose error asks for a change by `factor`.
+  S after(const S& h, const S& factor) const {
+    const S next = h * (S(1) < factor && factor < keep_below_ ? S(1) : factor);
+    return h < step_ && next < step_ ? step_ : next;  // a step cut short says nothing about the next
+  }
   /// The shortest step: a few ulp of the time; with `rest` left to go, more than nothing at time 0.
   static S least_step(const S& time, const S& rest) {
     using std::abs;
     const S eps = std::numeric_limits<S>::epsilon(), t = abs(time), at_zero = eps * rest;
     return 4 * eps * (t < at_zero ? at_zero : t);
   }
-
- private:
   [[gnu::cold, gnu::noinline]] static std::string too_short(const S& h, const attempt<S>& tried) {
     return is_finite(tried.error) ? "the tolerances need a step of " + number(static_cast<double>(h)) +
                                         ", which is lost in the rounding of t"

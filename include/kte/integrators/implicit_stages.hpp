@@ -1,0 +1,111 @@
+#pragma once
+
+#include <kte/integrators/implicit_integrator.hpp>
+#include <kte/integrators/newton_progress.hpp>
+
+namespace kte {
+
+/// One implicit stage after the other, for methods whose diagonal is constant. The displacement d of a stage, from the
+/// start of the step, and the slope k there:
+///
+///   d = b + c k,   k = f(t, x + d)                                                                   (1)
+///
+/// by simplified Newton iterations, until D is below a part of the tolerances:
+///
+///   W D = r,   r = b + c f(t, x + d) - d,   W = I - c J,   d <- d + D                                (2)
+///
+/// J stays from step to step until they converge badly, W as long as c does, within 1/100. So the rate of convergence
+/// is not better than that, whatever it was when J was new. The slope at the solution is not evaluated, so that the
+/// error of D is not multiplied by the stiffness:
+///
+///   k = f + J D = f + (D - r) / c                                                                    (3)
+///
+/// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.8.
+template <class Method, class F, class X>
+class implicit_stages : public implicit_integrator<Method, F, X> {
+  using base = implicit_integrator<Method, F, X>;
+
+ public:
+  using typename base::rate;
+  using typename base::S;
+
+ protected:
+  /// newton_tolerance: the part of the tolerances that (2) may leave.
+  template <class V>
+  implicit_stages(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, const S& newton_tolerance)
+      : base(std::move(f), t0, x0, tol), newton_tolerance_(newton_tolerance) {
+    d_ = stage_slope_ = residual_ = correction_ = this->no_rate();
+  }
+
+  bool jacobian_is_known() const { return jacobian_is_known_; }
+  /// Whether J is that of the present state.
+  bool jacobian_is_new() const { return jacobian_is_new_; }
+  /// At a start: nothing is known of f any more.
+  void forget_jacobian() { jacobian_is_known_ = jacobian_is_new_ = false; }
+  /// After a step: J is that of the state before.
+  void keep_jacobian() { jacobian_is_new_ = false; }
+  /// slope: f at the present time and state; not (3), or differences would be wrong.
+  void renew_jacobian(const rate& slope) {
+    this->differentiate(slope);
+    jacobian_is_known_ = jacobian_is_new_ = true;
+    matrix_c_ = S(0);
+  }
+
+  /// Makes W ready for stages with c; what is in the way, or null.
+  const char* prepare_stages(const S& c) {
+    using std::abs;
+    if (abs(S(c - matrix_c_)) <= abs(matrix_c_) / 100) return nullptr;
+    newton_.forget();
+    matrix_c_ = this->factorize(c) ? c : S(0);
+    return matrix_c_ == S(0) ? "the matrix of Newton's iterations is singular" : nullptr;
+  }
+  /// Solves (1) at the time t, from a guess of k; what is in the way, or null. Leaves k, d_, and the slope as a rate of
+  /// the state in `stage_slope_`.
+  const char* solve_stage(const S& t, const S& c, const rate& b, rate& k) {
+    d_ = b + c * k;
+    newton_.begin(newton_tolerance_, size(std::numeric_limits<S>::epsilon() * this->magnitudes(this->x_)));
+    for (bool first = true;; first = false) {
+      this->displace(d_);
+      this->evaluate(t, this->next_, stage_slope_);
+      k = stage_slope_;
+      this->pull_back(k);
+      residual_ = b + c * k - d_;
+      correction_ = residual_;
+      this->solve(correction_);
+      d_ += correction_;
+      const S corrected = size(correction_);
+      switch (newton_.judge(corrected)) {
+        case detail::newton::go_on:
+          break;
+        case detail::newton::converged:
+          if (first && corrected > 100 * newton_tolerance_) break;  // the rate is 1/100 at best
+          residual_ = (correction_ - residual_) / c;
+          k += residual_;  // (3)
+          stage_slope_ += residual_;
+          return nullptr;
+        case detail::newton::hopeless:
+          return detail::is_finite(corrected) ? "Newton's iterations do not converge"
+                                              : "the next state or its derivative is not a finite number";
+      }
+    }
+  }
+
+  /// Of a displacement, as the tolerances see it.
+  template <class E>
+  S size(const E& e) const {
+    const auto& sizes = this->magnitudes(this->x_);
+    return detail::error_norm(this->tolerances_, e, sizes, sizes);
+  }
+
+  rate d_;            ///< of the last stage
+  rate stage_slope_;  ///< of the last stage
+
+ private:
+  S newton_tolerance_;
+  detail::newton_progress<S> newton_;
+  rate residual_, correction_;
+  S matrix_c_{0};  ///< c that W is for; 0: for none
+  bool jacobian_is_known_ = false, jacobian_is_new_ = false;
+};
+
+}  // namespace kte

@@ -1,0 +1,188 @@
+#include <kte/integrators/kennedy_carpenter34.hpp>
+#include <kte/integrators/rodas.hpp>
+#include <kte/integrators/rosenbrock23.hpp>
+#include <kte/integrators/tr_bdf2.hpp>
+#include <kte/integrators/trapezoidal.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include <limits>
+
+#include "catch.hpp"
+
+// How one-step methods for stiff systems are used, and how they fail.
+
+using namespace kte;
+using kte::test::contains_text;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using number = Eigen::Matrix<double, 1, 1>;
+constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
+
+template <template <class, class> class Method, class F, class X>
+auto make(const F& f, double t0, const X& x0, double tolerance = 1e-6, long long max_steps = 100000) {
+  return Method<F, X>(f, t0, x0, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps});
+}
+
+template <template <class, class> class Method>
+void check_use() {
+  auto solver = make<Method>(oscillator, 1.0, Eigen::Vector2d(1, 0));
+  double before = 1;
+  Eigen::Vector2d x_before(1, 0);
+  solver.integrate(5, [&](double t, const Eigen::Vector2d& x) {
+    if (t > before) {
+      CHECK(solver.interpolate(before) == x_before);
+      CHECK(solver.interpolate(t) == x);
+      const double d = (t - before) * 1e-7;  // continuous: |x'| = 1
+      CHECK((solver.interpolate(before + d) - x_before).norm() < 2 * d);
+      CHECK((solver.interpolate(t - d) - x).norm() < 2 * d);
+    }
+    before = t, x_before = x;
+  });
+  solver.begin(6);
+  CHECK((solver.interpolate(solver.time() - 1e-3) - solver.state()).norm() < 2e-3);  // still the last step
+  solver.integrate(1);                                                               // backward, to the start
+  CHECK((solver.state() - Eigen::Vector2d(1, 0)).norm() < 3e-3);
+  solver.restart(3, Eigen::Vector2d(0, 2));
+  solver.integrate(3 + std::acos(-1.0), every(0.25), [&](double t, const Eigen::Vector2d& x) {
+    CHECK((x - 2 * Eigen::Vector2d(std::sin(t - 3), std::cos(t - 3))).norm() < 3e-3);
+  });
+  CHECK(solver.time() == 3 + std::acos(-1.0));
+}
+
+/// A step that ends at a jump of f is no reason to go on with the slope, or the Jacobian, from before it.
+template <template <class, class> class Method>
+void check_changes() {
+  double rate = -1e3, input = 1;
+  auto solver = make<Method>([&](double, const number& x) { return number(rate * (x[0] - input)); }, 0.0, number(0.0));
+  solver.integrate(1);
+  CHECK(solver.state()[0] == Approx(1.0).margin(1e-5));
+  input = 2;
+  solver.integrate(1.0005);
+  CHECK(solver.state()[0] == Approx(2 - std::exp(-0.5)).margin(1e-4));
+  rate = 500;
+  solver.integrate(1.0015);  // away from 2
+  CHECK(solver.state()[0] == Approx(2 - std::exp(0.0)).margin(1e-3));
+}
+
+template <template <class, class> class Method>
+void check_failures() {
+  auto blown = make<Method>([](double, const number& x) { return number(x[0] * x[0]); }, 0.0, number(1.0));
+  CHECK_THROWS_WITH(blown.integrate(2), contains_text("stopped at t = "));
+  CHECK(blown.time() == Approx(1.0).margin(0.01));
+  CHECK(std::isfinite(blown.state()[0]));
+  CHECK(blown.interpolate(blown.time()) == blown.state());
+
+  auto broken = make<Method>([](double t, const number&) { return number(t < 0.5 ? 1.0 : nan); }, 0.0, number(0.0));
+  CHECK_THROWS_WITH(broken.integrate(1), contains_text("t = 0.49999") && contains_text("not a finite number"));
+  CHECK(broken.state()[0] == Approx(broken.time()));
+  auto at_once = make<Method>([](double, const number&) { return number(nan); }, 0.7, number(3.0));
+  CHECK_THROWS_WITH(at_once.integrate(1), contains_text("t = 0.69999") && contains_text("not a finite number"));
+  CHECK(at_once.state()[0] == 3.0);
+
+  auto few = make<Method>(oscillator, 0.0, Eigen::Vector2d(1, 0), 1e-6, 10);
+  CHECK_THROWS_WITH(few.integrate(100), contains_text("max_steps = 10"));
+  CHECK(few.statistics().steps + few.statistics().rejected == 10);
+  CHECK_THROWS_WITH(make<Method>(oscillator, 0.0, Eigen::Vector2d(1, 0), -0.25), contains_text("got -0.25"));
+  CHECK_THROWS_AS(make<Method>(oscillator, nan, Eigen::Vector2d(1, 0)), bad_argument);
+}
+
+/// x' = c x with a Jacobian that is told.
+struct told {
+  double c, jacobian_value;
+  number operator()(double, const number& x) const { return c * x; }
+  void jacobian(double, const number&, number& J) const { J[0] = jacobian_value; }
+};
+template <template <class, class> class Method>
+void check_bad_jacobian() {
+  auto solver = make<Method>(told{1, nan}, 0.0, number(1.0));
+  CHECK_THROWS_WITH(solver.integrate(1), contains_text("the Jacobian has a number that is not finite"));
+  CHECK(solver.state()[0] == 1.0);
+}
+/// W = 0 exactly in the first step, which goes to the end: it is tried again, shorter.
+template <template <class, class> class Method>
+void check_singular(double gamma) {
+  const double end = 1.0 / 1048576;
+  auto solver = make<Method>(told{1, 1 / (gamma * end)}, 0.0, number(1.0), 1e30);
+  solver.integrate(end);
+  CHECK(solver.statistics().rejected > 0);
+  CHECK(solver.state()[0] == Approx(1.0).margin(1e-4));
+}
+
+template <class S, template <class, class> class Method>
+S decayed(const S& tolerance) {
+  using X = Eigen::Matrix<S, 1, 1>;
+  const auto f = [](const S&, const X& x) { return X(-x); };
+  Method<decltype(f), X> solver(f, S(0), X(S(1)), {tolerance, tolerance});
+  solver.integrate(S(1));
+  return solver.state()[0];
+}
+/// Methods of order 2 take some 100 steps at 1e-8, and each may miss by that.
+template <template <class, class> class Method>
+void check_scalars() {
+  using real50 = boost::multiprecision::cpp_bin_float_50;
+  CHECK(decayed<float, Method>(1e-4f) == Approx(std::exp(-1.0)).margin(1e-3));
+  CHECK(static_cast<double>(decayed<long double, Method>(1e-8L) - std::exp(-1.0L)) == Approx(0.0).margin(2e-6));
+  CHECK(static_cast<double>(decayed<real50, Method>(1e-8) - exp(real50(-1))) == Approx(0.0).margin(2e-6));
+}
+
+template <template <class, class> class Method>
+void check_dynamic() {
+  const auto f = [](double, const Eigen::VectorXd& x) -> Eigen::VectorXd { return -1e4 * x; };
+  auto solver = make<Method>(f, 0.0, Eigen::VectorXd(Eigen::VectorXd::Ones(3)));
+  solver.integrate(1e-4);
+  CHECK((solver.state().array() - std::exp(-1.0)).abs().maxCoeff() < 1e-4);
+}
+
+}  // namespace
+
+TEST_CASE("one-step methods for stiff systems: forward, backward, again, and between steps") {
+  SECTION("rosenbrock23") { check_use<rosenbrock23>(); }
+  SECTION("RODAS") { check_use<rodas>(); }
+  SECTION("TR-BDF2") { check_use<tr_bdf2>(); }
+  SECTION("trapezoidal rule") { check_use<trapezoidal>(); }
+  SECTION("Kennedy and Carpenter") { check_use<kennedy_carpenter34>(); }
+}
+
+TEST_CASE("one-step methods for stiff systems: the right-hand side may change between calls") {
+  SECTION("rosenbrock23") { check_changes<rosenbrock23>(); }
+  SECTION("RODAS") { check_changes<rodas>(); }
+  SECTION("TR-BDF2") { check_changes<tr_bdf2>(); }
+  SECTION("trapezoidal rule") { check_changes<trapezoidal>(); }
+  SECTION("Kennedy and Carpenter") { check_changes<kennedy_carpenter34>(); }
+}
+
+TEST_CASE("one-step methods for stiff systems: failures") {
+  SECTION("rosenbrock23") { check_failures<rosenbrock23>(), check_bad_jacobian<rosenbrock23>(); }
+  SECTION("RODAS") { check_failures<rodas>(), check_bad_jacobian<rodas>(), check_singular<rodas>(0.25); }
+  SECTION("TR-BDF2") { check_failures<tr_bdf2>(), check_bad_jacobian<tr_bdf2>(); }
+  SECTION("trapezoidal rule") {
+    check_failures<trapezoidal>(), check_bad_jacobian<trapezoidal>(), check_singular<trapezoidal>(0.5);
+  }
+  SECTION("Kennedy and Carpenter") {
+    check_failures<kennedy_carpenter34>(), check_bad_jacobian<kennedy_carpenter34>(),
+        check_singular<kennedy_carpenter34>(0.25);
+  }
+}
+
+TEST_CASE("one-step methods for stiff systems: scalars and dynamic sizes") {
+  SECTION("rosenbrock23") { check_scalars<rosenbrock23>(), check_dynamic<rosenbrock23>(); }
+  SECTION("RODAS") { check_scalars<rodas>(), check_dynamic<rodas>(); }
+  SECTION("TR-BDF2") { check_scalars<tr_bdf2>(), check_dynamic<tr_bdf2>(); }
+  SECTION("trapezoidal rule") { check_scalars<trapezoidal>(), check_dynamic<trapezoidal>(); }
+  SECTION("Kennedy and Carpenter") { check_scalars<kennedy_carpenter34>(), check_dynamic<kennedy_carpenter34>(); }
+}
+
+TEST_CASE("one-step methods for stiff systems: types follow from arguments") {
+  const Eigen::Vector2d x(1, 0);
+  rosenbrock23 a(oscillator, 0.0, x, {.absolute = 1e-4, .relative = 1e-4});
+  rodas b(oscillator, 0.0, x);
+  tr_bdf2 c(oscillator, 0.0, 2 * x, {.absolute = Eigen::Vector2d(1e-4, 1e-5)});
+  trapezoidal d(oscillator, 0.0, x);
+  kennedy_carpenter34 e(oscillator, 0.0, x);
+  a.integrate(1), b.integrate(1), c.integrate(1), d.integrate(1), e.integrate(1);
+  CHECK(c.state()[0] == Approx(2 * std::cos(1.0)).margin(1e-3));
+}
