@@ -5,7 +5,7 @@
 #include <kte/dynamics/energy.hpp>
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
-#include <kte/integrators/events.hpp>
+#include <kte/events/events.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/io.hpp>

@@ -1,3 +1,4 @@
+#include <kte/events/events.hpp>
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/adams_BM.hpp>
 #include <kte/integrators/bdf.hpp>
@@ -35,6 +36,9 @@ TEST_CASE("Integration of a fixed size and the rows of a table do not allocate")
   CHECK(allocations::during([&] {
           run(prince_dormand87(f, 0.0, x0)), run(adams(f, 0.0, x0)), run(adams_BM5(f, 0.0, x0, 0.01));
           run(rodas(f, 0.0, x0)), run(tr_bdf2(f, 0.0, x0)), run(bdf(f, 0.0, x0));
+          dormand_prince45 swinging(f, 0.0, x0);
+          const auto lowest = event([](double, const auto& x) { return x[0]; }).restart();
+          integrate(swinging, 100.0, events(lowest).report_to([](const auto&) {}), every(0.01), record);
           run(implicit_midpoint(f, 0.0, x0, 0.01)), run(stormer_verlet(f, 0.0, x0, 0.01));
         }) == 0);
   CHECK(rows > 15000);

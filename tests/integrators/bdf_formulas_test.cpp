@@ -1,6 +1,6 @@
-#include <kte/integrators/backward_differences.hpp>
-#include <kte/integrators/bdf_coefficients.hpp>
-#include <kte/integrators/newton_progress.hpp>
+#include <kte/integrators/detail/backward_differences.hpp>
+#include <kte/integrators/detail/bdf_coefficients.hpp>
+#include <kte/integrators/detail/newton_progress.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/eigen.hpp>

@@ -116,6 +116,15 @@ struct stored_element {
       return zero;
     }
   }
+  /// What goes through zero where the law of the element changes; one where it does not.
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto switching(std::index_sequence<P...>) const {
+    if constexpr (requires { core.switching(input<P>()...); }) {
+      return core.switching(input<P>()...);
+    } else {
+      return one;
+    }
+  }
   template <std::size_t... P>
   KTE_INLINE constexpr void clear(std::index_sequence<P...>) const {
     const int done[]{(clear_one<P>(), 0)..., 0};

@@ -44,6 +44,11 @@ struct joint_lugre_gen {
   KTE_INLINE constexpr auto doForce(const C& c, const Z& z) const {
     return make_loads(-(p.sigma0 * z + p.sigma1 * rate(c.q_dot, z) + p.sigma2 * c.q_dot));  // (3)
   }
+  /// Zero where it turns round: |v| has a kink there.
+  template <class C, class Z>
+  KTE_INLINE constexpr auto switching(const C& c, const Z&) const {
+    return c.q_dot;
+  }
   constexpr void check(const parameter_check& where) const {
     positive(where, p.sigma0, "sigma0 must be finite and positive");
     where.not_negative(p.sigma1, "sigma1 must be finite and not negative");

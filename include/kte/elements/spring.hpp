@@ -91,6 +91,15 @@ KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const M
   }
 }
 
+/// How far a force s is from its limit: positive below, negative where it is limited, 1 where there is none.
+template <class F, class Most>
+KTE_INLINE constexpr auto below_limit(const F& s, const Most& most) {
+  const auto square = as_number(inner_product(s, s));
+  using T = std::remove_const_t<decltype(square)>;
+  const T m = as<T>(most);
+  return T(select(m == T(0), T(1), T(m * m - square)));
+}
+
 /// A force f on the first of two frames, -f on the second, given in axes of the world, at their origins.
 template <class A, class B, class F>
 KTE_INLINE constexpr auto opposite_forces(const A& a, const B& b, const F& f) {
@@ -141,6 +150,11 @@ struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
   KTE_INLINE constexpr auto potential_energy(const C1& c1, const C2& c2) const {
     return detail::elastic_energy(stretch(c1, c2), this->stiffness, this->saturation);
   }
+  /// Zero where it saturates.
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto switching(const C1& c1, const C2& c2) const {
+    return detail::below_limit(this->stiffness * stretch(c1, c2), this->saturation);
+  }
   constexpr void check(const parameter_check& where) const {
     where.finite(this->rest_length, "rest length must be finite");
     this->check_force(where);
@@ -187,6 +201,12 @@ struct spring : spring_parameters<Rest, Stiffness, Saturation> {
     } else {
       return detail::elastic_energy(detail::to_polar(d).length - this->rest_length, this->stiffness, this->saturation);
     }
+  }
+  /// Zero where it saturates.
+  template <class A, class B>
+  KTE_INLINE constexpr auto switching(const A& a, const B& b) const {
+    const auto stretch = detail::to_polar(b.position - a.position).length - this->rest_length;
+    return detail::below_limit(this->stiffness * stretch, this->saturation);
   }
   constexpr void check(const parameter_check& where) const {
     where.not_negative(this->rest_length, "rest length must be finite and not negative");

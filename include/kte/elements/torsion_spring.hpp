@@ -86,6 +86,11 @@ struct torsion_spring {
   KTE_INLINE constexpr auto potential_energy(const A& a, const B& b) const {
     return detail::elastic_energy(turn(a.rotation, b.rotation), stiffness, saturation);
   }
+  /// Zero where it saturates.
+  template <class A, class B>
+  KTE_INLINE constexpr auto switching(const A& a, const B& b) const {
+    return detail::below_limit(stiffness * turn(a.rotation, b.rotation), saturation);
+  }
   constexpr void check(const parameter_check& where) const {
     where.not_negative(stiffness, "stiffness must be finite and not negative");
     where.not_negative(saturation, "saturation must be finite and not negative");

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/integrators/adams_differences.hpp>
-#include <kte/integrators/adams_errors.hpp>
+#include <kte/integrators/detail/adams_differences.hpp>
+#include <kte/integrators/detail/adams_errors.hpp>
+#include <kte/integrators/detail/step_choice.hpp>
 #include <kte/integrators/integrator.hpp>
-#include <kte/integrators/step_choice.hpp>
 
 namespace kte {
 

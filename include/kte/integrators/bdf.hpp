@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/integrators/bdf_order.hpp>
-#include <kte/integrators/bdf_step.hpp>
-#include <kte/integrators/step_choice.hpp>
+#include <kte/integrators/detail/bdf_order.hpp>
+#include <kte/integrators/detail/bdf_step.hpp>
+#include <kte/integrators/detail/step_choice.hpp>
 
 namespace kte {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/integrators/continuous_extension.hpp>
-#include <kte/integrators/hermite.hpp>
+#include <kte/integrators/detail/continuous_extension.hpp>
+#include <kte/integrators/detail/hermite.hpp>
+#include <kte/integrators/detail/step_choice.hpp>
 #include <kte/integrators/integrator.hpp>
-#include <kte/integrators/step_choice.hpp>
 #include <kte/integrators/tableau.hpp>
 
 namespace kte {

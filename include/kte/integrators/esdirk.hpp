@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/integrators/hermite.hpp>
-#include <kte/integrators/implicit_stages.hpp>
+#include <kte/integrators/detail/hermite.hpp>
+#include <kte/integrators/detail/implicit_stages.hpp>
 #include <kte/integrators/tableau.hpp>
 
 #include <array>

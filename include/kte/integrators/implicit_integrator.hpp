@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/integrators/detail/step_choice.hpp>
 #include <kte/integrators/integrator.hpp>
-#include <kte/integrators/step_choice.hpp>
 
 #include <Eigen/LU>
 

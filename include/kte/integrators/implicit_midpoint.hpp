@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/integrators/fixed_point.hpp>
+#include <kte/integrators/detail/fixed_point.hpp>
 #include <kte/integrators/fixed_step.hpp>
 
 namespace kte {

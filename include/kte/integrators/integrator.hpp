@@ -91,6 +91,21 @@ class integrator {
     return x;
   }
 
+  /// The same into x, without a new vector.
+  void interpolate(const S& t, X& x) const {
+    if (!in_last_step(t)) [[unlikely]]
+      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(static_cast<double>(t)) +
+                                  ": the last step goes from " + detail::number(static_cast<double>(previous_time_)) +
+                                  " to " + detail::number(static_cast<double>(time_)));
+    if (t == time_) {
+      x = x_;
+    } else if (t == previous_time_) {
+      x = previous_;
+    } else {
+      static_cast<const Method&>(*this).dense(S((t - previous_time_) / (time_ - previous_time_)), x);
+    }
+  }
+
   /// Goes on from another time and state, for instance after an impact. Throws `bad_argument` unless they are finite.
   template <class V>
   void restart(const S& t, const Eigen::MatrixBase<V>& x) {
@@ -221,20 +236,6 @@ class integrator {
   bool in_last_step(const S& t) const {
     return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
   }
-  void interpolate(const S& t, X& x) const {
-    if (!in_last_step(t)) [[unlikely]]
-      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(static_cast<double>(t)) +
-                                  ": the last step goes from " + detail::number(static_cast<double>(previous_time_)) +
-                                  " to " + detail::number(static_cast<double>(time_)));
-    if (t == time_) {
-      x = x_;
-    } else if (t == previous_time_) {
-      x = previous_;
-    } else {
-      static_cast<const Method&>(*this).dense(S((t - previous_time_) / (time_ - previous_time_)), x);
-    }
-  }
-
   mutable std::remove_const_t<F> f_;
   [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
 };

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/integrators/detail/prince_dormand87_extension.hpp>
 #include <kte/integrators/embedded_runge_kutta.hpp>
-#include <kte/integrators/prince_dormand87_extension.hpp>
 
 namespace kte {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/integrators/fixed_point.hpp>
+#include <kte/integrators/detail/fixed_point.hpp>
+#include <kte/integrators/detail/hermite.hpp>
 #include <kte/integrators/fixed_step.hpp>
-#include <kte/integrators/hermite.hpp>
 #include <kte/integrators/second_order.hpp>
 
 namespace kte {

@@ -2,8 +2,10 @@
 
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
+#include <kte/events/events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
+#include <algorithm>
 #include <functional>
 
 namespace kte {
@@ -70,6 +72,16 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     if (output_) return output_(state_at(t, x));
     return x.head(nq() + dofs());
   }
+  /// What goes through zero where the law of an element changes: the product of the elements' `switching`, each limited
+  /// to [-1, 1]. For an event: `element_events(model)`.
+  double switching(const state& x) {
+    setJointStates(x, s_);
+    doMotion(s_);
+    double product = 1;
+    for (const auto& e : wiring().elements) product *= std::clamp(e.element->switching(s_), -1.0, 1.0);
+    return product;
+  }
+
   /// The same system with another output, of a state of the chain.
   manipulator_dynamics_model with_output(output_function f) const {
     auto m = *this;
@@ -95,5 +107,10 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   output_function output_;
 };
 manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
+
+/// As of a static chain (models/element_events.hpp), all elements in one event.
+inline auto element_events(manipulator_dynamics_model<kte_map_chain>& model) {
+  return events(event([&model](double, const Eigen::VectorXd& x) { return model.switching(x); }).restart());
+}
 
 }  // namespace kte

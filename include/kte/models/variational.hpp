@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kte/dynamics/momentum.hpp>
-#include <kte/integrators/fixed_point.hpp>
+#include <kte/integrators/detail/fixed_point.hpp>
 #include <kte/integrators/fixed_step.hpp>
-#include <kte/integrators/hermite.hpp>
+#include <kte/integrators/detail/hermite.hpp>
 #include <kte/models/detail/momentum_transport.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/integrators/detail/newton_progress.hpp>
 #include <kte/integrators/implicit_integrator.hpp>
-#include <kte/integrators/newton_progress.hpp>
 
 namespace kte {
 

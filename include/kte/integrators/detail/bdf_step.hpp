@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/integrators/backward_differences.hpp>
-#include <kte/integrators/bdf_coefficients.hpp>
+#include <kte/integrators/detail/backward_differences.hpp>
+#include <kte/integrators/detail/bdf_coefficients.hpp>
+#include <kte/integrators/detail/newton_progress.hpp>
 #include <kte/integrators/implicit_integrator.hpp>
-#include <kte/integrators/newton_progress.hpp>
 
 namespace kte {
 

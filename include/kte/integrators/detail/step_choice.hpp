@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/integrators/step_control.hpp>
+#include <kte/integrators/detail/step_control.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,179 @@
+#pragma once
+
+#include <kte/events/detail/event_record.hpp>
+#include <kte/events/detail/event_watch.hpp>
+
+namespace kte::detail {
+
+/// Integrates with events: takes a step, searches its dense output for crossings, handles them in the order of time. An
+/// event that acts ends the step there and restarts the solver.
+template <class Solver, class List, class Observer>
+class event_loop {
+  using watch = event_watch<Solver, List>;
+  using S = typename watch::S;
+  using X = typename watch::X;
+  using status = typename watch::status;
+
+ public:
+  event_loop(Solver& solver, const S& t_end, List& events, Observer observer)
+      : solver_(solver),
+        events_(events),
+        observer_(std::move(observer)),
+        watch_(solver, events, t_end),
+        record_(events, solver.state()),
+        t_end_(t_end),
+        goal_(t_end),
+        last_action_(solver.time()),
+        x_(solver.state()) {}
+
+  event_report<X> run() {
+    solver_.begin(goal_);
+    observer_.start(solver_.time(), solver_.state());
+    while (!record_.stopped() && solver_.time() != t_end_) {
+      if (solver_.time() == goal_) go_for(t_end_);
+      begin_ = solver_.time();
+      solver_.step(goal_);
+      watch_.search(begin_);
+      if (!one_is_stuck() && !handle_crossings()) end_step();
+    }
+    return std::move(record_.report());
+  }
+
+ private:
+  void go_for(const S& t) {
+    goal_ = t;
+    solver_.begin(t);
+  }
+  void end_step() {
+    watch_.for_each(
+        [&](auto& e, status& s, std::size_t k) { s.renew(watch_.value(e, k, solver_.time(), solver_.state())); });
+    observer_.step(solver_);
+  }
+
+  /// Says whether the step has ended before its end.
+  bool handle_crossings() {
+    for (bool first = true; watch_.find_next(); first = false) {
+      bool acts = false;
+      watch_.for_each([&](auto& e, status& s, std::size_t) { acts = acts || (s.happens && e.acts()); });
+      if (acts && first && is_early()) return take_shorter_step();
+      solver_.interpolate(watch_.next(), x_);
+      if (acts) return act();
+      watch_.for_each([&](auto& e, status& s, std::size_t k) {
+        if (!s.happens) return;
+        record_.before(k, watch_.next(), x_);
+        record_.after(x_, false);
+        watch_.pass(e, s, k);
+      });
+      if (record_.stopped()) {
+        solver_.restart(watch_.next(), x_);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// An event that is early in a long step is found again in a short one: it has the rounding of its own length.
+  bool is_early() const {
+    return watch_.next() != begin_ &&
+           16 * watch::distance(watch_.next(), begin_) < watch::distance(solver_.time(), begin_);
+  }
+  bool take_shorter_step() {
+    solver_.interpolate(begin_, x_);
+    solver_.restart(begin_, x_);
+    go_for(S(begin_ + 2 * (watch_.next() - begin_)));
+    return true;
+  }
+
+  /// Ends the step at the events that happen next, with the state x_.
+  bool act() {
+    const S t = watch_.next();
+    observer_.before(solver_, t, x_);
+    bool reset = false;
+    watch_.for_each([&](auto& e, status& s, std::size_t k) {
+      if (!s.happens) return;
+      record_.before(k, t, x_);
+      if constexpr (std::remove_cvref_t<decltype(e)>::has_reset) {
+        reset = true;
+        call_reset(e, s, k, t);
+      }
+      record_.after(x_, s.rested);
+      if (e.is_terminal) record_.stop(stop_reason::terminal, k);
+    });
+    solver_.restart(t, x_);
+    if (reset) observer_.after(t, x_);
+    if (record_.stopped()) return true;
+    watch_.for_each([&](auto& e, status& s, std::size_t k) {
+      const S y = watch_.value(e, k, t, x_);
+      s.happens ? s.rested ? s.renew_at_rest(y) : s.renew_at_crossing(y) : s.renew_elsewhere(y);
+    });
+    go_on_after(t);
+    return true;
+  }
+  template <class E>
+  void call_reset(E& e, status& s, std::size_t k, const S& t) {
+    const S least = S(events_.settings.shortest), resolved = S(1e4) * watch_.resolution(t);
+    const bool again = s.has_reset && watch::distance(t, s.last_reset) < (least < resolved ? resolved : least);
+    if (again && (s.rested || !E::has_rest)) record_.stop(stop_reason::zeno, k);
+    s.rested = again && E::has_rest && !record_.stopped();
+    s.has_reset = true;
+    s.last_reset = t;
+    s.from = e.is_one_sided && !s.rested ? s.reached : 0;
+    if constexpr (E::has_rest) {
+      if (s.rested) return void(e.on_rest(t, x_));
+    }
+    e.on_reset(t, x_);
+  }
+  /// The next step is not much longer than the time between the last two actions: so ever faster ones are resolved.
+  void go_on_after(const S& t) {
+    const S since = watch::distance(t, last_action_);
+    if (since > S(0)) pace_ = since;
+    last_action_ = t;
+    const bool is_near = pace_ == S(0) || watch::distance(t_end_, t) <= 8 * pace_;
+    go_for(is_near ? t_end_ : t < t_end_ ? S(t + 4 * pace_) : S(t - 4 * pace_));
+  }
+
+  /// Where a reset did not send g back, there is rest, from the start of the step on.
+  bool one_is_stuck() {
+    bool any = false;
+    watch_.for_each([&](auto&, status& s, std::size_t) { any = any || s.stuck; });
+    if (!any) return false;
+    solver_.interpolate(begin_, x_);
+    watch_.for_each([&](auto& e, status& s, std::size_t k) {
+      if (s.stuck) come_to_rest(e, s, k);
+    });
+    solver_.restart(begin_, x_);
+    if (record_.stopped()) return true;
+    observer_.after(begin_, x_);
+    watch_.for_each([&](auto& e, status& s, std::size_t k) {
+      const S y = watch_.value(e, k, begin_, x_);
+      s.reached = s.side;
+      s.stuck ? s.renew_at_rest(y) : s.renew_elsewhere(y);
+    });
+    go_for(goal_);
+    return true;
+  }
+  template <class E>
+  void come_to_rest(E& e, status& s, std::size_t k) {
+    if constexpr (E::has_rest) {
+      record_.before(k, begin_, x_);
+      e.on_rest(begin_, x_);
+      s.rested = true;
+      s.from = 0;
+      s.last_reset = begin_;
+      record_.after(x_, true);
+      s.next_noise = s.noise;
+    } else {
+      record_.stop(stop_reason::zeno, k);
+    }
+  }
+
+  Solver& solver_;
+  List& events_;
+  Observer observer_;
+  watch watch_;
+  event_record<X, List> record_;
+  S t_end_, goal_, begin_{}, last_action_, pace_{0};
+  X x_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <kte/events/event_list.hpp>
+
+#include <type_traits>
+
+namespace kte::detail {
+
+/// What has happened so far, for the report, and whether to stop.
+template <class X, class List>
+class event_record {
+ public:
+  using S = typename X::Scalar;
+
+  event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x} {}
+
+  /// An event happens: at first with the state before it,
+  void before(std::size_t k, const S& t, const X& x) {
+    latest_.event = k;
+    latest_.time = t;
+    latest_.before = x;
+  }
+  /// then with the one after it, by `reset` or `rest`.
+  void after(const X& x, bool rest) {
+    latest_.after = x;
+    latest_.rest = rest;
+    if constexpr (std::is_same_v<decltype(events_.sink), no_handler>) {
+      report_.events.push_back(latest_);
+    } else {
+      events_.sink(std::as_const(latest_));
+    }
+    if (++report_.count > events_.settings.most) stop(stop_reason::zeno, latest_.event);
+  }
+
+  /// The first reason counts.
+  void stop(stop_reason why, std::size_t k) {
+    if (stopped_) return;
+    stopped_ = true;
+    report_.reason = why;
+    report_.stopped_by = k;
+  }
+  bool stopped() const { return stopped_; }
+  event_report<X>& report() { return report_; }
+
+ private:
+  List& events_;
+  event_occurrence<X> latest_;
+  event_report<X> report_;
+  bool stopped_ = false;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <kte/events/detail/crossing_search.hpp>
+
+namespace kte::detail {
+
+/// What is known of an event. A side is the sign of g: -1 or 1; 0 where only the motion from here can tell.
+template <class S>
+struct event_status {
+  S value{};     ///< g at the start of the step
+  S noise{0};    ///< up to this |g| may be rounding: since the last crossing, until g has left zero
+  int side = 0;  ///< at the start of the step
+  int from = 0;  ///< after a reset of a one-sided event: the side that it has to come back to; 0: nothing due
+  S last_reset{};
+  bool has_reset = false, rested = false;
+
+  int reached = 0;       ///< side up to which the step has been searched: at its end, or before the crossing found
+  S noise_there{0};      ///< `noise` there
+  bool shared = false;   ///< searched by the values that are taken for all events together
+  bool stuck = false;    ///< a reset did not send g back
+  bool found = false;    ///< a crossing
+  bool happens = false;  ///< it is the next one
+  S time{}, next_noise{};
+
+  /// At the end of a step: g is y.
+  void renew(const S& y) {
+    value = y;
+    side = sign_of(y, noise_there, reached);
+    noise = sign_of(y, noise_there, 0) != 0 ? S(0) : noise_there;
+    if (side != 0) from = 0;
+  }
+  /// Where another event has ended the step.
+  void renew_elsewhere(const S& y) {
+    noise_there = noise;
+    if (noise == S(0)) reached = 0;  // the state may have jumped
+    renew(y);
+  }
+  /// At its crossing, which has ended the step: g is y.
+  void renew_at_crossing(const S& y) {
+    noise = next_noise;
+    value = y;
+    side = sign_of(y, noise, 0);
+  }
+  /// At rest: g counts as zero.
+  void renew_at_rest(const S& y) {
+    using std::abs;
+    next_noise = next_noise < 2 * abs(y) ? S(2 * abs(y)) : next_noise;
+    renew_at_crossing(y);
+  }
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <kte/events/detail/event_observers.hpp>
+#include <kte/events/detail/event_status.hpp>
+#include <kte/events/event_list.hpp>
+
+#include <string>
+
+namespace kte::detail {
+
+/// The events of a list along the last step of a solver, each with what is known of it.
+template <class Solver, class List>
+class watched_events {
+ public:
+  using S = typename Solver::S;
+  using X = std::remove_cvref_t<decltype(std::declval<const Solver&>().state())>;
+  using status = event_status<S>;
+
+  watched_events(const Solver& solver, List& events) : solver_(solver), events_(events), x_(solver.state()) {
+    const auto& s = events.settings;
+    if (s.pieces < 1) raise<bad_argument>("kte: pieces must be positive, got " + std::to_string(s.pieces));
+    if (s.depth < 0) raise<bad_argument>("kte: depth must not be negative, got " + std::to_string(s.depth));
+    for_each([&](auto& e, status& own, std::size_t k) { own.renew(value(e, k, solver.time(), x_)); });
+  }
+
+  /// Calls f(event, status, k) for all.
+  template <class F>
+  void for_each(const F& f) {
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (f(std::get<K>(events_.list), status_[K], K), ...); }
+    (std::make_index_sequence<count>{});
+  }
+  /// The g of an event at a time and state.
+  template <class E>
+  S value(E& e, std::size_t k, const S& t, const X& x) const {
+    const S y = e.function(t, x);
+    if (!is_finite(y)) [[unlikely]]
+      raise<integration_failure>("kte: integration stopped at t = " + number(static_cast<double>(t)) +
+                                 ": the function of event " + std::to_string(k) + " is not a finite number");
+    return y;
+  }
+
+ protected:
+  static constexpr std::size_t count = std::tuple_size_v<decltype(List::list)>;
+
+  /// The state at a time of the last step.
+  const X& state(const S& t) {
+    solver_.interpolate(t, x_);
+    return x_;
+  }
+  /// The g of an event as a function of the time in the last step.
+  template <class E>
+  auto along(E& e, std::size_t k) {
+    return [this, &e, k](const S& t) { return value(e, k, t, state(t)); };
+  }
+
+  const Solver& solver_;
+  const event_settings& settings() const { return events_.settings; }
+  std::array<status, count> status_;
+
+ private:
+  List& events_;
+  X x_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <kte/events/events.hpp>
+#include <kte/models/manipulator_dynamics_model.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kte {
+
+namespace detail {
+/// `switching` of element I at the state x of a model.
+template <class Model, std::size_t I>
+struct element_switching {
+  const Model* model;
+
+  template <class T, class X>
+  auto operator()(const T&, const X& x) const {
+    auto s = make_state<T>(model->chain());
+    model->setJointStates(x, s);
+    model->doMotion(s);
+    return on(s).switching(inputs{});
+  }
+
+ private:
+  using wiring = typename Model::wiring;
+  using core = typename Model::template core_type<I>;
+  using inputs = std::make_index_sequence<input_count<core>>;
+  template <class State>
+  auto on(State& s) const {
+    return stored_element<core, State, by_index>{
+        model->template core<I>(), s, {wiring::table.slot.data() + wiring::first[I]}};
+  }
+
+ public:
+  /// Whether the law of the element ever changes.
+  static constexpr bool changes =
+      !typed_constant<decltype(std::declval<stored_element<core, chain_state<double, wiring>, by_index>>().switching(
+          inputs{}))>;
+};
+
+template <class Model, std::size_t... I>
+auto element_events_of(const Model& m, std::index_sequence<I...>) {
+  const auto one = [&m]<std::size_t E>() {
+    if constexpr (element_switching<Model, E>::changes) {
+      return std::make_tuple(event(element_switching<Model, E>{&m}).restart());
+    } else {
+      return std::tuple<>{};
+    }
+  };
+  return std::apply([](const auto&... e) { return events(e...); }, std::tuple_cat(one.template operator()<I>()...));
+}
+}  // namespace detail
+
+/// Events where the laws of the elements of a model change: friction that turns round, a spring that saturates. Each
+/// is located to the tolerance, ends the step there and starts anew, by the law that holds from then on:
+///
+///   kte::integrate(solver, 10.0, kte::element_events(model));
+///   kte::integrate(solver, 10.0, kte::joined(kte::events(ground), kte::element_events(model)));
+///
+/// In the order of the elements. The model must outlive them. An element says where by a function `switching` of its
+/// core, of what its ports are connected to, that goes through zero there.
+template <class Gravity, class... E, class S, class Output>
+auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
+  return detail::element_events_of(model, std::index_sequence_for<E...>{});
+}
+
+}  // namespace kte

@@ -1,0 +1,76 @@
+#include <kte/elements/spring.hpp>
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/models/element_events.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
+#include <kte/static.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include "catch.hpp"
+
+// A mass on a spring that saturates: free fall beyond, harmonic within. All times are known.
+
+using namespace kte;
+
+namespace {
+
+// clang-format off
+constexpr struct q_      final : coord_key<"q">            {} q;
+constexpr struct anchor_ final : coord_key<"anchor">       {} anchor;
+constexpr struct base_   final : frame_2D_key<"base">      {} base;
+constexpr struct cart_   final : frame_2D_key<"cart">      {} cart;
+constexpr struct hairs_  final : internal_key<"bristles">  {} bristles;
+// clang-format on
+
+constexpr double k = 100, most = 20, mass = 1;  // N/m, N, kg: limited beyond 0.2 m
+constexpr auto sprung = chain(base_gen(anchor), prismatic_joint_2D(q, base, cart, axis::x),
+                              inertia_2D(cart, point_mass(mass)), spring_gen(anchor, q, 0.0, k, most));
+kte_map_chain sprung_at_run_time() {
+  kte_map_chain c;
+  c << base_gen("anchor") << prismatic_joint_2D("q", "base", "cart", axis::x) << inertia_2D("cart", point_mass(mass))
+    << spring_gen("anchor", "q", 0.0, k, most);
+  return c;
+}
+/// From 0.5 m at rest: a = -20 m/s^2 down to 0.2 m, then w = 10 rad/s.
+constexpr double start = 0.5, limit = most / k;
+const double first = std::sqrt(2 * (start - limit) / most), speed = most * first, w = std::sqrt(k / mass);
+const double second = first + 2 / w * std::atan(limit * w / speed);
+
+}  // namespace
+
+TEST_CASE("Springs that saturate are events of their model, found where they do") {
+  const manipulator_dynamics_model model(sprung);
+  const auto solve = [&](auto& m, auto x0, const auto& list) {
+    dormand_prince45 solver(std::ref(m), 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
+    const auto report = integrate(solver, 0.4, list);
+    REQUIRE(report.events.size() == 2);
+    CHECK(report.events[0].time == Approx(first).epsilon(1e-12));
+    CHECK(report.events[1].time == Approx(second).epsilon(1e-11));
+    CHECK(report.events[1].before[0] == Approx(-limit).epsilon(1e-10));
+    // energy: the start's
+    CHECK(solver.state()[1] * solver.state()[1] / 2 + most * (std::abs(solver.state()[0]) - limit / 2) ==
+          Approx(most * (start - limit / 2)).epsilon(1e-10));
+  };
+  const auto x0 = model.make_x(std::array{start}, std::array{0.0});
+  solve(model, x0, element_events(model));
+  manipulator_dynamics_model runtime(sprung_at_run_time());
+  solve(runtime, Eigen::VectorXd(x0), element_events(runtime));
+}
+
+TEST_CASE("Friction that turns round is an event, beside those of users") {
+  const auto rubbing =
+      chain(base_gen(anchor), prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(mass)),
+            spring_gen(anchor, q, 0.0, k), joint_lugre_gen(q, bristles, {50, 5, 0.1, 0.5, 0.6, 0.1}));
+  const manipulator_dynamics_model model(rubbing);
+  dormand_prince45 solver(std::cref(model), 0.0, model.make_x(std::array{0.3}, std::array{0.0}));
+  std::size_t turns = 0, middles = 0;
+  const auto middle = event([](double, const auto& x) { return x[0]; });
+  const auto report = integrate(solver, 1.0, joined(events(middle), element_events(model)));
+  for (const auto& e : report.events) {
+    (e.event == 0 ? middles : turns) += 1;
+    CHECK(std::abs(e.before[e.event == 0 ? 0 : 1]) < 1e-12);
+  }
+  CHECK(turns >= 2);
+  CHECK(middles >= 2);
+}
