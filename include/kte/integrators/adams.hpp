@@ -40,7 +40,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   friend base;
   static_assert(!base::on_group,
                 "kte: this method keeps a history of slopes, which needs states that are vectors: use a one-step "
-                "method, such as dormand_prince45 or prince_dormand87");
+                "method, such as dormand_prince45 or prince_dormand87, or kte::vector_form(model)");
 
  public:
   using typename base::S;

@@ -32,7 +32,7 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
   friend typename base::integrator;
   static_assert(!base::on_group,
                 "kte: this method keeps a history of slopes, which needs states that are vectors: use a one-step "
-                "method, such as runge_kutta4 or runge_kutta5");
+                "method, such as runge_kutta4 or runge_kutta5, or kte::vector_form(model)");
 
  public:
   using typename base::S;

@@ -37,7 +37,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
   static_assert(
       !base::on_group,
       "kte: this method keeps a history of states, which needs states that are vectors: use a one-step method "
-      "for stiff systems, or the rates of quaternions as a vector");
+      "for stiff systems, or kte::vector_form(model)");
 
  public:
   using typename base::rate;
