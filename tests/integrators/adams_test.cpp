@@ -1,38 +1,20 @@
 #include <kte/integrators/adams.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
 
 #include "catch.hpp"
+#include "integrators/two_oscillators.hpp"
 
 using namespace kte;
-using kte::test::contains_text;
+using namespace kte::test;
 
 namespace {
 
-using real50 = boost::multiprecision::cpp_bin_float_50;
-template <class S>
-using state = Eigen::Matrix<S, 2, 1>;
 template <class S>
 using scalar_state = Eigen::Matrix<S, 1, 1>;
-
-constexpr auto pendulum = []<class S>(const S&, const state<S>& x) {  // 0.5 m, 9.81 m/s^2
-  using std::sin;
-  return state<S>(x[1], S(-S(981) / S(50)) * sin(x[0]));
-};
-constexpr auto oscillator = [](double, const state<double>& x) { return state<double>(x[1], -x[0]); };
-template <class S>
-state<S> horizontal() {
-  using std::acos;
-  return {acos(S(0)), S(0)};
-}
-const real50 theta1("-1.31124604230103985440444713");
-constexpr double theta10 = 1.55012648485020447245734549, theta50 = 1.05858217161372911808916728;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Slopes t^m at random times, 0.5 to 2 apart, and then one more.

@@ -1,48 +1,21 @@
 #include <kte/integrators/dormand_prince45.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include "catch.hpp"
+#include "integrators/two_oscillators.hpp"
 
 using namespace kte;
+using namespace kte::test;
 
 namespace {
 
-using real50 = boost::multiprecision::cpp_bin_float_50;
-template <class S>
-using state = Eigen::Matrix<S, 2, 1>;
-
-constexpr auto pendulum = []<class S>(const S&, const state<S>& x) {  // 0.5 m, 9.81 m/s^2
-  using std::sin;
-  return state<S>(x[1], S(-S(981) / S(50)) * sin(x[0]));
-};
-constexpr auto oscillator = []<class S>(const S&, const state<S>& x) { return state<S>(x[1], -x[0]); };
-template <class S>
-state<S> horizontal() {
-  using std::acos;
-  return {acos(S(0)), S(0)};
-}
-const real50 theta1("-1.31124604230103985440444713");
-constexpr double theta10 = 1.55012648485020447245734549, theta50 = 1.05858217161372911808916728;
-
-/// A solver whose tolerances never bind and whose first proposal is long: every `integrate` is one step.
-template <class F>
-auto one_step_solver(const F& f, const state<real50>& x0) {
-  dormand_prince45 solver(f, real50(0), x0, {.absolute = 1e30, .relative = 1e30});
-  solver.integrate(100);
-  solver.restart(0, x0);
-  return solver;
-}
 template <class F>
 real50 error_at_1(const F& f, const state<real50>& x0, const real50& exact, int n) {
-  auto solver = one_step_solver(f, x0);
+  auto solver = one_step_solver<dormand_prince45>(f, x0);
   const auto before = solver.statistics().steps;
   for (int i = 1; i <= n; ++i) solver.integrate(real50(i) / n);
   REQUIRE(solver.statistics().steps == before + n);
   return abs(solver.state()[0] - exact);
 }
-double slope(const real50& coarse, const real50& fine) { return static_cast<double>(log(coarse / fine) / log(2)); }
 
 TEST_CASE("Dormand-Prince: the global error is of order 5") {
   const state<real50> x0 = horizontal<real50>(), y0(1, 0);
@@ -57,7 +30,7 @@ TEST_CASE("Dormand-Prince: the global error is of order 5") {
 TEST_CASE("Dormand-Prince: the dense output is of order 4: its error in one step falls with h^5") {
   const real50 start = 0.3;
   const auto worst = [&](const real50& h) {  // the largest error of the oscillator within one step, both components
-    auto solver = one_step_solver(oscillator, state<real50>(cos(start), -sin(start)));
+    auto solver = one_step_solver<dormand_prince45>(oscillator, state<real50>(cos(start), -sin(start)));
     solver.integrate(h);
     real50 most = 0;
     for (int i = 1; i < 16; ++i) {

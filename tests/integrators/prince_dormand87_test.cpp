@@ -1,49 +1,21 @@
 #include <kte/integrators/prince_dormand87.hpp>
 
 #include <Eigen/Geometry>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 
 #include <cmath>
 #include <limits>
 
 #include "catch.hpp"
+#include "integrators/two_oscillators.hpp"
 
 using namespace kte;
-using kte::test::contains_text;
+using namespace kte::test;
 
 namespace {
 
-using real50 = boost::multiprecision::cpp_bin_float_50;
-template <class S>
-using state = Eigen::Matrix<S, 2, 1>;
-
-constexpr auto pendulum = []<class S>(const S&, const state<S>& x) {  // 0.5 m, 9.81 m/s^2
-  using std::sin;
-  return state<S>(x[1], S(-S(981) / S(50)) * sin(x[0]));
-};
-constexpr auto oscillator = []<class S>(const S&, const state<S>& x) { return state<S>(x[1], -x[0]); };
-template <class S>
-state<S> horizontal() {
-  using std::acos;
-  return {acos(S(0)), S(0)};
-}
-const real50 theta1("-1.31124604230103985440444713");
-constexpr double theta10 = 1.55012648485020447245734549, theta50 = 1.05858217161372911808916728;
-
-/// A solver whose tolerances never bind and whose first proposal is long: every `integrate` is one step.
-template <class F>
-auto one_step_solver(const F& f, const state<real50>& x0) {
-  prince_dormand87 solver(f, real50(0), x0, {.absolute = 1e30, .relative = 1e30});
-  solver.integrate(100);
-  solver.restart(0, x0);
-  return solver;
-}
-double slope(const real50& coarse, const real50& fine) { return static_cast<double>(log(coarse / fine) / log(2)); }
-
 TEST_CASE("Prince-Dormand: the global error is of order 8") {
   const auto error = [](int n) {  // of the energy, which has no zeros
-    auto solver = one_step_solver(pendulum, horizontal<real50>());
+    auto solver = one_step_solver<prince_dormand87>(pendulum, horizontal<real50>());
     const auto before = solver.statistics().steps;
     for (int i = 1; i <= n; ++i) solver.integrate(real50(i) / (2 * n));
     REQUIRE(solver.statistics().steps == before + n);
@@ -57,7 +29,7 @@ TEST_CASE("Prince-Dormand: the global error is of order 8") {
 TEST_CASE("Prince-Dormand: the dense output is of order 7: its error in one step falls with h^8") {
   const real50 start = 0.3;
   const auto worst = [&](const real50& h) {  // the largest error of the oscillator within one step, both components
-    auto solver = one_step_solver(oscillator, state<real50>(cos(start), -sin(start)));
+    auto solver = one_step_solver<prince_dormand87>(oscillator, state<real50>(cos(start), -sin(start)));
     solver.integrate(h);
     real50 most = 0;
     for (int i = 1; i < 16; ++i) {

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include <cmath>
+
+/// A pendulum and a linear oscillator, at any precision.
+namespace kte::test {
+
+using real50 = boost::multiprecision::cpp_bin_float_50;
+template <class S>
+using state = Eigen::Matrix<S, 2, 1>;
+
+inline constexpr auto pendulum = []<class S>(const S&, const state<S>& x) {  // 0.5 m, 9.81 m/s^2
+  using std::sin;
+  return state<S>(x[1], S(-S(981) / S(50)) * sin(x[0]));
+};
+inline constexpr auto oscillator = []<class S>(const S&, const state<S>& x) { return state<S>(x[1], -x[0]); };
+template <class S>
+state<S> horizontal() {
+  using std::acos;
+  return {acos(S(0)), S(0)};
+}
+/// Angles of the pendulum from hanging after 1, 10 and 50 s, released at rest from the horizontal.
+inline const real50 theta1("-1.31124604230103985440444713");
+inline constexpr double theta10 = 1.55012648485020447245734549, theta50 = 1.05858217161372911808916728;
+
+/// A solver whose tolerances never bind and whose first proposal is long: every `integrate` is one step.
+template <template <class, class> class Method, class F>
+auto one_step_solver(const F& f, const state<real50>& x0) {
+  Method<F, state<real50>> solver(f, real50(0), x0, {.absolute = 1e30, .relative = 1e30});
+  solver.integrate(100);
+  solver.restart(0, x0);
+  return solver;
+}
+inline double slope(const real50& coarse, const real50& fine) {
+  return static_cast<double>(log(coarse / fine) / log(2));
+}
+
+}  // namespace kte::test
