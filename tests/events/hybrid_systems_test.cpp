@@ -20,17 +20,17 @@ using kte::test::contains_text;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-using vec2 = Eigen::Vector2d;
+using ball_state = Eigen::Vector2d;
 
 /// A ball falls from 5 m at 10 m/s^2: it hits the ground at 1 s with 10 m/s. With restitution e flights last 2 e, 2
 /// e^2,
 /// ...
-const vec2 dropped(5, 0);
-constexpr auto fall = [](double, const vec2& x) { return vec2(x[1], -10); };
+const ball_state dropped(5, 0);
+constexpr auto fall = [](double, const ball_state& x) { return ball_state(x[1], -10); };
 constexpr auto height = [](const auto&, const auto& x) { return x[0]; };
 constexpr auto speed = [](const auto&, const auto& x) { return x[1]; };
 auto bounce(double e) {
-  return [e](double, vec2& x) { x = {0, -e * x[1]}; };
+  return [e](double, ball_state& x) { x = {0, -e * x[1]}; };
 }
 auto ground(double e) { return event(height, crossing::falling).reset(bounce(e)); }
 /// Of the impact n, from 0.
@@ -90,7 +90,7 @@ TEST_CASE("Samples are those before and after a reset, and at it both") {
   dormand_prince45 solver(fall, 0.0, dropped);
   int at_impact = 0;
   std::vector<double> times;
-  const auto report = integrate(solver, 6.0, events(ground(e)), every(0.01), [&](double t, const vec2& x) {
+  const auto report = integrate(solver, 6.0, events(ground(e)), every(0.01), [&](double t, const ball_state& x) {
     REQUIRE(x[0] == Approx(height_at(e, t)).margin(1e-12));
     if (!times.empty() && t == times.back()) ++at_impact;
     times.push_back(t);
@@ -102,11 +102,12 @@ TEST_CASE("Samples are those before and after a reset, and at it both") {
   CHECK(sampled == 600);
   CHECK(times.back() == 6.0);
 
-  dormand_prince45 on_a_sample([](double, const vec2&) { return vec2(1, 0); }, 0.0, vec2(0, 0));
+  dormand_prince45 on_a_sample([](double, const ball_state&) { return ball_state(1, 0); }, 0.0, ball_state(0, 0));
   std::vector<double> seen;
-  integrate(on_a_sample, 1.0,
-            events(event([](double t, const vec2&) { return t - 0.5; }).reset([](double, vec2& x) { x[0] += 1; })),
-            every(0.25), [&](double t, const vec2& x) { seen.push_back(t), seen.push_back(x[0]); });
+  integrate(on_a_sample, 1.0, events(event([](double t, const ball_state&) {
+                                       return t - 0.5;
+                                     }).reset([](double, ball_state& x) { x[0] += 1; })),
+            every(0.25), [&](double t, const ball_state& x) { seen.push_back(t), seen.push_back(x[0]); });
   CHECK(seen == std::vector<double>{0, 0, 0.25, 0.25, 0.5, 0.5, 0.5, 1.5, 0.75, 1.75, 1, 2});
 }
 
@@ -114,7 +115,7 @@ TEST_CASE("Observers of steps see both states at a reset") {
   runge_kutta4 solver(fall, 0.0, dropped, 0.3);
   std::vector<double> times, speeds;
   integrate(solver, 1.5, events(ground(0.5)),
-            [&](double t, const vec2& x) { times.push_back(t), speeds.push_back(x[1]); });
+            [&](double t, const ball_state& x) { times.push_back(t), speeds.push_back(x[1]); });
   REQUIRE(times.size() == 8);  // 0, 0.3, 0.6, 0.9, impact twice, two steps to 1.5
   CHECK(times[4] == times[5]);
   CHECK(times[4] == Approx(1.0));
@@ -162,12 +163,12 @@ TEST_CASE("An impact early in a long step is as exact as in a short one, and so 
 TEST_CASE("Infinitely many bounces hand over to rest, from which there is a way back") {
   bool lies = false;
   double pull = -10;
-  const auto f = [&](double, const vec2& x) { return vec2(x[1], lies ? 0 : pull); };
-  const auto floor = ground(0.5).rest([&](double, vec2& x) {
+  const auto f = [&](double, const ball_state& x) { return ball_state(x[1], lies ? 0 : pull); };
+  const auto floor = ground(0.5).rest([&](double, ball_state& x) {
     x = {0, 0};
     lies = true;
   });
-  const auto kick = event([](double t, const vec2&) { return t - 5; }).reset([&](double, vec2& x) {
+  const auto kick = event([](double t, const ball_state&) { return t - 5; }).reset([&](double, ball_state& x) {
     lies = false;
     x[1] = 10;
   });
@@ -181,12 +182,12 @@ TEST_CASE("Infinitely many bounces hand over to rest, from which there is a way 
   CHECK(rests[0] == Approx(3).epsilon(1e-10));
   CHECK(rests[1] == Approx(5 + 4).epsilon(1e-10));
   CHECK(solver.time() == 20);
-  CHECK(solver.state() == vec2(0, 0));
+  CHECK(solver.state() == ball_state(0, 0));
 }
 
 TEST_CASE("An impact that does not lift off is rest, where events are one-sided, or a stop") {
   bool lies = false;
-  const auto f = [&](double, const vec2& x) { return vec2(x[1], lies ? 0 : -10); };
+  const auto f = [&](double, const ball_state& x) { return ball_state(x[1], lies ? 0 : -10); };
   for (double e : {0.0, 1e-9, 1e-6, 1e-3}) {
     for (double t_end : {4.0, 1e6}) {
       lies = false;
@@ -194,25 +195,26 @@ TEST_CASE("An impact that does not lift off is rest, where events are one-sided,
       const auto stopped = integrate(stops, t_end, events(ground(e).one_sided()));
       CHECK(stopped.reason == stop_reason::zeno);
       CHECK(stops.time() == Approx(1 + 2 * e).margin(5e-6));
-      const auto handed_over = integrate(rests, t_end, events(ground(e).rest([&](double, vec2& x) {
+      const auto handed_over = integrate(rests, t_end, events(ground(e).rest([&](double, ball_state& x) {
                                            x[1] = 0;
                                            lies = true;
                                          })));
       CHECK(handed_over.reason == stop_reason::end_time);
       CHECK(handed_over.events.back().rest);
       CHECK(handed_over.count <= 5);
-      CHECK(rests.state() == vec2(0, 0));
+      CHECK(rests.state() == ball_state(0, 0));
     }
   }
 }
 
 TEST_CASE("A ball between two walls") {
-  const auto straight = [](double, const vec2& x) { return vec2(x[1], 0); };
-  const auto turn = [](double, vec2& x) { x[1] = -x[1]; };
-  const auto left = event([](double, const vec2& x) { return x[0] + 1; }).reset(turn);  // both directions, no set-back
-  const auto right = event([](double, const vec2& x) { return x[0] - 1; }).reset(turn);
+  const auto straight = [](double, const ball_state& x) { return ball_state(x[1], 0); };
+  const auto turn = [](double, ball_state& x) { x[1] = -x[1]; };
+  const auto left =
+      event([](double, const ball_state& x) { return x[0] + 1; }).reset(turn);  // both directions, no set-back
+  const auto right = event([](double, const ball_state& x) { return x[0] - 1; }).reset(turn);
   for (double end : {1000.5, -1000.5}) {
-    dormand_prince45 solver(straight, 0.0, vec2(0, 1));
+    dormand_prince45 solver(straight, 0.0, ball_state(0, 1));
     const auto report = integrate(solver, end, events(left, right));
     REQUIRE(report.count == 500);
     for (std::size_t i = 0; i < 500; ++i)
@@ -225,14 +227,14 @@ TEST_CASE("Coulomb friction: an oscillator comes to rest after a number of half 
   // x'' = -100 x - 2 sign(x'): half swings of pi/10 s about -+0.02 m, each 0.04 m shorter, until |x| <= 0.02.
   for (double x0 : {1.0, 1.013, -0.99}) {
     int direction = x0 > 0 ? -1 : 1;  // 0: sticks
-    const auto f = [&](double, const vec2& x) {
-      return direction == 0 ? vec2(0, 0) : vec2(x[1], -100 * x[0] - 2 * direction);
+    const auto f = [&](double, const ball_state& x) {
+      return direction == 0 ? ball_state(0, 0) : ball_state(x[1], -100 * x[0] - 2 * direction);
     };
-    const auto turns = event(speed).reset([&](double, vec2& x) {
+    const auto turns = event(speed).reset([&](double, ball_state& x) {
       x[1] = 0;
       direction = std::abs(100 * x[0]) <= 2 ? 0 : x[0] > 0 ? -1 : 1;
     });
-    dormand_prince45 solver(f, 0.0, vec2(x0, 0), {.absolute = 1e-14, .relative = 1e-14});
+    dormand_prince45 solver(f, 0.0, ball_state(x0, 0), {.absolute = 1e-14, .relative = 1e-14});
     const auto report = integrate(solver, 10.0, events(turns));
     double amplitude = std::abs(x0), side = x0 > 0 ? 1 : -1;
     std::size_t n = 0;
@@ -256,17 +258,17 @@ TEST_CASE("A block on a belt sticks and slips") {
   const double v = 0.05, w = 10, amplitude = 0.01;
   const double slip = (2 * pi - 2 * std::atan(amplitude * w / v)) / w, stick = 2 * amplitude / v;
   bool sticks = true;
-  const auto f = [&](double, const vec2& x) { return sticks ? vec2(v, 0) : vec2(x[1], 2 - 100 * x[0]); };
-  const auto breaks =
-      event([](double, const vec2& x) { return 100 * x[0] - 3; }, crossing::rising).reset([&](double, vec2&) {
-        sticks = false;
-      });
+  const auto f = [&](double, const ball_state& x) {
+    return sticks ? ball_state(v, 0) : ball_state(x[1], 2 - 100 * x[0]);
+  };
+  const auto breaks = event([](double, const ball_state& x) { return 100 * x[0] - 3; }, crossing::rising)
+                          .reset([&](double, ball_state&) { sticks = false; });
   const auto catches =
-      event([&](double, const vec2& x) { return v - x[1]; }, crossing::falling).reset([&](double, vec2& x) {
+      event([&](double, const ball_state& x) { return v - x[1]; }, crossing::falling).reset([&](double, ball_state& x) {
         sticks = true;
         x[1] = v;
       });
-  dormand_prince45 solver(f, 0.0, vec2(0.01, v), {.absolute = 1e-13, .relative = 1e-13});
+  dormand_prince45 solver(f, 0.0, ball_state(0.01, v), {.absolute = 1e-13, .relative = 1e-13});
   const auto report = integrate(solver, 10.0, events(breaks, catches));
   double t = 0;
   REQUIRE(report.events.size() > 20);
@@ -280,11 +282,13 @@ TEST_CASE("A block on a belt sticks and slips") {
 
 TEST_CASE("Backlash: a block between two springs with a gap") {
   // Free for |x| < 0.1, springs of 100 N/m beyond: half a swing of pi/10 s there, 0.2 m at 2 m/s between.
-  const auto f = [](double, const vec2& x) {
-    return vec2(x[1], x[0] > 0.1 ? -100 * (x[0] - 0.1) : x[0] < -0.1 ? -100 * (x[0] + 0.1) : 0);
+  const auto f = [](double, const ball_state& x) {
+    return ball_state(x[1], x[0] > 0.1 ? -100 * (x[0] - 0.1) : x[0] < -0.1 ? -100 * (x[0] + 0.1) : 0);
   };
-  const auto contact = [](double edge) { return event([=](double, const vec2& x) { return x[0] - edge; }).restart(); };
-  dormand_prince45 solver(f, 0.0, vec2(0, 2), {.absolute = 1e-13, .relative = 1e-13});
+  const auto contact = [](double edge) {
+    return event([=](double, const ball_state& x) { return x[0] - edge; }).restart();
+  };
+  dormand_prince45 solver(f, 0.0, ball_state(0, 2), {.absolute = 1e-13, .relative = 1e-13});
   const auto report = integrate(solver, 8.0, events(contact(0.1), contact(-0.1)));
   double t = 0.05;
   const double error = 3e-13 * static_cast<double>(solver.statistics().steps);
@@ -302,7 +306,7 @@ namespace {
 
 /// A disc that turns at a steady rate: the state is cos, sin and rate, of which only the first two make a rotation.
 struct disc {
-  using rate = vec2;
+  using rate = ball_state;
   Eigen::Vector2d operator()(double, const Eigen::Vector3d& x) const { return {x[2], 0}; }
   Eigen::Index rates() const { return 2; }
   void displace(const Eigen::Vector3d& x, const rate& d, Eigen::Vector3d& out) const {
@@ -357,8 +361,8 @@ TEST_CASE("Events in every scalar, and of dynamic states") {
 }
 
 TEST_CASE("Late times are resolved to their ulp") {
-  const auto f = [](double, const vec2&) { return vec2(1, 0); };
-  dormand_prince45 solver(f, 1e9, vec2(-0.7, 0));
+  const auto f = [](double, const ball_state&) { return ball_state(1, 0); };
+  dormand_prince45 solver(f, 1e9, ball_state(-0.7, 0));
   const auto report = integrate(solver, 1e9 + 1, events(event(height)));
   CHECK(report.events.at(0).time == Approx(1e9 + 0.7).epsilon(4e-16));
 }

@@ -36,7 +36,7 @@ auto one_step_solver(const F& f, const state<real50>& x0) {
   return solver;
 }
 inline double slope(const real50& coarse, const real50& fine) {
-  return static_cast<double>(log(coarse / fine) / log(2));
+  return static_cast<double>(log(coarse / fine)) / 0.6931471805599453;
 }
 
 }  // namespace kte::test
