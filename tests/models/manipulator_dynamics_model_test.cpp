@@ -81,3 +81,22 @@ TEST_CASE("A free body integrates on its group") {
   CHECK(x[0] == Approx(10).epsilon(1e-9));  // in the direction it was thrown
   CHECK(std::abs(x[1]) + std::abs(x[2]) < 1e-8);
 }
+
+TEST_CASE("A motion that blows up is a failure of the integration, with its time") {
+  // Pushed by its own speed: with v' = v^3 infinite after 1/2 s, but gravity holds it back at first.
+  manipulator_dynamics_model model(pendulum);
+  const auto driven = [&](double t, const Eigen::Vector2d& x) {
+    model.input(motor) = 0.25 * x[1] * x[1] * x[1];
+    return model(t, x);
+  };
+  const auto start = model.make_x(std::array{-1.5707963267948966}, std::array{1.0});
+  runge_kutta4 fixed(driven, 0.0, start, 0.01);
+  CHECK_THROWS_WITH(fixed.integrate(2), contains_text("integration stopped at t = ") &&
+                                            contains_text("the next state is not a finite number"));
+  CHECK(fixed.state().allFinite());
+  dormand_prince45 adaptive(driven, 0.0, start);
+  CHECK_THROWS_AS(adaptive.integrate(2), integration_failure);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(model.computeStateRate(0.0, Eigen::Vector2d(nan, 0)), bad_argument);
+  CHECK(model(0.0, Eigen::Vector2d(nan, 0)).hasNaN());
+}

@@ -42,7 +42,16 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     rates_of_internals();
     return rate_;
   }
-  const rate& operator()(double t, const state& x) { return computeStateRate(t, x); }
+  /// The same for integrators: NaN where numbers are not finite, so that they try a shorter step, or say when it was.
+  const rate& operator()(double t, const state& x) {
+    check_size(static_cast<std::size_t>(nq() + dofs() + internals()), x, "x", "numbers of a state");
+    try {
+      return computeStateRate(t, x);
+    } catch (const bad_argument&) {
+      rate_.setConstant(std::numeric_limits<double>::quiet_NaN());
+      return rate_;
+    }
+  }
 
   using base::input;
   /// The value of an input; throws `unknown_name`.

@@ -47,8 +47,10 @@ class state_space : public Chain {
   int internals() const { return size::count(chain(), kind::internal); }
   /// The coordinates, with their places in q and v.
   std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
+  /// How many numbers v and a have.
+  int velocity_count() const { return size::nv(chain()); }
   /// How many numbers x' has.
-  int rates() const { return 2 * numbers_v() + internals(); }
+  int rates() const { return 2 * velocity_count() + internals(); }
 
   /// x of q and v, with z = 0 or as given. Throws `bad_argument` for wrong sizes.
   template <indexable Q, indexable V>
@@ -57,9 +59,9 @@ class state_space : public Chain {
   }
   template <indexable Q, indexable V, indexable Z>
   state make_x(const Q& q, const V& v, const Z& z) const {
-    const Eigen::Index at_v = numbers_q(), at_z = at_v + numbers_v(), end = at_z + internals();
-    detail::check_configuration(numbers_q(), numbers_v(), q);
-    check_size(static_cast<std::size_t>(numbers_v()), v, "v");
+    const Eigen::Index at_v = numbers_q(), at_z = at_v + velocity_count(), end = at_z + internals();
+    detail::check_configuration(numbers_q(), velocity_count(), q);
+    check_size(static_cast<std::size_t>(velocity_count()), v, "v");
     check_size(static_cast<std::size_t>(internals()), z, "z", "internal states");
     state x(end);
     for (Eigen::Index i = 0; i < at_v; ++i) x[i] = S(q[static_cast<std::size_t>(i)]);
@@ -69,7 +71,7 @@ class state_space : public Chain {
   }
   /// The parts of x, as views.
   auto positions_of(const state& x) const { return x.head(Eigen::fix<size::q>(numbers_q())); }
-  auto velocities_of(const state& x) const { return x.segment(numbers_q(), Eigen::fix<size::v>(numbers_v())); }
+  auto velocities_of(const state& x) const { return x.segment(numbers_q(), Eigen::fix<size::v>(velocity_count())); }
   auto internals_of(const state& x) const { return x.tail(Eigen::fix<size::z>(internals())); }
 
   /// Throws `bad_argument` for another count of numbers than the chain has inputs.
@@ -102,7 +104,6 @@ class state_space : public Chain {
 
  protected:
   int numbers_q() const { return size::nq(chain()); }
-  int numbers_v() const { return size::nv(chain()); }
 
   input_vector u_;
 
@@ -111,7 +112,7 @@ class state_space : public Chain {
   /// v and z, or their rates.
   template <class X>
   auto vectors_of(X& x) const {
-    return x.tail(Eigen::fix<vectors>(numbers_v() + internals()));
+    return x.tail(Eigen::fix<vectors>(velocity_count() + internals()));
   }
 };
 

@@ -2,8 +2,8 @@
 
 #include <kte/dynamics/momentum.hpp>
 #include <kte/integrators/detail/fixed_point.hpp>
-#include <kte/integrators/fixed_step.hpp>
 #include <kte/integrators/detail/hermite.hpp>
+#include <kte/integrators/fixed_step.hpp>
 #include <kte/models/detail/momentum_transport.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
@@ -86,7 +86,9 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
       half = d / 2;
       displace(start, half, middle_);
       middle_.template tail<n>() = v_;
-      auto [p, rate_of_p] = generalized_momenta_along(chain(), middle_.data(), v_);
+      const auto both = generalized_momenta_along(chain(), middle_.data(), v_);
+      const vector& p = both.first;
+      vector rate_of_p = both.second;
       rate_of_p += this->system().forces_at(middle_);
       ++this->statistics_.evaluations;
       vector v = p_;

@@ -65,11 +65,13 @@ class momentum_step {
   /// d of (1).
   template <class D>
   void displacement(D& d) const {
+    if (is_number()) return void(d[f_.v] = h_ * v_.linear.x);
     write_rates<S>(f_, {as<S>(h_ * (v_.linear + change_by_turning(phi_, v_.linear))), as<S>(h_ * v_.angular)}, d);
   }
   /// (2): p' becomes K.
   template <class P, class R>
   void subtract_turning(const P& p, R& rate) const {
+    if (is_number()) return;
     const auto x = read_rates<S>(f_, p), r = read_rates<S>(f_, rate);
     write_rates<S>(f_, {as<S>(r.linear - cross(x.linear, v_.angular)), as<S>(r.angular - cross(x.angular, v_.angular))},
                    rate);
@@ -78,6 +80,7 @@ class momentum_step {
   template <class P, class R>
   void to_middle(const R& K, P& p) const {
     const S half = h_ / S(2);
+    if (is_number()) return void(p[f_.v] += half * K[f_.v]);
     const auto k = read_rates<S>(f_, K), x = read_rates<S>(f_, p);
     const auto back = as<S>(-phi_), twice = as<S>(S(2) * phi_);
     const auto g = as<S>(x.linear + change_by_turning(back, x.linear) + half * k.linear);
@@ -88,6 +91,7 @@ class momentum_step {
   /// (4) less p0.
   template <class P, class R, class Change>
   void change(const R& K, const P& p0, Change& change) const {
+    if (is_number()) return void(change[f_.v] = h_ * K[f_.v]);
     const auto k = read_rates<S>(f_, K), x = read_rates<S>(f_, p0);
     const auto back = as<S>(-phi_), twice_back = as<S>(-(S(2) * phi_));
     const auto one = [&](const vec3<S>& p, const vec3<S>& by) {
@@ -97,6 +101,8 @@ class momentum_step {
   }
 
  private:
+  bool is_number() const { return f_.what == kind::gen; }
+
   const freedom& f_;
   S h_;
   linear_and_angular<S> v_;
