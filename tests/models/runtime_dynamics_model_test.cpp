@@ -105,4 +105,7 @@ TEST_CASE("Rates of a model allocate nothing") {
   double sum = moving(0, x_runtime).sum();
   CHECK(allocations::during([&] { sum += still(0, x).sum() + moving(0, x_runtime).sum(); }) == 0);
   CHECK(std::isfinite(sum));
+  dormand_prince45 solver(std::cref(still), 0.0, x);
+  CHECK(allocations::during(
+            [&] { solver.integrate(1, every(0.01), [&](double t, const auto& y) { sum += t + y[0]; }); }) == 0);
 }

@@ -1,21 +1,10 @@
 #pragma once
 
-#include <kte/integrators/motion_space.hpp>
-#include <kte/integrators/time_grid.hpp>
+#include <kte/integrators/moving_state.hpp>
 
 #include <cmath>
-#include <utility>
 
 namespace kte {
-
-/// What an integration has cost so far.
-struct step_statistics {
-  long long steps = 0;        ///< accepted
-  long long rejected = 0;     ///< tried and thrown away
-  long long evaluations = 0;  ///< of the right-hand side, also those for differences
-  long long jacobians = 0;    ///< of the right-hand side
-  long long factorizations = 0;
-};
 
 /// What all integrators of x' = f(t, x) share: time and state, observers, samples, the last step.
 ///
@@ -33,12 +22,12 @@ struct step_statistics {
 /// They move by displacements from the state at the start of the step: `displace`, `slope` and, in `dense`,
 /// `displaced`. For vectors that is adding.
 template <class Method, class F, class X>
-class integrator {
+class integrator : public moving_state<F, X> {
+  using base = moving_state<F, X>;
+
  public:
-  using S = typename X::Scalar;
-  using rate = rate_of<F, X>;
-  static_assert(X::ColsAtCompileTime == 1, "kte: a state is a column vector");
-  static_assert(std::invocable<F&, const S&, const X&>, "kte: a right-hand side is called as f(t, x)");
+  using typename base::rate;
+  using typename base::S;
 
   const S& time() const { return time_; }
   /// The state at `time()`. After a failure: the last good one.
@@ -112,103 +101,16 @@ class integrator {
     detail::check_finite(t, "start time");
     if (x.size() == 0) detail::raise<bad_argument>("kte: the start state is empty");
     for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(S(x[i]), "start state");
-    x_ = next_ = previous_ = x;
+    this->place(x);
     time_ = previous_time_ = t;
-    if constexpr (on_group) d_ = no_rate();
   }
 
  protected:
-  /// Whether states are no vectors.
-  static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
-  struct nothing {};
-  template <class T>
-  using if_on_group = std::conditional_t<on_group, T, nothing>;
-
   template <class V>
-  integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0) : f_(std::move(f)) {
+  integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0) : base(std::move(f)) {
     restart(t0, x0);
   }
 
-  /// The right-hand side.
-  auto& system() { return detail::unwrapped(f_); }
-  const auto& system() const { return detail::unwrapped(f_); }
-  /// How many numbers rates have.
-  Eigen::Index rates() const {
-    if constexpr (on_group) {
-      return system().rates();
-    } else {
-      return x_.size();
-    }
-  }
-  /// All zero.
-  rate no_rate() const { return rate::Zero(rates()); }
-
-  /// x_dot = f(t, x).
-  void evaluate(const S& t, const X& x, rate& x_dot) const {
-    ++statistics_.evaluations;
-    x_dot = f_(t, x);
-    if (x_dot.size() != rates()) [[unlikely]]
-      detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
-                                  " numbers for a state of " + std::to_string(x.size()));
-  }
-  /// next_ = state (+) d, where d is an expression of rates.
-  template <class D>
-  void displace(const D& d) {
-    if constexpr (on_group) {
-      d_ = d;
-      system().displace(x_, d_, next_);
-    } else {
-      next_ = x_ + d;
-    }
-  }
-  /// The rate of the displacement at its present value, of which `next_` is the state.
-  void slope(const S& t, rate& k) {
-    evaluate(t, next_, k);
-    pull_back(k);
-  }
-  /// The rate of the state at `next_` becomes that of the displacement.
-  void pull_back(rate& k) const {
-    if constexpr (on_group) system().pull_back(d_, k);
-  }
-  /// x = state at the start of the last step (+) d.
-  template <class D>
-  void displaced(const D& d, X& x) const {
-    if constexpr (on_group) {
-      rate as_vector = d;
-      system().displace(previous_, as_vector, x);
-    } else {
-      x = previous_ + d;
-    }
-  }
-  /// The rate of the displacement from the start of the last step, where it is d: for a `dense` that needs evaluations.
-  /// Overwrites `next_`.
-  template <class D>
-  void slope_within(const S& t, const D& d, rate& k) const {
-    displaced(d, next_);
-    evaluate(t, next_, k);
-    if constexpr (on_group) {
-      const rate as_vector = d;
-      system().pull_back(as_vector, k);
-    }
-  }
-  /// The displacement of the last step; of this one before `accept`.
-  decltype(auto) displacement() const {
-    if constexpr (on_group) {
-      return (d_);
-    } else {
-      return x_ - previous_;
-    }
-  }
-  /// What relative tolerances are relative to.
-  decltype(auto) magnitudes(const X& x) const {
-    if constexpr (on_group) {
-      rate m = no_rate();
-      system().magnitudes(x, m);
-      return m;
-    } else {
-      return (x);
-    }
-  }
   /// Ends a step: `next_` is the state at t.
   void accept(const S& t) {
     previous_time_ = time_;
@@ -222,13 +124,11 @@ class integrator {
                                        ": " + why);
   }
 
-  /// Whether `next_` has finite numbers only.
-  bool next_is_finite() const { return ((next_ - next_).array() == S(0)).all(); }
-
-  X x_, previous_;
-  mutable X next_;
+  using base::next_;
+  using base::previous_;
+  using base::statistics_;
+  using base::x_;
   S time_{}, previous_time_{};
-  mutable step_statistics statistics_;
 
  private:
   Method& method() { return static_cast<Method&>(*this); }
@@ -236,8 +136,6 @@ class integrator {
   bool in_last_step(const S& t) const {
     return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
   }
-  mutable std::remove_const_t<F> f_;
-  [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
 };
 
 }  // namespace kte

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <kte/integrators/motion_space.hpp>
+#include <kte/integrators/time_grid.hpp>
+
+#include <array>
+#include <utility>
+
+namespace kte {
+
+/// What an integration has cost so far.
+struct step_statistics {
+  long long steps = 0;        ///< accepted
+  long long rejected = 0;     ///< tried and thrown away
+  long long evaluations = 0;  ///< of the right-hand side, also those for differences
+  long long jacobians = 0;    ///< of the right-hand side
+  long long factorizations = 0;
+};
+
+/// A right-hand side and the states of a step: from `x_`, that at the start of the step, to `next_`, by displacements,
+/// which are vectors also where states are not (motion_space.hpp); after the step, from `previous_` to `x_`. The part
+/// of `integrator` that its methods work with.
+template <class F, class X>
+class moving_state {
+ public:
+  using S = typename X::Scalar;
+  using rate = rate_of<F, X>;
+  static_assert(X::ColsAtCompileTime == 1, "kte: a state is a column vector");
+  static_assert(std::invocable<F&, const S&, const X&>, "kte: a right-hand side is called as f(t, x)");
+
+ protected:
+  /// Whether states are no vectors.
+  static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
+  struct nothing {};
+  template <class T>
+  using if_on_group = std::conditional_t<on_group, T, nothing>;
+
+  explicit moving_state(F f) : f_(std::move(f)) {}
+  /// Anew from x.
+  template <class V>
+  void place(const Eigen::MatrixBase<V>& x) {
+    x_ = next_ = previous_ = x;
+    if constexpr (on_group) d_ = within_ = sizes_[0] = sizes_[1] = no_rate();
+  }
+
+  /// The right-hand side.
+  auto& system() { return detail::unwrapped(f_); }
+  const auto& system() const { return detail::unwrapped(f_); }
+  /// How many numbers rates have.
+  Eigen::Index rates() const {
+    if constexpr (on_group) {
+      return system().rates();
+    } else {
+      return x_.size();
+    }
+  }
+  /// All zero.
+  rate no_rate() const { return rate::Zero(rates()); }
+
+  /// x_dot = f(t, x).
+  void evaluate(const S& t, const X& x, rate& x_dot) const {
+    ++statistics_.evaluations;
+    x_dot = f_(t, x);
+    if (x_dot.size() != rates()) [[unlikely]]
+      detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
+                                  " numbers for a state of " + std::to_string(x.size()));
+  }
+  /// next_ = state (+) d, where d is an expression of rates.
+  template <class D>
+  void displace(const D& d) {
+    if constexpr (on_group) {
+      d_ = d;
+      system().displace(x_, d_, next_);
+    } else {
+      next_ = x_ + d;
+    }
+  }
+  /// The rate of the displacement at its present value, of which `next_` is the state.
+  void slope(const S& t, rate& k) {
+    evaluate(t, next_, k);
+    pull_back(k);
+  }
+  /// The rate of the state at `next_` becomes that of the displacement.
+  void pull_back(rate& k) const {
+    if constexpr (on_group) system().pull_back(d_, k);
+  }
+  /// x = state at the start of the last step (+) d.
+  template <class D>
+  void displaced(const D& d, X& x) const {
+    if constexpr (on_group) {
+      within_ = d;
+      system().displace(previous_, within_, x);
+    } else {
+      x = previous_ + d;
+    }
+  }
+  /// The rate of the displacement from the start of the last step, where it is d: for a `dense` that needs evaluations.
+  /// Overwrites `next_`.
+  template <class D>
+  void slope_within(const S& t, const D& d, rate& k) const {
+    displaced(d, next_);
+    evaluate(t, next_, k);
+    if constexpr (on_group) system().pull_back(within_, k);
+  }
+  /// The displacement of the last step; of this one before `accept`.
+  decltype(auto) displacement() const {
+    if constexpr (on_group) {
+      return (d_);
+    } else {
+      return x_ - previous_;
+    }
+  }
+  /// What relative tolerances are relative to; of `next_` and of another state at the same time.
+  const rate& magnitudes(const X& x) const {
+    if constexpr (on_group) {
+      rate& m = sizes_[&x == &next_];
+      system().magnitudes(x, m);
+      return m;
+    } else {
+      return x;
+    }
+  }
+  /// Whether `next_` has finite numbers only.
+  bool next_is_finite() const { return ((next_ - next_).array() == S(0)).all(); }
+
+  X x_, previous_;
+  mutable X next_;
+  mutable step_statistics statistics_;
+
+ private:
+  mutable std::remove_const_t<F> f_;
+  [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
+  [[no_unique_address]] mutable if_on_group<rate> within_;
+  [[no_unique_address]] mutable if_on_group<std::array<rate, 2>> sizes_;
+};
+
+}  // namespace kte
