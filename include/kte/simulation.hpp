@@ -22,6 +22,7 @@
 #include <kte/integrators/stormer_verlet.hpp>
 #include <kte/integrators/tr_bdf2.hpp>
 #include <kte/integrators/trapezoidal.hpp>
+#include <kte/models/controlled.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>

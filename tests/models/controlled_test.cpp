@@ -1,0 +1,53 @@
+#include <kte/chain/registry.hpp>
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/models/controlled.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
+#include <kte/static.hpp>
+
+#include <cmath>
+
+#include "catch.hpp"
+
+// A wheel on a ball joint, turned by a motor that brakes it: of both kinds of chain.
+
+using namespace kte;
+
+namespace {
+
+// clang-format off
+constexpr struct turn_  final : rotation_3D_key<"turn"> {} turn;
+constexpr struct q_     final : coord_key<"q">          {} q;
+constexpr struct base_  final : frame_3D_key<"base">    {} base;
+constexpr struct hub_   final : frame_3D_key<"hub">     {} hub;
+constexpr struct wheel_ final : frame_3D_key<"wheel">   {} wheel;
+constexpr struct motor_ final : input_key<"motor">      {} motor;
+// clang-format on
+
+const rigid_body<> body{1.0, {}, {0.5, 0.0, 0.0, 0.5, 0.0, 0.5}};
+const auto gyroscope =
+    chain(spherical_joint_3D(turn, base, hub), inertia_3D(hub, body), revolute_joint_3D(q, hub, wheel, axis::z),
+          inertia_3D(wheel, body), driving_actuator_gen(q, motor));
+constexpr std::array q0{1.0, 0.0, 0.0, 0.0, 0.0};
+constexpr std::array v0{0.0, 0.0, 0.0, 2.0};
+
+/// The motor and its reaction on the hub brake the wheel against the hub: d/dt q_dot = -c q_dot (1/I + 1/I).
+constexpr double c = 0.25, rate = c * (1 / 0.5 + 1 / 0.5);
+const auto brake = [](double, const auto& x) { return std::array{-c * x[8]}; };
+
+}  // namespace
+
+TEST_CASE("A controlled model is driven by its law at every evaluation, on the group") {
+  const manipulator_dynamics_model model(gyroscope);
+  controlled gyro(model, brake);
+  static_assert(moves_on_group<decltype(gyro), decltype(gyro)::state>);
+  dormand_prince45 solver(std::ref(gyro), 0.0, gyro.make_x(q0, v0), {.absolute = 1e-12, .relative = 1e-12});
+  solver.integrate(2);
+  CHECK(solver.state()[8] == Approx(2 * std::exp(-2 * rate)).epsilon(1e-10));
+  CHECK(gyro.input()[0] != 0);
+
+  const manipulator_dynamics_model same_model(to_chain(record_of(gyroscope)));
+  controlled runtime(same_model, brake);
+  dormand_prince45 same(std::ref(runtime), 0.0, runtime.make_x(q0, v0), {.absolute = 1e-12, .relative = 1e-12});
+  same.integrate(2);
+  CHECK((same.state() - solver.state()).norm() < 1e-10);
+}
