@@ -20,6 +20,7 @@
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
+#include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_lugre.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>

@@ -6,6 +6,7 @@
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
+#include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_lugre.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
@@ -127,6 +128,10 @@ class element_registry {
     r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
     r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
     r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
+    r.add("joint_backlash_gen", [](in x) {
+      return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
+                                x.number("damping"));
+    });
     r.add("joint_lugre_gen", [](in x) {
       return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
                              {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),

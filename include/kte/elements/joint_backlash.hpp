@@ -1,0 +1,88 @@
+#pragma once
+
+#include <kte/chain/transmission.hpp>
+#include <kte/math/select.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// Play between two coordinates, of width g, with teeth of stiffness k and damping c that touch beyond it:
+///
+///   x = q_2 - q_1,   d = x - g/2 for x > g/2,  x + g/2 for x < -g/2,  else 0          (1)
+///   s = k d + c x_dot where the teeth touch, but never of the sign of a pull: they do not stick together    (2)
+///   f_1 += s,  f_2 -= s                                                               (3)
+template <class S>
+struct joint_backlash_gen {
+  static constexpr type_name type{"joint_backlash", kind::gen};
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::on, "anchor1"}, {kind::gen, access::on, "anchor2"}}};
+
+  S gap, stiffness, damping;
+
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
+    const auto x = play(c1, c2);
+    using T = std::remove_const_t<decltype(x)>;
+    const T d = beyond(x), s = stiffness * d + damping * T(c2.q_dot - c1.q_dot),
+            none = s - s;                                           // zero, but NaN stays NaN
+    const T force = select(d > T(0), T(select(s > T(0), s, none)),  // (2)
+                           T(select(d < T(0), T(select(s < T(0), s, none)), T(d - d))));
+    return make_loads(force, -force);  // (3)
+  }
+  /// J
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto potential_energy(const C1& c1, const C2& c2) const {
+    const auto d = beyond(play(c1, c2));
+    using T = std::remove_const_t<decltype(d)>;
+    return T(T(0.5) * stiffness * d * d);
+  }
+  /// Zero where teeth begin and end to touch.
+  template <class C1, class C2>
+  KTE_INLINE constexpr auto switching(const C1& c1, const C2& c2) const {
+    const auto x = play(c1, c2);
+    using T = std::remove_const_t<decltype(x)>;
+    return T(T(gap * gap) / T(4) - x * x);
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(gap, "gap must be finite and not negative");
+    where.not_negative(stiffness, "stiffness must be finite and not negative");
+    where.not_negative(damping, "damping must be finite and not negative");
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("gap", self.gap), visit("stiffness", self.stiffness), visit("damping", self.damping);
+  }
+
+ private:
+  template <class C1, class C2>
+  KTE_INLINE static constexpr auto play(const C1& c1, const C2& c2) {
+    return as_number(c2.q - c1.q);
+  }
+  /// A typed constant as a number of S, a number as it is.
+  template <class T>
+  KTE_INLINE static constexpr auto as_number(const T& x) {
+    if constexpr (typed_constant<T>) {
+      return as<S>(x);
+    } else {
+      return x;
+    }
+  }
+  /// d of (1).
+  template <class T>
+  KTE_INLINE constexpr T beyond(const T& x) const {
+    const T half(gap / S(2));
+    return select(x > half, T(x - half), T(select(x < T(-half), T(x + half), T(x - x))));
+  }
+};
+
+}  // namespace core
+
+/// Play between two coordinates: gap (m, rad), stiffness of the teeth (N/m, Nm/rad), damping where they touch (Ns/m,
+/// Nms/rad).
+template <class Q1, class Q2, entry S>
+constexpr auto joint_backlash_gen(const Q1& anchor1, const Q2& anchor2, const S& gap, const S& stiffness,
+                                  const S& damping) {
+  return connect(core::joint_backlash_gen<S>{gap, stiffness, damping}, anchor1, anchor2);
+}
+
+}  // namespace kte
