@@ -50,6 +50,8 @@ class kte_element : public kte_map {
   virtual double potential_energy(runtime_state&) const = 0;
   /// What goes through zero where its law changes, after doMotion; 1 where it does not change.
   virtual double switching(runtime_state&) const = 0;
+  /// Whether it ever does.
+  virtual bool switches() const = 0;
 
   // The steps of the algorithms (chain/steps.hpp).
   virtual void perform(detail::steps::move, runtime_state&) const = 0;

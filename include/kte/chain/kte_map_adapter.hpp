@@ -35,6 +35,10 @@ class kte_map_adapter final : public kte_element {
   double kinetic_energy(runtime_state& s) const override { return as<double>(on(s).kinetic_energy(inputs{})); }
   double potential_energy(runtime_state& s) const override { return as<double>(on(s).potential_energy(inputs{})); }
   double switching(runtime_state& s) const override { return as<double>(on(s).switching(inputs{})); }
+  bool switches() const override {
+    using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
+    return !typed_constant<number>;
+  }
 
   void perform(detail::steps::move step, runtime_state& s) const override { take(step, s); }
   void perform(detail::steps::push step, runtime_state& s) const override { take(step, s); }

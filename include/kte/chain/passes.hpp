@@ -27,6 +27,13 @@ inline constexpr std::size_t kept_port = [] {
   return p;
 }();
 
+template <class Core>
+inline constexpr int kept_count = [] {
+  int n = 0;
+  for (const auto& p : Core::ports) n += p.how == access::keep;
+  return n;
+}();
+
 /// Where the ports of an element lead, as a list of indices.
 struct by_index {
   const int* index;
@@ -44,6 +51,7 @@ struct stored_element {
   Where where;
 
   static constexpr std::size_t ports = port_count<Core>;
+  static_assert(kept_count<Core> <= 1, "kte: an element keeps one internal state at most");
   template <std::size_t P>
   static constexpr port at = Core::ports[P];
 

@@ -36,12 +36,12 @@ struct joint_backlash_gen {
     using T = std::remove_const_t<decltype(d)>;
     return T(T(0.5) * stiffness * d * d);
   }
-  /// Zero where teeth begin and end to touch.
+  /// Zero where |x| = g/2: where teeth begin to touch, and without damping where they part.
   template <class C1, class C2>
   KTE_INLINE constexpr auto switching(const C1& c1, const C2& c2) const {
     const auto x = play(c1, c2);
     using T = std::remove_const_t<decltype(x)>;
-    return T(T(gap * gap) / T(4) - x * x);
+    return T(select(T(gap) > T(0), T(T(gap * gap) / T(4) - x * x), x));
   }
   constexpr void check(const parameter_check& where) const {
     where.not_negative(gap, "gap must be finite and not negative");

@@ -60,6 +60,12 @@ requires moves_on_group<F, X>
 struct rate_type<F, X> {
   using type = typename F::rate;
 };
+/// Whether the states by which F calls its own move on a group.
+template <class F>
+inline constexpr bool has_states_on_group = false;
+template <class F>
+requires requires { typename F::state; }
+inline constexpr bool has_states_on_group<F> = moves_on_group<F, typename F::state>;
 }  // namespace detail
 
 /// The rates of states X under f, and displacements: X itself where states are vectors.

@@ -27,6 +27,9 @@ class moving_state {
   using rate = rate_of<F, X>;
   static_assert(X::ColsAtCompileTime == 1, "kte: a state is a column vector");
   static_assert(std::invocable<F&, const S&, const X&>, "kte: a right-hand side is called as f(t, x)");
+  static_assert(!detail::has_states_on_group<detail::unwrapped_type<F>> || moves_on_group<detail::unwrapped_type<F>, X>,
+                "kte: the states of this model move on a group: give the integrator a start state of its type `state`, "
+                "as make_x does");
 
  protected:
   /// Whether states are no vectors.

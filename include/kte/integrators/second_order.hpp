@@ -7,8 +7,8 @@ namespace kte {
 /// What methods need that treat positions and velocities differently: rates r = (v, a, z'), of which the first n are
 /// the rates v of positions and the next n are those of v; x has the numbers v behind its positions.
 ///
-/// n is f.velocity_count() where f has that, as `manipulator_dynamics_model`; else half of the rates, which then have no
-/// third part.
+/// n is f.velocity_count() where f has that, as `manipulator_dynamics_model`; else half of the rates, which then have
+/// no third part.
 template <class F, class Rate>
 Eigen::Index velocities_in(const F& f, const Rate& r) {
   if constexpr (requires { f.velocity_count(); }) {

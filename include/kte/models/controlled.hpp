@@ -18,11 +18,39 @@ class controlled : public Model {
 
   template <class T, class X>
   decltype(auto) operator()(const T& t, const X& x) {
-    this->setInput(law_(t, x));
+    follow(t, x);
     return Model::operator()(t, x);
   }
+  template <class T, class X>
+  decltype(auto) computeStateRate(const T& t, const X& x) {
+    follow(t, x);
+    return Model::computeStateRate(t, x);
+  }
+  template <class T, class X>
+  decltype(auto) state_at(const T& t, const X& x) {
+    follow(t, x);
+    return Model::state_at(t, x);
+  }
+  template <class T, class X>
+  auto computeOutput(const T& t, const X& x) {
+    follow(t, x);
+    return Model::computeOutput(t, x);
+  }
+  template <class F>
+  auto with_output(const F& f) const {
+    auto m = Model::with_output(f);
+    return controlled<decltype(m), Law>(m, law_);
+  }
+  /// Knows no time: a variational integrator would pass the law by.
+  template <class X>
+  void forces_at(const X&) const = delete;
 
  private:
+  template <class T, class X>
+  void follow(const T& t, const X& x) {
+    this->setInput(law_(t, x));
+  }
+
   Law law_;
 };
 

@@ -5,7 +5,6 @@
 #include <kte/events/events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
-#include <algorithm>
 #include <functional>
 
 namespace kte {
@@ -44,7 +43,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
   /// The same for integrators: NaN where numbers are not finite, so that they try a shorter step, or say when it was.
   const rate& operator()(double t, const state& x) {
-    check_size(static_cast<std::size_t>(nq() + dofs() + internals()), x, "x", "numbers of a state");
+    check_state(x);
     try {
       return computeStateRate(t, x);
     } catch (const bad_argument&) {
@@ -66,6 +65,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
   /// Puts x and the inputs into a state of the chain. Frames follow with the next doMotion.
   void setJointStates(const state& x, runtime_state& s) const {
+    check_state(x);
     set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
     for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
     for (int i = 0; i < u_.size(); ++i) s.get<kind::input>(i) = u_[i];
@@ -78,17 +78,18 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
   Eigen::VectorXd computeOutput(double t, const state& x) {
+    check_state(x);
     if (output_) return output_(state_at(t, x));
     return x.head(nq() + dofs());
   }
-  /// What goes through zero where the law of an element changes: the product of the elements' `switching`, each limited
-  /// to [-1, 1]. For an event: `element_events(model)`.
-  double switching(const state& x) {
+  /// What goes through zero where the law of an element changes, of number `which` of those whose law does; 1 beyond
+  /// the last. For events: `element_events(model)`.
+  double switching(const state& x, std::size_t which) {
     setJointStates(x, s_);
     doMotion(s_);
-    double product = 1;
-    for (const auto& e : wiring().elements) product *= std::clamp(e.element->switching(s_), -1.0, 1.0);
-    return product;
+    for (const auto& e : wiring().elements)
+      if (e.element->switches() && which-- == 0) return e.element->switching(s_);
+    return 1;
   }
 
   /// The same system with another output, of a state of the chain.
@@ -98,7 +99,16 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return m;
   }
 
+  // The chain of a model stays as it is.
+  const vec3<>& gravity() const { return kte_map_chain::gravity(); }
+  template <class E>
+  void operator<<(E&&) = delete;
+  void append(std::unique_ptr<kte_map>) = delete;
+
  private:
+  void check_state(const state& x) const {
+    check_size(static_cast<std::size_t>(nq() + dofs() + internals()), x, "x", "numbers of a state");
+  }
   /// doMotion of the elements that keep them, and of what these depend on.
   void rates_of_internals() {
     const auto& t = wiring();
@@ -117,9 +127,19 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
 };
 manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
 
-/// As of a static chain (models/element_events.hpp), all elements in one event.
-inline auto element_events(manipulator_dynamics_model<kte_map_chain>& model) {
-  return events(event([&model](double, const Eigen::VectorXd& x) { return model.switching(x); }).restart());
+/// As of a static chain (models/element_events.hpp), an event for each of at most `Most` elements whose law changes.
+/// Throws `bad_argument` where there are more.
+template <std::size_t Most = 16>
+auto element_events(manipulator_dynamics_model<kte_map_chain>& model) {
+  std::size_t count = 0;
+  for (const auto& e : model.wiring().elements) count += e.element->switches();
+  if (count > Most)
+    throw bad_argument("kte: " + std::to_string(count) + " elements have laws that change; element_events<" +
+                       std::to_string(Most) + "> has room for fewer");
+  return [&model]<std::size_t... I>(std::index_sequence<I...>) {
+    return events(event([&model](double, const Eigen::VectorXd& x) { return model.switching(x, I); }).restart()...);
+  }
+  (std::make_index_sequence<Most>{});
 }
 
 }  // namespace kte

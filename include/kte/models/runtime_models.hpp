@@ -28,6 +28,12 @@ class inverse_dynamics_model<kte_map_chain> : public kte_map_chain {
     return mass_matrix(*this, s_, q);
   }
 
+  // The chain of a model stays as it is.
+  const vec3<>& gravity() const { return kte_map_chain::gravity(); }
+  template <class E>
+  void operator<<(E&&) = delete;
+  void append(std::unique_ptr<kte_map>) = delete;
+
  private:
   runtime_state s_;
 };
@@ -66,6 +72,12 @@ class manipulator_kinematics_model<kte_map_chain> : public kte_map_chain {
     set_velocities(s_, v);
     return getJacobianMatrix(q) * velocities(s_);
   }
+
+  // The chain of a model stays as it is.
+  const vec3<>& gravity() const { return kte_map_chain::gravity(); }
+  template <class E>
+  void operator<<(E&&) = delete;
+  void append(std::unique_ptr<kte_map>) = delete;
 
  private:
   std::vector<std::string> frames_;

@@ -84,6 +84,7 @@ class state_space : public Chain {
 
   // ---- motion on the group, where there are rotations
   void displace(const state& x, const rate& d, state& out) const requires(!size::only_numbers) {
+    out.resize(x.size());
     const S* from = x.data();
     for (const auto& f : freedoms()) detail::displace_one<S>(f, from, d.data(), out);
     vectors_of(out) = vectors_of(x) + vectors_of(d);
