@@ -51,3 +51,15 @@ TEST_CASE("A controlled model is driven by its law at every evaluation, on the g
   same.integrate(2);
   CHECK((same.state() - solver.state()).norm() < 1e-10);
 }
+
+TEST_CASE("A controlled model follows its law wherever it is asked") {
+  const manipulator_dynamics_model model(gyroscope);
+  controlled gyro(model, [](double t, const auto&) { return std::array{t}; });
+  const auto x = gyro.make_x(q0, v0);
+  const double q_ddot = 0.25 * (1 / 0.5 + 1 / 0.5);  // as in the rate of the brake
+  CHECK(gyro(0.25, x)[7] == Approx(q_ddot).epsilon(1e-14));
+  CHECK(gyro.computeStateRate(0.5, x)[7] == Approx(2 * q_ddot).epsilon(1e-14));
+  CHECK(gyro.state_at(0.25, x)[q].q_ddot == Approx(q_ddot).epsilon(1e-14));
+  auto torque = gyro.with_output([](const auto& s) { return s[motor]; });
+  CHECK(torque.computeOutput(0.75, x) == 0.75);
+}

@@ -74,3 +74,12 @@ TEST_CASE("Friction that turns round is an event, beside those of users") {
   CHECK(turns >= 2);
   CHECK(middles >= 2);
 }
+
+TEST_CASE("Elements of a runtime chain have events of their own, also where laws change together or rest") {
+  auto twice = sprung_at_run_time();
+  twice << spring_gen("anchor", "q", 0.0, k, most);
+  manipulator_dynamics_model model(twice);
+  dormand_prince45 solver(std::ref(model), 0.0, Eigen::VectorXd(model.make_x(std::array{start}, std::array{0.0})));
+  CHECK(integrate(solver, 0.25, element_events(model)).events.size() == 4);  // down through the limit, up to the other
+  CHECK_THROWS_WITH(element_events<1>(model), test::contains_text("2 elements have laws that change"));
+}
