@@ -47,14 +47,13 @@ class fixed_step : public integrator<Method, F, X> {
 
  private:
   void start(const S& t_end) {
-    this->previous_time_ = this->time_;  // what was kept of the last step goes
     grid_ = time_grid<S>(this->time_, t_end, step_, "step");
     index_ = 0;
     lost_.setZero();
     if constexpr (requires(Method & m) { m.prepare(); }) static_cast<Method&>(*this).prepare();
   }
   void advance(const S&) {
-    this->previous_time_ = this->time_;
+    this->previous_time_ = this->time_;  // what was kept of the last step goes
     const S end = grid_[++index_];
     static_cast<Method&>(*this).try_step(end);
     if (!this->next_is_finite()) [[unlikely]]

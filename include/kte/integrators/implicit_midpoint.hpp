@@ -36,7 +36,10 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
 
  private:
   /// A guess for the first step; later ones begin at the k of the step before.
-  void prepare() { this->evaluate(this->time_, this->x_, k_); }
+  void prepare() {
+    this->evaluate(this->time_, this->x_, k_);
+    this->previous_time_ = this->time_;  // nothing left to interpolate
+  }
 
   void try_step(const S& end) {
     const S h = end - this->time_, middle = this->time_ + h / 2;

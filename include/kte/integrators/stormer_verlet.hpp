@@ -39,7 +39,10 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
   static constexpr bool separable = requires { requires detail::unwrapped_type<F>::accelerations_ignore_velocities; };
 
   /// Before the first step: a at the start.
-  void prepare() { this->evaluate(this->time_, this->x_, raw_); }
+  void prepare() {
+    this->evaluate(this->time_, this->x_, raw_);
+    this->previous_time_ = this->time_;  // nothing left to interpolate
+  }
 
   void try_step(const S& end) {
     const S h = end - this->time_;
