@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/jacobian.hpp>
 
