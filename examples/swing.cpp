@@ -3,9 +3,9 @@
 /// and swing.mcap (for Foxglove), the times at which the tool passes the height of the shoulder found as events, and
 /// its energy watched.
 #include <kte/dynamics/energy.hpp>
+#include <kte/events/events.hpp>
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
-#include <kte/events/events.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/io.hpp>

@@ -1,8 +1,7 @@
 // expect: error: .*kte: this chain has no input of this name
 // expect: motor_
-#include <kte/models/manipulator_dynamics_model.hpp>
-
 #include <kte/kte.hpp>
+#include <kte/models/manipulator_dynamics_model.hpp>
 
 // clang-format off
 inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
