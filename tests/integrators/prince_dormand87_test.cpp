@@ -27,18 +27,7 @@ TEST_CASE("Prince-Dormand: the global error is of order 8") {
 }
 
 TEST_CASE("Prince-Dormand: the dense output is of order 7: its error in one step falls with h^8") {
-  const real50 start = 0.3;
-  const auto worst = [&](const real50& h) {  // the largest error of the oscillator within one step, both components
-    auto solver = one_step_solver<prince_dormand87>(oscillator, state<real50>(cos(start), -sin(start)));
-    solver.integrate(h);
-    real50 most = 0;
-    for (int i = 1; i < 16; ++i) {
-      const real50 t = h * i / 16;
-      const state<real50> x = solver.interpolate(t);
-      most = std::max({most, real50(abs(x[0] - cos(start + t))), real50(abs(x[1] + sin(start + t)))});
-    }
-    return most;
-  };
+  const auto worst = [](const real50& h) { return error_within_step<prince_dormand87>(h); };
   CHECK(slope(worst(real50(1) / 4), worst(real50(1) / 8)) == Approx(8.0).margin(0.1));
   CHECK(slope(worst(real50(1) / 8), worst(real50(1) / 16)) == Approx(8.0).margin(0.1));
 }

@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 /// A pendulum and a linear oscillator, at any precision.
@@ -34,6 +35,20 @@ auto one_step_solver(const F& f, const state<real50>& x0) {
   solver.integrate(100);
   solver.restart(0, x0);
   return solver;
+}
+/// The largest error of the oscillator within one step of length h, of both components.
+template <template <class, class> class Method>
+real50 error_within_step(const real50& h) {
+  const real50 start = 0.3;
+  auto solver = one_step_solver<Method>(oscillator, state<real50>(cos(start), -sin(start)));
+  solver.integrate(h);
+  real50 most = 0;
+  for (int i = 1; i < 16; ++i) {
+    const real50 t = h * i / 16;
+    const state<real50> x = solver.interpolate(t);
+    most = std::max({most, real50(abs(x[0] - cos(real50(start + t)))), real50(abs(x[1] + sin(real50(start + t))))});
+  }
+  return most;
 }
 inline double slope(const real50& coarse, const real50& fine) {
   return static_cast<double>(log(coarse / fine)) / 0.6931471805599453;
