@@ -4,6 +4,7 @@
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/events/events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
+#include <kte/models/unchanging_chain.hpp>
 
 #include <functional>
 
@@ -11,7 +12,7 @@ namespace kte {
 
 namespace detail {
 template <>
-struct sizes_of_model<kte_map_chain> {
+struct sizes_of_model<unchanging_chain> {
   static constexpr int q = Eigen::Dynamic, v = q, z = q, u = q, x = q, x_dot = q;
   static constexpr bool only_numbers = false;
   static std::span<const freedom> freedoms(const kte_map_chain& c) { return c.wiring().free; }
@@ -25,8 +26,8 @@ struct sizes_of_model<kte_map_chain> {
 
 /// `manipulator_dynamics_model` of a runtime chain.
 template <>
-class manipulator_dynamics_model<kte_map_chain, double, void> : public state_space<kte_map_chain, double> {
-  using base = state_space<kte_map_chain, double>;
+class manipulator_dynamics_model<kte_map_chain, double, void> : public state_space<unchanging_chain, double> {
+  using base = state_space<unchanging_chain, double>;
 
  public:
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
@@ -98,12 +99,6 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     m.output_ = std::move(f);
     return m;
   }
-
-  // The chain of a model stays as it is.
-  const vec3<>& gravity() const { return kte_map_chain::gravity(); }
-  template <class E>
-  void operator<<(E&&) = delete;
-  void append(std::unique_ptr<kte_map>) = delete;
 
  private:
   void check_state(const state& x) const {

@@ -5,15 +5,16 @@
 #include <kte/dynamics/runtime_frames.hpp>
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/manipulator_kinematics_model.hpp>
+#include <kte/models/unchanging_chain.hpp>
 
 namespace kte {
 
 /// `inverse_dynamics_model` of a runtime chain. It has a state of its own to work in; what it returns is valid until
 /// its next call: one model a thread.
 template <>
-class inverse_dynamics_model<kte_map_chain> : public kte_map_chain {
+class inverse_dynamics_model<kte_map_chain> : public unchanging_chain {
  public:
-  explicit inverse_dynamics_model(const kte_map_chain& c) : kte_map_chain(c), s_(make_state()) {}
+  explicit inverse_dynamics_model(const kte_map_chain& c) : unchanging_chain(c), s_(make_state()) {}
 
   template <indexable Q, indexable V, indexable A>
   const Eigen::VectorXd& computeForces(const Q& q, const V& v, const A& a) {
@@ -28,12 +29,6 @@ class inverse_dynamics_model<kte_map_chain> : public kte_map_chain {
     return mass_matrix(*this, s_, q);
   }
 
-  // The chain of a model stays as it is.
-  const vec3<>& gravity() const { return kte_map_chain::gravity(); }
-  template <class E>
-  void operator<<(E&&) = delete;
-  void append(std::unique_ptr<kte_map>) = delete;
-
  private:
   runtime_state s_;
 };
@@ -41,11 +36,11 @@ inverse_dynamics_model(const kte_map_chain&)->inverse_dynamics_model<kte_map_cha
 
 /// `manipulator_kinematics_model` of a runtime chain, of frames by name.
 template <>
-class manipulator_kinematics_model<kte_map_chain> : public kte_map_chain {
+class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
  public:
   /// Throws `unknown_name` for a frame that the chain does not have.
   manipulator_kinematics_model(const kte_map_chain& c, std::vector<std::string> frames)
-      : kte_map_chain(c), frames_(std::move(frames)), s_(make_state()) {
+      : unchanging_chain(c), frames_(std::move(frames)), s_(make_state()) {
     if (frames_.empty()) throw bad_argument("kte: a kinematics model needs a frame that depends on the joints");
     for (const auto& f : frames_)
       if (!is_frame(wiring().kind_of(f))) throw unknown_name("kte: '" + f + "' is no frame");
@@ -72,12 +67,6 @@ class manipulator_kinematics_model<kte_map_chain> : public kte_map_chain {
     set_velocities(s_, v);
     return getJacobianMatrix(q) * velocities(s_);
   }
-
-  // The chain of a model stays as it is.
-  const vec3<>& gravity() const { return kte_map_chain::gravity(); }
-  template <class E>
-  void operator<<(E&&) = delete;
-  void append(std::unique_ptr<kte_map>) = delete;
 
  private:
   std::vector<std::string> frames_;
