@@ -8,9 +8,32 @@
 using Catch::Approx;
 #endif
 
+#include <cmath>
+#include <ostream>
 #include <string>
 
 namespace kte::test {
+
+/// What a number must lie near: `CHECK(x == within(2.5, 1e-14))` means |x - 2.5| <= 1e-14, and nothing else. (Catch2's
+/// own Approx also takes whatever is within its default relative error of 1.2e-5.) NaN is near nothing.
+class within {
+ public:
+  within(double expected, double margin) : expected_(expected), margin_(margin) {}
+  friend bool operator==(double x, const within& w) {
+    return x == w.expected_ || std::abs(x - w.expected_) <= w.margin_;
+  }
+  friend std::ostream& operator<<(std::ostream& out, const within& w) {
+    const auto digits = out.precision(17);
+    out << w.expected_ << " +- " << w.margin_;
+    out.precision(digits);
+    return out;
+  }
+
+ private:
+  double expected_, margin_;
+};
+/// The same with a margin relative to the expected number.
+inline within within_relative(double expected, double epsilon) { return {expected, epsilon * std::abs(expected)}; }
 
 /// Matches a text that contains `part`.
 inline auto contains_text(const std::string& part) {
