@@ -5,7 +5,6 @@
 #  include <catch2/catch.hpp>
 #else
 #  include <catch2/catch_all.hpp>
-using Catch::Approx;
 #endif
 
 #include <cmath>
@@ -14,8 +13,8 @@ using Catch::Approx;
 
 namespace kte::test {
 
-/// What a number must lie near: `CHECK(x == within(2.5, 1e-14))` means |x - 2.5| <= 1e-14, and nothing else. (Catch2's
-/// own Approx also takes whatever is within its default relative error of 1.2e-5.) NaN is near nothing.
+/// What a number must lie near: `CHECK(x == within(2.5, 1e-14))` means |x - 2.5| <= 1e-14, and nothing else. NaN is
+/// near nothing. (What Catch2 has for this also takes whatever is within a relative error of 1.2e-5: no test uses it.)
 class within {
  public:
   within(double expected, double margin) : expected_(expected), margin_(margin) {}
@@ -45,3 +44,4 @@ inline auto contains_text(const std::string& part) {
 }
 
 }  // namespace kte::test
+using kte::test::within, kte::test::within_relative;

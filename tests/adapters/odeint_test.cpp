@@ -64,8 +64,8 @@ TEST_CASE("odeint: controlled and dense steppers, states of fixed and dynamic si
   };
   const auto adams = []<class X>(const X&) { return integrated<X>(od::adams_bashforth_moulton<8, X>(), 10, 1e-3); };
   const auto check = [](auto run) {
-    CHECK(run(Eigen::Vector2d())[0] == Approx(theta10).margin(1e-7));
-    CHECK(run(Eigen::VectorXd())[0] == Approx(theta10).margin(1e-7));
+    CHECK(run(Eigen::Vector2d())[0] == within(theta10, 1e-7));
+    CHECK(run(Eigen::VectorXd())[0] == within(theta10, 1e-7));
   };
   SECTION("Dormand-Prince") { check(dopri5); }
   SECTION("Dormand-Prince, dense") { check(dense_dopri5); }

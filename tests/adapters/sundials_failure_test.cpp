@@ -11,6 +11,8 @@ using kte::test::contains_text;
 namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
+/// x' = 1 is exact by every method; less than 100 steps round by 1e-16 of the state, 10 times that in a history.
+constexpr double hundred_roundings = 1e-13;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
 /// Calls run(solver) with a new solver of each kind, from 1 at time 0.
@@ -31,7 +33,7 @@ TEST_CASE("SUNDIALS: a blow-up in finite time stops with the last good state") {
   const auto square = [](double, const scalar_state& x) { return scalar_state(x[0] * x[0]); };
   with_each(square, [](auto& solver) {
     CHECK_THROWS_WITH(solver.integrate(2), contains_text("stopped at t = ") && contains_text("lost in the rounding"));
-    CHECK(solver.time() == Approx(1.0).epsilon(1e-4));
+    CHECK(solver.time() == within_relative(1.0, 1e-4));
     CHECK(solver.state()[0] > 1e6);
     CHECK(std::isfinite(solver.state()[0]));
     CHECK(solver.interpolate(solver.time()) == solver.state());
@@ -43,14 +45,14 @@ TEST_CASE("SUNDIALS: a right-hand side that is not a number stops the integratio
   const auto f = [](double t, const scalar_state&) { return scalar_state(t < 0.5 ? 1.0 : nan); };
   with_each(f, [](auto& solver) {
     CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.49999") && contains_text("no finite number"));
-    CHECK(solver.state()[0] == Approx(1 + solver.time()));
+    CHECK(solver.state()[0] == within(1 + solver.time(), hundred_roundings));
     CHECK(solver.statistics().rejected < 100);
     solver.restart(0.7, scalar_state(3.0));
     CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.69999") && contains_text("no finite number"));
     CHECK(solver.state()[0] == 3.0);
     solver.restart(0, scalar_state(3.0));
     solver.integrate(0.25);
-    CHECK(solver.state()[0] == Approx(3.25));
+    CHECK(solver.state()[0] == within(3.25, hundred_roundings));
   });
 }
 
@@ -71,7 +73,7 @@ TEST_CASE("SUNDIALS: its reason is told") {
   CHECK(solver.state()[0] == 1.0);
   CVodeSetMinStep(solver.memory(), 0);
   solver.integrate(1);
-  CHECK(solver.state()[0] == Approx(0.0).margin(1e-5));
+  CHECK(solver.state()[0] == within(0.0, 1e-5));
 }
 
 TEST_CASE("SUNDIALS: too many steps, and on with the rest") {
@@ -85,7 +87,7 @@ TEST_CASE("SUNDIALS: too many steps, and on with the rest") {
         CHECK(s.steps + s.rejected >= 50);
         CHECK(s.steps + s.rejected < 60);  // several tries at the last step
         const double reached = solver.time();
-        CHECK(solver.state()[0] == Approx(1 + std::sin(1000 * reached) / 1000).margin(1e-6));
+        CHECK(solver.state()[0] == within(1 + std::sin(1000 * reached) / 1000, 1e-6));
         CHECK_THROWS_AS(solver.integrate(10), integration_failure);
         CHECK(solver.time() > reached);
       },
@@ -110,18 +112,18 @@ TEST_CASE("SUNDIALS: what f throws comes out, and the state before it stays") {
       CHECK(e.t > 0.3);
     }
     CHECK(solver.time() < 0.3);
-    CHECK(solver.state()[0] == Approx(1 + solver.time()));
+    CHECK(solver.state()[0] == within(1 + solver.time(), hundred_roundings));
     CHECK(solver.interpolate(solver.time()) == solver.state());
     wall = 2;
     solver.integrate(1);
-    CHECK(solver.state()[0] == Approx(2.0));
+    CHECK(solver.state()[0] == within(2.0, hundred_roundings));
     CHECK_THROWS_AS(solver.integrate(2, every(0.5),
                                      [](double t, const auto&) {
                                        if (t > 1) throw own_error{t};
                                      }),
                     own_error);
     solver.integrate(2);
-    CHECK(solver.state()[0] == Approx(3.0));
+    CHECK(solver.state()[0] == within(3.0, hundred_roundings));
   });
 }
 
@@ -137,7 +139,7 @@ TEST_CASE("SUNDIALS: what f throws where it is called to interpolate") {
   broken = true;
   CHECK_THROWS_AS(solver.interpolate((before + last) / 2), std::domain_error);
   broken = false;
-  CHECK(solver.interpolate((before + last) / 2)[0] == Approx(std::exp(-(before + last) / 2)));
+  CHECK(solver.interpolate((before + last) / 2)[0] == within(std::exp(-(before + last) / 2), 1e-5));
 }
 
 struct bad_jacobian {

@@ -122,28 +122,28 @@ TEST_CASE("a state belongs to the chain it was made for") {
 
 TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
   using namespace kte;
-  using Catch::Matchers::Contains;
+  using kte::test::contains_text;
   kte_map_chain c;
   c << revolute_joint_3D("q", "base", "joint") << rigid_link_3D("joint", "tip", along_z(0.5));
   const auto before = record_of(c);
   SECTION("written twice") {
     CHECK_THROWS_WITH(c << rigid_link_3D("base", "tip", along_z(1)),
-                      Contains("rigid_link_3D (base 'base', end 'tip')") && Contains("written twice"));
+                      contains_text("rigid_link_3D (base 'base', end 'tip')") && contains_text("written twice"));
   }
   SECTION("read before written") {
     CHECK_THROWS_WITH(c << rigid_link_3D("tip", "base", along_z(1)),
-                      Contains("'base'") && Contains("read before it is written"));
-    CHECK_THROWS_WITH(c << rigid_link_3D("a", "a", along_z(1)), Contains("'a'"));
+                      contains_text("'base'") && contains_text("read before it is written"));
+    CHECK_THROWS_WITH(c << rigid_link_3D("a", "a", along_z(1)), contains_text("'a'"));
   }
   SECTION("unknown") {
     CHECK_THROWS_WITH(c << inertia_3D("tpi", point_mass(1.0)),
-                      Contains("inertia_3D (frame 'tpi')") && Contains("misspelt"));
+                      contains_text("inertia_3D (frame 'tpi')") && contains_text("misspelt"));
   }
   SECTION("wrong kind") {
-    CHECK_THROWS_WITH(c << inertia_2D("tip", point_mass(1.0)), Contains("'tip' is a 3D frame, not a 2D frame"));
-    CHECK_THROWS_WITH(c << inertia_3D("q", point_mass(1.0)), Contains("'q' is a coordinate, not a 3D frame"));
+    CHECK_THROWS_WITH(c << inertia_2D("tip", point_mass(1.0)), contains_text("'tip' is a 3D frame, not a 2D frame"));
+    CHECK_THROWS_WITH(c << inertia_3D("q", point_mass(1.0)), contains_text("'q' is a coordinate, not a 3D frame"));
   }
-  SECTION("no name") { CHECK_THROWS_WITH(c << inertia_3D("", point_mass(1.0)), Contains("frame has no name")); }
+  SECTION("no name") { CHECK_THROWS_WITH(c << inertia_3D("", point_mass(1.0)), contains_text("frame has no name")); }
   SECTION("a chain of which the second element is wrong") {
     kte_map_chain more;
     more << rigid_link_3D("x", "tool", along_z(0.1)) << rigid_link_3D("tool", "tip", along_z(0.1));
@@ -151,7 +151,7 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
   }
   SECTION("a force on a coordinate that moves nothing") {
     c << spring_gen("q", "nothing", 0.0, 1.0);
-    CHECK_THROWS_WITH(c.make_state(), Contains("'nothing'"));
+    CHECK_THROWS_WITH(c.make_state(), contains_text("'nothing'"));
     c << inertia_gen("nothing", 1.0);
     CHECK_NOTHROW(c.make_state());
     return;

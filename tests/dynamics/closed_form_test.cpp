@@ -40,8 +40,8 @@ TEST_CASE("double pendulum") {
     const double exact1 = (m22 * (t1 - b1) - m12 * (t2 - b2)) / det, exact2 = (m11 * (t2 - b2) - m12 * (t1 - b1)) / det;
     const auto x = forward_dynamics(c, std::array{a, b}, std::array{u, w}, std::array{t1, t2});
     // About 30 roundings of numbers up to 100, divided by det >= 0.5: 30 eps 100 / 0.5 is 1.3e-12.
-    CHECK(x[0] == Approx(exact1).margin(1.3e-12));
-    CHECK(x[1] == Approx(exact2).margin(1.3e-12));
+    CHECK(x[0] == within(exact1, 1.3e-12));
+    CHECK(x[1] == within(exact2, 1.3e-12));
   }
 }
 
@@ -50,13 +50,14 @@ TEST_CASE("masses and springs in a row, in one dimension") {
                            spring_gen(q1, q2, 1.0, 20.0), damper_gen(q1, q2, 0.5), driving_actuator_gen(q2, motor));
   STATIC_REQUIRE(decltype(c)::dofs == 2);
   const auto x = forward_dynamics(c, std::array{1.5, 2.0}, std::array{1.0, 3.0}, std::array{0.0, 0.0});
-  CHECK(x[0] == Approx((-10 * 0.5 + 20 * (0.5 - 1) + 0.5 * 2) / 2));
-  CHECK(x[1] == Approx((-20 * (0.5 - 1) - 0.5 * 2) / 3));
+  // Forces are exact; a product with the rounded inverse of the mass, and the division here: 3 eps / 2 = 3.3e-16.
+  CHECK(x[0] == within_relative((-10 * 0.5 + 20 * (0.5 - 1) + 0.5 * 2) / 2, 4e-16));
+  CHECK(x[1] == within_relative((-20 * (0.5 - 1) - 0.5 * 2) / 3, 4e-16));
   auto s = make_state(c);  // the same with a moved wall and a motor
   s[q1].q = 1.5, s[q2].q = 2.0, s[wall].q = 0.25, s[motor] = 6.0;
   const auto y = forward_dynamics(c, s);
-  CHECK(y[0] == Approx((-10 * 0.25 + 20 * (0.5 - 1)) / 2));
-  CHECK(y[1] == Approx((-20 * (0.5 - 1) + 6) / 3));
+  CHECK(y[0] == within_relative((-10 * 0.25 + 20 * (0.5 - 1)) / 2, 4e-16));
+  CHECK(y[1] == within_relative((-20 * (0.5 - 1) + 6) / 3, 4e-16));
 }
 
 TEST_CASE("a base that moves") {
@@ -67,13 +68,13 @@ TEST_CASE("a base that moves") {
   s[base].ang_velocity = 3.0;
   s[base].ang_acceleration = 7.0;
   s[q1].q = 0.5;
-  CHECK(inverse_dynamics(c, s)[0] == Approx(2 * (1.0 - 9.0 * 0.5)));
-  CHECK(forward_dynamics(c, s)[0] == Approx(-(1.0 - 9.0 * 0.5)));
+  CHECK(inverse_dynamics(c, s)[0] == 2 * (1.0 - 9.0 * 0.5));
+  CHECK(forward_dynamics(c, s)[0] == -(1.0 - 9.0 * 0.5));
   s[base].position = {10.0, 20.0};
   s[base].rotation = rotation_by(0.5);
   const auto p = forward_kinematics(c, s, arm1);
-  CHECK(p.position.x == Approx(10 + 0.5 * std::cos(0.5)));
-  CHECK(p.position.y == Approx(20 + 0.5 * std::sin(0.5)));
+  CHECK(p.position.x == within(10 + 0.5 * std::cos(0.5), 2e-15));
+  CHECK(p.position.y == within(20 + 0.5 * std::sin(0.5), 4e-15));  // half an ulp on either side
 }
 
 TEST_CASE("two joints that share a coordinate") {

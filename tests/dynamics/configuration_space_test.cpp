@@ -232,10 +232,9 @@ TEST_CASE("numbers are just added, angles without end", "[configuration]") {
   CHECK(p[12] == 0.0);
   CHECK(p[15] == 102.0);
   CHECK(difference(model, q, p)[0] == 0.75);
-  CHECK(difference(model, q, p)[13] == Approx(2.0).epsilon(0).margin(200 * eps));
+  CHECK(difference(model, q, p)[13] == within(2.0, 200 * eps));
   v[13] = 4 * 5.0;  // more than half a turn: the shorter way
-  CHECK(difference(model, q, integrate(model, q, v, 0.25))[13] ==
-        Approx(5.0 - 2 * std::atan2(0.0, -1.0)).epsilon(0).margin(200 * eps));
+  CHECK(difference(model, q, integrate(model, q, v, 0.25))[13] == within(5.0 - 2 * std::atan2(0.0, -1.0), 200 * eps));
 }
 
 TEST_CASE("the plane is space about z", "[configuration]") {
@@ -247,14 +246,13 @@ TEST_CASE("the plane is space about z", "[configuration]") {
     const auto flat = integrate(in_plane, std::array{x, y, t}, std::array{vx, vy, w}, dt);
     const auto p = integrate(solid, std::array{x, y, 0.0, std::cos(t / 2), 0.0, 0.0, std::sin(t / 2)},
                              std::array{vx, vy, 0.0, 0.0, 0.0, w}, dt);
-    CHECK(flat[0] == Approx(p[0]).epsilon(0).margin(20 * eps));
-    CHECK(flat[1] == Approx(p[1]).epsilon(0).margin(20 * eps));
+    CHECK(flat[0] == within(p[0], 20 * eps));
+    CHECK(flat[1] == within(p[1], 20 * eps));
     CHECK(p[2] == 0.0);
-    CHECK(std::remainder(flat[2] - 2 * std::atan2(p[6], p[3]), 2 * std::atan2(0.0, -1.0)) ==
-          Approx(0.0).margin(20 * eps));
+    CHECK(std::remainder(flat[2] - 2 * std::atan2(p[6], p[3]), 2 * std::atan2(0.0, -1.0)) == within(0.0, 20 * eps));
     const auto back = difference(in_plane, std::array{x, y, t}, std::array{flat[0], flat[1], flat[2]});
-    CHECK(back[0] == Approx(vx * dt).epsilon(0).margin(40 * eps));
-    CHECK(back[2] == Approx(w * dt).epsilon(0).margin(40 * eps));
+    CHECK(back[0] == within(vx * dt, 40 * eps));
+    CHECK(back[2] == within(w * dt, 40 * eps));
   }
 }
 

@@ -74,8 +74,8 @@ TEST_CASE("a revolute joint leaves no torque along its axis to the base but f", 
   x.output().force = {1.0, -2.0, 0.5}, x.output().torque = {0.25, 3.0, -1.0};
   x.doForce();
   const double along = dot(oblique<double>(), x.output().torque);
-  CHECK(x.at<0>().f == Approx(along).margin(4 * eps<double>).epsilon(0));
-  CHECK(dot(oblique<double>(), x.at<1>().torque) == Approx(along).margin(rounding<double>).epsilon(0));
+  CHECK(x.at<0>().f == within(along, 4 * eps<double>));
+  CHECK(dot(oblique<double>(), x.at<1>().torque) == within(along, rounding<double>));
 }
 
 TEST_CASE("a revolute joint keeps NaN", "[elements][revolute_joint]") {

@@ -214,7 +214,7 @@ TEST_CASE("Adams: every scalar, and states of dynamic size") {
   adams l(pendulum, 0.0l, horizontal<long double>(), {.absolute = 1e-16l, .relative = 1e-16l});
   adams m(pendulum, real50(0), horizontal<real50>(), {.absolute = 1e-22, .relative = 1e-22});
   f.integrate(1), l.integrate(1), m.integrate(1);
-  CHECK(static_cast<double>(f.state()[0]) == Approx(static_cast<double>(theta1)).margin(2e-3));
+  CHECK(static_cast<double>(f.state()[0]) == within(static_cast<double>(theta1), 2e-3));
   CHECK(abs(real50(l.state()[0]) - theta1) < 1e-14);
   CHECK(abs(m.state()[0] - theta1) < 1e-19);
   const auto decay = [](double, const Eigen::VectorXd& x) -> Eigen::VectorXd { return -x; };
@@ -247,7 +247,7 @@ TEST_CASE("Adams: stiffness and rest") {
   };
   adams slow(stiff, 0.0, scalar_state<double>(0.0));
   slow.integrate(3);
-  CHECK(slow.state()[0] == Approx(std::cos(3.0) + std::sin(3.0) / 1000).margin(1e-5));
+  CHECK(slow.state()[0] == within(std::cos(3.0) + std::sin(3.0) / 1000, 1e-5));
   CHECK(slow.statistics().steps < 20000);  // steps of about 1/1000
   adams rest([](double, const scalar_state<double>&) { return scalar_state<double>(0.0); }, 0.0,
              scalar_state<double>(0.0));
@@ -260,7 +260,7 @@ TEST_CASE("Adams: failures stop with the last good state") {
   const auto square = [](double, const scalar_state<double>& x) { return scalar_state<double>(x[0] * x[0]); };
   adams blow_up(square, 0.0, scalar_state<double>(1.0));
   CHECK_THROWS_WITH(blow_up.integrate(2), contains_text("stopped at t = ") && contains_text("lost in the rounding"));
-  CHECK(blow_up.time() == Approx(1.0).epsilon(1e-4));
+  CHECK(blow_up.time() == within_relative(1.0, 1e-4));
   CHECK(std::isfinite(blow_up.state()[0]));
   CHECK(blow_up.interpolate(blow_up.time()) == blow_up.state());
   CHECK_THROWS_AS(blow_up.integrate(2), integration_failure);
@@ -268,10 +268,10 @@ TEST_CASE("Adams: failures stop with the last good state") {
   const auto wall = [](double t, const scalar_state<double>&) { return scalar_state<double>(t < 0.5 ? 1.0 : nan); };
   adams stopped(wall, 0.0, scalar_state<double>(0.0));
   CHECK_THROWS_WITH(stopped.integrate(1), contains_text("t = 0.49999") && contains_text("not a finite number"));
-  CHECK(stopped.state()[0] == Approx(stopped.time()));
+  CHECK(stopped.state()[0] == within(stopped.time(), 1e-14));  // exact, but for 100 roundings of 0.5
   CHECK(stopped.statistics().rejected < 100);
   stopped.integrate(0);
-  CHECK(stopped.state()[0] == Approx(0.0).margin(1e-6));
+  CHECK(stopped.state()[0] == within(0.0, 1e-6));
   adams at_once(wall, 0.7, scalar_state<double>(3.0));
   CHECK_THROWS_WITH(at_once.integrate(1), contains_text("t = 0.69999") && contains_text("not a finite number"));
 

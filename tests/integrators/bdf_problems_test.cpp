@@ -60,7 +60,8 @@ TEST_CASE("BDF: a Jacobian by differences does as well") {
   const auto given = solved<problem>(1e-9, 1e-4);
   const auto found = solved<problem, by_differences<problem>>(1e-9, 1e-4);
   CHECK(problems::scd(found.state(), problem::reference) > 8);
-  CHECK(found.statistics().steps == Approx(given.statistics().steps).epsilon(0.05));
+  CHECK(static_cast<double>(found.statistics().steps) ==
+        within_relative(static_cast<double>(given.statistics().steps), 0.05));
 }
 
 TEST_CASE("BDF: lower orders need more steps") {
@@ -79,7 +80,7 @@ TEST_CASE("BDF: a blow-up in finite time stops with the last good state") {
   bdf solver(square, 0.0, scalar_state(1.0));
   CHECK_THROWS_WITH(solver.integrate(2),
                     contains_text("stopped at t = 0.99999") && contains_text("lost in the rounding"));
-  CHECK(solver.time() == Approx(1.0).epsilon(1e-4));
+  CHECK(solver.time() == within_relative(1.0, 1e-4));
   CHECK(solver.state()[0] > 1e6);
   CHECK(std::isfinite(solver.state()[0]));
   CHECK(solver.interpolate(solver.time()) == solver.state());
@@ -92,7 +93,7 @@ TEST_CASE("BDF: a right-hand side that is not a number stops the integration bef
     bdf solver(f, 0.0, scalar_state(0.0));
     CHECK_THROWS_WITH(solver.integrate(1),
                       contains_text("t = 0.49999") && contains_text("not a finite number, however"));
-    CHECK(solver.state()[0] == Approx(solver.time()));
+    CHECK(solver.state()[0] == within(solver.time(), 1e-14));  // exact, but for 100 roundings of 0.5
     CHECK(solver.statistics().rejected < 200);
     bdf at_once(f, 0.7, scalar_state(3.0));
     CHECK_THROWS_WITH(at_once.integrate(1), contains_text("t = 0.69999") && contains_text("not a finite number"));
@@ -127,7 +128,7 @@ TEST_CASE("BDF: where the matrix is singular for a step, another step is taken")
   CHECK(singular.time() == h / 4);
   CHECK(singular.statistics().rejected == 1);
   singular.integrate(1);
-  CHECK(singular.state()[0] == Approx(1.0));
+  CHECK(singular.state()[0] == within(1.0, 1e-6));
 }
 
 TEST_CASE("BDF: too many steps, and bad settings") {
@@ -136,7 +137,7 @@ TEST_CASE("BDF: too many steps, and bad settings") {
   bdf solver(f, 0.0, x, {.absolute = 1e-9, .relative = 1e-9, .max_steps = 100});
   CHECK_THROWS_WITH(solver.integrate(10), contains_text("max_steps = 100 steps"));
   CHECK(solver.statistics().steps + solver.statistics().rejected == 100);
-  CHECK(solver.state()[0] == Approx(std::cos(solver.time())).margin(1e-5));
+  CHECK(solver.state()[0] == within(std::cos(solver.time()), 1e-5));
   for (int order : {0, 6, -1})
     CHECK_THROWS_WITH(bdf(f, 0.0, x, {}, {.max_order = order}),
                       contains_text("max_order must be 1 to 5, got " + std::to_string(order)));

@@ -61,9 +61,9 @@ TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k 
         between.push_back(std::log(static_cast<double>(most_between)));
       }
       UNSCOPED_INFO("order " << k);
-      CHECK(slope(steps, errors) == Approx(-k).margin(0.1));
-      CHECK(slope(steps, between) == Approx(-k).margin(0.1));
-      CHECK(slope(tolerance, steps) == Approx(-1.0 / (k + 1)).margin(0.03));  // steps may stay 1.3 times too short
+      CHECK(slope(steps, errors) == within(-k, 0.1));
+      CHECK(slope(steps, between) == within(-k, 0.1));
+      CHECK(slope(tolerance, steps) == within(-1.0 / (k + 1), 0.03));  // steps may stay 1.3 times too short
     }
   }
 }
@@ -74,14 +74,14 @@ TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error consta
     solver.integrate(10);
     return static_cast<double>(solver.statistics().steps);
   };
-  for (int k = 1; k <= 3; ++k) CHECK(steps(k, plain) / steps(k, ndf) == Approx(1.26).margin(0.05));
+  for (int k = 1; k <= 3; ++k) CHECK(steps(k, plain) / steps(k, ndf) == within(1.26, 0.05));
 }
 
 TEST_CASE("BDF: stiffness costs nothing") {
   const auto solve = [](double lambda) {
     bdf solver(towards_cosine(lambda), 0.0, one<double>(1.5), {.absolute = 1e-8, .relative = 1e-8});
     solver.integrate(10);
-    CHECK(solver.state()[0] == Approx(std::cos(10.0)).margin(1e-8));
+    CHECK(solver.state()[0] == within(std::cos(10.0), 1e-8));
     CHECK(solver.statistics().jacobians == 1);  // linear
     CHECK(solver.statistics().factorizations < solver.statistics().steps / 5);
     return solver.statistics().evaluations;
@@ -100,7 +100,7 @@ TEST_CASE("BDF: fast oscillations that decay slowly are followed or damped, not 
       bdf solver(f, 0.0, Eigen::Vector2d(1, 1));
       solver.integrate(20);
       UNSCOPED_INFO(w << ' ' << damping);
-      CHECK(solver.state()[0] == Approx(std::cos(20.0)).margin(1e-4));
+      CHECK(solver.state()[0] == within(std::cos(20.0), 1e-4));
       CHECK(solver.statistics().steps < 6000);  // 320 periods of w = 100 are seen
     }
   }
@@ -112,11 +112,11 @@ TEST_CASE("BDF: the dense output goes through the ends of steps, and is as exact
   solver.integrate(10, [&](double t, const auto& x) {
     if (t == before) return;
     const double d = 1e-9 * (t - before);
-    CHECK(solver.interpolate(before + d)[0] == Approx(x_before).margin(2 * d));
-    CHECK(solver.interpolate(t - d)[0] == Approx(x[0]).margin(2 * d));
+    CHECK(solver.interpolate(before + d)[0] == within(x_before, 2 * d));
+    CHECK(solver.interpolate(t - d)[0] == within(x[0], 2 * d));
     for (int i = 1; i < 8; ++i) {
       const double s = before + (t - before) * i / 8;
-      CHECK(solver.interpolate(s)[0] == Approx(std::cos(s)).margin(1e-9));
+      CHECK(solver.interpolate(s)[0] == within(std::cos(s), 1e-9));
     }
     before = t, x_before = x[0];
   });
@@ -139,9 +139,9 @@ TEST_CASE("BDF: no tiny last step, and the step before goes on") {
   solver.integrate(end + 1e-3);  // cut to less than a tenth: its differences say little about much longer steps
   solver.begin(end + 1);
   solver.step(end + 1);
-  CHECK(solver.time() - end - 1e-3 == Approx(2e-3));
+  CHECK(solver.time() - end - 1e-3 == within(2e-3, 1e-14));  // times near 17 round by 1.8e-15
   solver.integrate(end + 1);
-  CHECK(solver.state()[0] == Approx(std::cos(end + 1)).margin(1e-7));
+  CHECK(solver.state()[0] == within(std::cos(end + 1), 1e-7));
   bdf at_once(f, 0.0, one<double>(1.0)), in_pieces = at_once, in_small_pieces = at_once;
   at_once.integrate(10);
   for (int i = 1; i <= 10; ++i) in_pieces.integrate(i);
@@ -149,7 +149,7 @@ TEST_CASE("BDF: no tiny last step, and the step before goes on") {
   for (int i = 1; i <= 1000; ++i) in_small_pieces.integrate(i * 0.01);  // one step each, but for those of the start
   CHECK(in_small_pieces.statistics().steps < 1000 + 50);
   CHECK(in_small_pieces.statistics().factorizations < 30);
-  CHECK(in_small_pieces.state()[0] == Approx(std::cos(10.0)).margin(1e-9));
+  CHECK(in_small_pieces.state()[0] == within(std::cos(10.0), 1e-9));
 }
 
 TEST_CASE("BDF: the history goes on where nothing has changed, else it begins anew") {
@@ -175,7 +175,7 @@ TEST_CASE("BDF: the history goes on where nothing has changed, else it begins an
   CHECK_THROWS_AS(solver.interpolate(1.9999), bad_argument);  // with the history went the last step
   CHECK(solver.interpolate(2) == solver.state());
   CHECK(order_of_next_step(3) == 1);
-  CHECK(solver.state()[0] == Approx(2 + (1 + 2 * std::exp(-2) - 2) * std::exp(-1)).margin(1e-6));
+  CHECK(solver.state()[0] == within(2 + (1 + 2 * std::exp(-2) - 2) * std::exp(-1), 1e-6));
   solver.restart(3, one<double>(5.0));
   CHECK(order_of_next_step(4) == 1);
   solver.restart(5, solver.state());
@@ -192,9 +192,9 @@ TEST_CASE("BDF: discontinuities of the right-hand side") {
   bdf solver(f, 0.0, one<double>(0.5), {.absolute = 1e-8, .relative = 1e-8});
   const double x1 = 1 + (0.5 - 1) * std::exp(-1), x2 = -1 + (x1 + 1) * std::exp(-1), x3 = 3 + (x2 - 3) * std::exp(-1);
   solver.integrate(1.5);
-  CHECK(solver.state()[0] == Approx(-1 + (x1 + 1) * std::exp(-0.5)).margin(2e-8));
+  CHECK(solver.state()[0] == within(-1 + (x1 + 1) * std::exp(-0.5), 2e-8));
   solver.integrate(3);
-  CHECK(solver.state()[0] == Approx(x3).margin(2e-8));
+  CHECK(solver.state()[0] == within(x3, 2e-8));
   CHECK(solver.statistics().rejected < 40);
   CHECK(solver.statistics().evaluations == calls);
 }
@@ -204,7 +204,7 @@ TEST_CASE("BDF: backward in time") {
   double last = 3;
   solver.integrate(-8, every(0.25), [&](double t, const auto& x) {
     CHECK(t < last);
-    if (t < 1.9) CHECK(x[0] == Approx(std::cos(t)).margin(1e-9));
+    if (t < 1.9) CHECK(x[0] == within(std::cos(t), 1e-9));
     last = t;
   });
   CHECK(solver.time() == -8);
@@ -216,7 +216,7 @@ TEST_CASE("BDF: in every scalar") {
   bdf l(towards_cosine(1e3L), 0.0L, one<long double>(1.0L), {.absolute = 1e-16L, .relative = 1e-16L});
   bdf m(towards_cosine(real50(1000)), real50(0), one<real50>(real50(1)), {.absolute = 1e-16, .relative = 1e-16});
   f.integrate(1), l.integrate(1), m.integrate(1);
-  CHECK(f.state()[0] == Approx(std::cos(1.0f)).margin(1e-5));
+  CHECK(f.state()[0] == within(std::cos(1.0f), 1e-5));
   CHECK(std::fabs(l.state()[0] - std::cos(1.0L)) < 1e-16L);
   CHECK(abs(m.state()[0] - cos(real50(1))) < 1e-16);
   CHECK(std::abs(l.statistics().steps - m.statistics().steps) < 20);
@@ -250,7 +250,7 @@ TEST_CASE("BDF: dynamic states, and a Jacobian of one's own") {
   a.integrate(0.01), b.integrate(0.01);
   CHECK((a.state() - std::exp(0.01 * rate) * x0).norm() < 1e-8);
   CHECK((b.state() - std::exp(0.01 * rate) * x0).norm() < 1e-8);
-  CHECK(a.statistics().evaluations - b.statistics().evaluations == Approx(20 * a.statistics().jacobians).margin(10));
+  CHECK(std::abs(a.statistics().evaluations - b.statistics().evaluations - 20 * a.statistics().jacobians) <= 10);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::nume
 TEST_CASE("A blow-up in finite time stops with the last good state") {
   dormand_prince45 solver(square, 0.0, scalar_state(1.0));
   CHECK_THROWS_WITH(solver.integrate(2), contains_text("stopped at t = ") && contains_text("lost in the rounding"));
-  CHECK(solver.time() == Approx(1.0).epsilon(1e-4));
+  CHECK(solver.time() == within_relative(1.0, 1e-4));
   CHECK(solver.state()[0] > 1e6);
   CHECK(std::isfinite(solver.state()[0]));
   CHECK(solver.interpolate(solver.time()) == solver.state());
@@ -28,7 +28,7 @@ TEST_CASE("A right-hand side that is not a number stops the integration before i
   const auto f = [](double t, const scalar_state&) { return scalar_state(t < 0.5 ? 1.0 : nan); };
   dormand_prince45 solver(f, 0.0, scalar_state(0.0));
   CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.49999") && contains_text("not a finite number"));
-  CHECK(solver.state()[0] == Approx(solver.time()));
+  CHECK(solver.state()[0] == within(solver.time(), 1e-14));  // exact, but for 100 roundings of 0.5
   CHECK(solver.statistics().rejected < 100);
   dormand_prince45 at_once(f, 0.7, scalar_state(3.0));
   CHECK_THROWS_WITH(at_once.integrate(1), contains_text("t = 0.69999") && contains_text("not a finite number"));
@@ -44,7 +44,7 @@ TEST_CASE("Too many steps") {
   CHECK_THROWS_WITH(solver.integrate(10), contains_text("max_steps = 1000"));
   CHECK(solver.statistics().steps + solver.statistics().rejected == 1000);
   CHECK(solver.time() > 0);
-  CHECK(solver.state()[0] == Approx(std::cos(solver.time())).margin(1e-2));
+  CHECK(solver.state()[0] == within(std::cos(solver.time()), 1e-2));
 }
 
 TEST_CASE("Bad settings are rejected with their value") {

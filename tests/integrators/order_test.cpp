@@ -38,9 +38,9 @@ long double dense_error_with(long double step) {
 template <template <class, class> class Method>
 void check(int order, int dense_order) {
   const long double h = 1 / 128.0L;
-  CHECK(static_cast<double>(std::log2(error_with<Method>(h) / error_with<Method>(h / 2))) == Approx(order).margin(0.1));
+  CHECK(static_cast<double>(std::log2(error_with<Method>(h) / error_with<Method>(h / 2))) == within(order, 0.1));
   CHECK(static_cast<double>(std::log2(dense_error_with<Method>(h) / dense_error_with<Method>(h / 2))) ==
-        Approx(std::min(order, dense_order + 1)).margin(0.1));  // of a step, a dense output has an order more
+        within(std::min(order, dense_order + 1), 0.1));  // of a step, a dense output has an order more
 }
 
 /// The error of a step is kept at the tolerance: steps are as its root.
@@ -53,7 +53,7 @@ void check_steps(int order_of_error) {
     CHECK(std::fabs(solver.state()[0] - exact(2)) < steps * tolerance);  // as solutions come closer to each other
     return steps;
   };
-  CHECK(std::log(run(1e-12L) / run(1e-9L)) / std::log(1000) == Approx(1.0 / order_of_error).margin(0.02));
+  CHECK(std::log(run(1e-12L) / run(1e-9L)) / std::log(1000) == within(1.0 / order_of_error, 0.02));
 }
 
 }  // namespace

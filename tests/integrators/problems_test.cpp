@@ -38,7 +38,7 @@ double error_of(double drift = 0) {
     solver.integrate(static_cast<double>(r.time));
     most = std::max(most, static_cast<double>(largest_error(output<Problem>(solver.state()), r.values)));
     if constexpr (requires { f.energy(f.start()); })
-      CHECK(f.energy(solver.state()) == Approx(f.energy(f.start())).epsilon(0).margin(drift));
+      CHECK(f.energy(solver.state()) == within(f.energy(f.start()), drift));
   }
   return most;
 }
@@ -62,8 +62,8 @@ TEST_CASE("The same in more digits") {
 }
 
 TEST_CASE("Constants of the motion have the values that are known") {
-  CHECK(elastic_pendulum<long double>{}.energy(elastic_pendulum<long double>::start()) == Approx(2).margin(1e-18));
-  CHECK(euler_top<>{}.energy(euler_top<>::start()) == Approx(0.647125279313836427131).epsilon(1e-15));
+  CHECK(std::fabs(elastic_pendulum<long double>{}.energy(elastic_pendulum<long double>::start()) - 2) < 1e-18L);
+  CHECK(euler_top<>{}.energy(euler_top<>::start()) == within_relative(0.647125279313836427131, 1e-15));
   const long double balance = andrews<long double>{}.energy(andrews<long double>::start());
   CHECK(std::fabs(balance - 1.437832957532139872622884772823L) < 1e-17L);
   // Its first acceleration, known to 30 digits from the equations with multipliers.
@@ -77,8 +77,8 @@ TEST_CASE("Constants of the motion have the values that are known") {
 TEST_CASE("Errors and digits of a solution") {
   const double x[]{1.0, 2.002, -3.0};
   const long double r[]{1.0L, 2.0L, -3.03L};
-  CHECK(static_cast<double>(largest_error(x, r)) == Approx(0.03));
-  CHECK(scd(x, r) == Approx(-std::log10(0.03 / 3.03)));
+  CHECK(static_cast<double>(largest_error(x, r)) == within_relative(0.03, 2.3e-16));
+  CHECK(scd(x, r) == within(-std::log10(0.03 / 3.03), 1e-15));
   CHECK(scd(r, r) == HUGE_VAL);
   const double nan[]{1.0, NAN, -3.03};
   CHECK(largest_error(nan, r) == HUGE_VALL);

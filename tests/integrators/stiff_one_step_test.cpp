@@ -67,10 +67,10 @@ template <template <class, class> class Method>
 void check_order(int order, int order_of_error, long double tolerance) {
   const errors coarse = of_spiral<Method>(tolerance), fine = of_spiral<Method>(tolerance / 1000);
   CAPTURE(static_cast<double>(coarse.at_end), static_cast<double>(coarse.steps));
-  CHECK(slope(coarse, fine, &errors::at_end) == Approx(order).margin(0.1));
-  CHECK(slope(coarse, fine, &errors::between) == Approx(order).margin(0.1));
+  CHECK(slope(coarse, fine, &errors::at_end) == within(order, 0.1));
+  CHECK(slope(coarse, fine, &errors::between) == within(order, 0.1));
   CHECK(static_cast<double>(std::log(fine.steps / coarse.steps) / std::log(1000)) ==
-        Approx(1.0 / order_of_error).margin(0.02));  // of a step, kept at the tolerance
+        within(1.0 / order_of_error, 0.02));  // of a step, kept at the tolerance
   CHECK(coarse.at_end < coarse.steps * tolerance);
 }
 
@@ -91,7 +91,7 @@ template <template <class, class> class Method, class M, class V>
 void check_growth(const M& B, const V& b) {
   using method = test::implicit_method<static_cast<std::size_t>(M::RowsAtCompileTime)>;
   for (double z : {-1.0, -100.0, -1e4, -1e6})
-    CHECK(growth<Method>(z) == Approx(method{B, B}.growth(b, z).real()).epsilon(1e-6).margin(1e-6));
+    CHECK(growth<Method>(z) == within(method{B, B}.growth(b, z).real(), 1e-6));
 }
 template <template <class, class> class Method, class Tableau>
 void check_growth_esdirk() {
@@ -115,13 +115,13 @@ void check_stiff(long long most_steps) {
   };
   Method<decltype(f), scalar<double>> solver(f, 0.0, scalar<double>(2.0), {.absolute = 1e-6, .relative = 1e-6});
   solver.integrate(10);
-  CHECK(solver.state()[0] == Approx(std::cos(10.0)).margin(1e-5));
+  CHECK(solver.state()[0] == within(std::cos(10.0), 1e-5));
   CHECK(solver.statistics().steps < most_steps);  // explicit methods need 1e6 at least
   const auto steps = solver.statistics().steps;
   solver.integrate(10.001);  // goes on as if it were one call: the same long step, unless it ends before
   CHECK(solver.statistics().steps == steps + 1);
   solver.integrate(20);
-  CHECK(solver.state()[0] == Approx(std::cos(20.0)).margin(1e-5));
+  CHECK(solver.state()[0] == within(std::cos(20.0), 1e-5));
   CHECK(solver.statistics().steps < 2 * most_steps);
 }
 
@@ -136,7 +136,7 @@ void check_old_factors() {
   const long long before = solver.statistics().factorizations;
   for (int i = 0; i < 100; ++i) {
     solver.integrate(solver.time() + 0.02 * (1 + 0.004 * (i % 3 - 1)));
-    CHECK(solver.state()[0] == Approx(std::cos(solver.time())).margin(3e-6));
+    CHECK(solver.state()[0] == within(std::cos(solver.time()), 3e-6));
   }
   CHECK(solver.statistics().factorizations < before + 10);
 }
@@ -156,16 +156,16 @@ void check_group(int order, long double tolerance) {
   const auto error = [&](const auto& solver) { return (solver.state() - exact.state()).norm(); };
   const auto steps = [](const auto& solver) { return static_cast<S>(solver.statistics().steps); };
   CHECK(static_cast<double>(std::log(error(coarse) / error(fine)) / std::log(steps(fine) / steps(coarse))) ==
-        Approx(order).margin(0.1));
+        within(order, 0.1));
   CHECK(error(coarse) < 3 * steps(coarse) * tolerance);  // errors of the rates grow with time
   // In doubles: each step rounds the norm by about 1e-16, at random, and there are less than 1000.
   const auto rounded = turned<double, Method>(1e-6);
-  CHECK(rounded.state().template head<4>().norm() == Approx(1.0).epsilon(1e-14).margin(0));
+  CHECK(rounded.state().template head<4>().norm() == within_relative(1.0, 1e-14));
   // With a drag that is stiff, the rates are tau / drag, but for 1e-8.
   const auto stiff = turned<double, Method>(1e-6, 1e4);
   const Eigen::Vector3d torque(std::sin(5.0), std::cos(10.0), 0.5);
   CHECK((stiff.state().template tail<3>() - torque / 1e4).norm() < 1e-5);
-  CHECK(stiff.state().template head<4>().norm() == Approx(1.0).epsilon(1e-14).margin(0));
+  CHECK(stiff.state().template head<4>().norm() == within_relative(1.0, 1e-14));
   CHECK(stiff.statistics().steps < 1000);
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("a step damps as the stability function says, however stiff: by 1/z, b
   for (double R :
        {growth<rosenbrock23>(-1e6), growth<rodas>(-1e6), growth<tr_bdf2>(-1e6), growth<kennedy_carpenter34>(-1e6)})
     CHECK(std::fabs(R) < 1e-5);
-  CHECK(growth<trapezoidal>(-1e6) == Approx(-1.0).epsilon(1e-5));
+  CHECK(growth<trapezoidal>(-1e6) == within_relative(-1.0, 1e-5));
 }
 
 TEST_CASE("a stiff linear system takes few steps, also in several calls") {
