@@ -1,8 +1,9 @@
 #pragma once
 
 #include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
 #include <kte/kte.hpp>
+
+#include "chain/registered.hpp"
 
 /// Small chains that several tests use.
 namespace models {
@@ -52,9 +53,14 @@ inline constexpr auto tree = [] {
       .gravity(vec3{0.3, -0.4, -9.81});
 }();
 
-/// The elements of a static chain as a runtime chain, one by one.
+/// The elements of a static chain as a runtime chain, one by one: what has typed constants has numbers instead.
 template <class Chain>
 kte::kte_map_chain element_by_element(const Chain& c) {
+  return registered(record_of(c));
+}
+/// The same with the very elements of the static chain, which are compiled where this is called.
+template <class Chain>
+kte::kte_map_chain by_own_elements(const Chain& c) {
   kte::kte_map_chain r;
   r.gravity(c.gravity());
   boost::hana::for_each(c.elements(), [&r](const auto& e) { r << kte::detail::with_texts(e); });

@@ -1,5 +1,4 @@
 #include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
@@ -65,18 +64,18 @@ TEST_CASE("a record that does not fit a static chain says why") {
 
 TEST_CASE("the registry knows every element of the library") {
   // Each element that a static chain can hold, made again from its record.
-  const auto again = kte::record_of(kte::to_chain(record_of(tree)));
+  const auto again = kte::record_of(models::registered(record_of(tree)));
   CHECK(again == record_of(tree));
   using namespace kte;
   kte_map_chain flat;
   flat << base_2D("b") << prismatic_joint_2D("x", "b", "cart", vec2{0.6, 0.8})
        << rigid_link_2D("cart", "pivot", vec2{0.1, 0.2}, rotation_by(0.3)) << revolute_joint_2D("q", "pivot", "arm")
        << inertia_2D("arm", planar_body(1.0, 0.2, along_x(0.4))) << base_3D("w") << base_gen("r");
-  CHECK(record_of(to_chain(record_of(flat))) == record_of(flat));
+  CHECK(record_of(models::registered(record_of(flat))) == record_of(flat));
 }
 
 TEST_CASE("the registry refuses what it does not understand") {
-  const auto make = [](const kte::element_record& r) { return kte::element_registry::standard().make(r); };
+  const auto make = [](const kte::element_record& r) { return models::registry().make(r); };
   kte::element_record link{"rigid_link_2D",
                            1,
                            {{"base", "a"}, {"end", "b"}},
@@ -102,7 +101,7 @@ TEST_CASE("the registry refuses what it does not understand") {
   bad = link, bad.parameters[1].values = {2, 0, 0, 0, 1, 0, 0, 0, 1};
   CHECK_THROWS_AS(make(bad), kte::error);
 
-  auto registry = kte::element_registry::standard();
+  auto registry = models::registry();
   CHECK_THROWS_AS(registry.add("spring_gen",
                                [](const kte::record_reader& r) {
                                  return kte::damper_gen(r.name("anchor1"), r.name("anchor2"), 1.0);

@@ -53,10 +53,10 @@ void compare_bits(const Static& fixed, const kte::kte_map_chain& loose, unsigned
 
 // Products must not be fused into sums differently in different places, so this test is built without -march=native.
 TEST_CASE("the passes of static and runtime chains agree bit for bit") {
-  SECTION("pendulum") { compare_bits(pendulum, element_by_element(pendulum), 1); }
-  SECTION("tree") { compare_bits(tree, element_by_element(tree), 2); }
-  SECTION("iiwa14") { compare_bits(robots::iiwa14, element_by_element(robots::iiwa14), 3); }
-  SECTION("ur5") { compare_bits(robots::ur5, element_by_element(robots::ur5), 4); }
+  SECTION("pendulum") { compare_bits(pendulum, by_own_elements(pendulum), 1); }
+  SECTION("tree") { compare_bits(tree, by_own_elements(tree), 2); }
+  SECTION("iiwa14") { compare_bits(robots::iiwa14, by_own_elements(robots::iiwa14), 3); }
+  SECTION("ur5") { compare_bits(robots::ur5, by_own_elements(robots::ur5), 4); }
   SECTION("a static chain appended as one element") {
     kte::kte_map_chain c;
     c.gravity(tree.gravity()) << tree;
@@ -64,14 +64,13 @@ TEST_CASE("the passes of static and runtime chains agree bit for bit") {
   }
   SECTION("a runtime chain in a runtime chain") {
     kte::kte_map_chain c;
-    c.gravity(robots::iiwa14.gravity()) << element_by_element(robots::iiwa14);
+    c.gravity(robots::iiwa14.gravity()) << by_own_elements(robots::iiwa14);
     compare_bits(robots::iiwa14, c, 6);
   }
 }
 
 TEST_CASE("a chain read from its record gives the same values") {
-  const auto built = element_by_element(tree);
-  const auto loaded = kte::to_chain(kte::record_of(built));
+  const auto built = by_own_elements(tree), loaded = registered(kte::record_of(built));
   auto a = built.make_state(), b = loaded.make_state();
   random_numbers random(7);
   for (int i = 0; i < 3; ++i)

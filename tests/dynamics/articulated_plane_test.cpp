@@ -57,7 +57,7 @@ TEST_CASE("the plane and space in one chain", "[articulated]") {
 
 TEST_CASE("a joint made by a user", "[articulated]") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(screws)>);
-  check(screws, 5, usual, base);
+  check(screws, models::by_own_elements(screws), 5, usual, base);
   // A body of mass m and inertia J about a screw along z, both through its centre of mass, falls by
   // (J + m h^2) q_ddot = - m g h.
   constexpr auto nut = chain(screw_joint_3D(q1, base, a, 0.5, axis::z),

@@ -44,7 +44,7 @@ TEST_CASE("solo12 against 31 digits", "[floating]") {
   const auto& c = robots::solo12;
   STATIC_REQUIRE(decltype(robots::solo12)::dofs == 18);
   const auto& foot = robots::solo12_names::hr.foot;
-  const auto model = element_by_element(c), loaded = to_chain(record_of(c));
+  const auto model = element_by_element(c), loaded = models::registered(record_of(c));
   CHECK(record_of(model) == record_of(c));
   CHECK(record_of(loaded) == record_of(c));
   auto s = make_state(c);

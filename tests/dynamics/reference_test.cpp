@@ -43,7 +43,7 @@ void check_pose(const Pose& x, const State& s) {
 template <class Chain, std::size_t N, int n, class Tool>
 void check(const Chain& arm, const kte::reference::state<n> (&states)[N], const Tool& tool) {
   const auto model = models::element_by_element(arm);
-  const auto loaded = kte::to_chain(record_of(arm));
+  const auto loaded = models::registered(record_of(arm));
   auto r = model.make_state();
   auto l = loaded.make_state();
   auto s = kte::make_state(arm);

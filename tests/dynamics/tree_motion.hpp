@@ -17,9 +17,9 @@ struct bounds {
 /// All algorithms on one chain, static and runtime, in random states; `outside` are the bases, inputs and coordinates
 /// that are given.
 template <class Chain, class... Outside>
-void check(const Chain& chain, unsigned seed, const bounds& most, const Outside&... outside) {
+void check(const Chain& chain, const kte_map_chain& model, unsigned seed, const bounds& most,
+           const Outside&... outside) {
   random_numbers random(seed);
-  const auto model = models::element_by_element(chain);
   auto s = make_state(chain);
   auto r = model.make_state();
   auto exact = make_state<precise>(chain);
@@ -70,6 +70,11 @@ void check(const Chain& chain, unsigned seed, const bounds& most, const Outside&
   CHECK(worst.mass < most.rounding);
   CHECK(worst.missing < most.rounding);
   CHECK(worst.accelerations < most.accelerations);
+}
+
+template <class Chain, class... Outside>
+void check(const Chain& chain, unsigned seed, const bounds& most, const Outside&... outside) {
+  check(chain, models::element_by_element(chain), seed, most, outside...);
 }
 
 // Bounds: numbers on the way are up to some times as large as the largest result, and are rounded by eps/2 some ten

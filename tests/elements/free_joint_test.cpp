@@ -1,8 +1,8 @@
 #include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
 #include <kte/elements/free_joint.hpp>
 
 #include "catch.hpp"
+#include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
 using namespace kte;
@@ -187,15 +187,15 @@ TEST_CASE("free joints go to records and back", "[elements][free_joint]") {
     CHECK(r.elements[0].connections[0].role == "coordinate");
     CHECK(r.elements[0].parameters.empty());
     CHECK(record_of(from_record(c, r)) == r);
-    CHECK(record_of(to_chain(r)) == r);
-    CHECK(to_chain(r).dofs() == std::remove_cvref_t<decltype(c)>::dofs);
-    CHECK(to_chain(r).nq() == std::remove_cvref_t<decltype(c)>::nq);
+    CHECK(record_of(models::registered(r)) == r);
+    CHECK(models::registered(r).dofs() == std::remove_cvref_t<decltype(c)>::dofs);
+    CHECK(models::registered(r).nq() == std::remove_cvref_t<decltype(c)>::nq);
     auto other = r;
     other.elements[0].parameters.push_back({"axis", {0, 0, 1}});
-    CHECK_THROWS_WITH(to_chain(other), contains_text("no parameter 'axis'"));
+    CHECK_THROWS_WITH(models::registered(other), contains_text("no parameter 'axis'"));
     other = r;
     other.elements[0].connections.erase(other.elements[0].connections.begin());
-    CHECK_THROWS_WITH(to_chain(other), contains_text(type + " has no connection 'coordinate'"));
+    CHECK_THROWS_WITH(models::registered(other), contains_text(type + " has no connection 'coordinate'"));
   };
   check(in_plane, "free_joint_2D");
   check(solid, "free_joint_3D");

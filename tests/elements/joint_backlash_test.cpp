@@ -1,4 +1,3 @@
-#include <kte/chain/registry.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/static.hpp>
@@ -7,6 +6,7 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
 using namespace kte;
@@ -69,7 +69,7 @@ TEST_CASE("play is saved and loaded, and rejects what makes no sense", "[element
   kte_map_chain c;
   c << base_gen("wall") << prismatic_joint_2D("q", "base", "cart", axis::x)
     << joint_backlash_gen("wall", "q", 0.01, 1e4, 3.0);
-  CHECK(record_of(to_chain(record_of(c))) == record_of(c));
+  CHECK(record_of(models::registered(record_of(c))) == record_of(c));
   const auto what = [](double g, double k, double d) {
     return complaint([&] { joint_backlash_gen("a", "b", g, k, d); });
   };

@@ -1,5 +1,4 @@
 #include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/integrators/rosenbrock23.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
@@ -8,6 +7,7 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
 using namespace kte;
@@ -109,7 +109,7 @@ TEST_CASE("derivatives pass through LuGre friction", "[elements][joint_lugre]") 
 
 TEST_CASE("LuGre friction is saved and loaded", "[elements][joint_lugre]") {
   const auto saved = record_of(cart_on_rail);
-  CHECK(record_of(to_chain(saved)) == saved);
+  CHECK(record_of(models::registered(saved)) == saved);
   CHECK(record_of(from_record(cart_on_rail, saved)) == saved);
 }
 

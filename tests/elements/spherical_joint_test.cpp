@@ -1,8 +1,8 @@
 #include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
 #include <kte/elements/spherical_joint.hpp>
 
 #include "catch.hpp"
+#include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
 using namespace kte;
@@ -128,7 +128,7 @@ TEST_CASE("spherical joints go to records and back", "[elements][spherical_joint
   CHECK(r.elements[0].type == "spherical_joint_3D");
   CHECK(r.elements[0].parameters.empty());
   CHECK(record_of(from_record(c, r)) == r);
-  CHECK(record_of(to_chain(r)) == r);
-  CHECK(to_chain(r).dofs() == 3);
-  CHECK(to_chain(r).nq() == 4);
+  CHECK(record_of(models::registered(r)) == r);
+  CHECK(models::registered(r).dofs() == 3);
+  CHECK(models::registered(r).nq() == 4);
 }

@@ -1,8 +1,8 @@
 #include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
 #include <kte/static.hpp>
 
 #include "catch.hpp"
+#include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
 // Springs between frames.
@@ -250,7 +250,7 @@ TEST_CASE("elements between frames in files", "[elements][spring]") {
     << torsion_damper_2D("a", "b", 0.125) << torsion_damper_3D("x", "y", 2.0);
   const auto record = record_of(c);
   CHECK(record.elements.size() == 12);
-  CHECK(record_of(to_chain(record)) == record);
+  CHECK(record_of(models::registered(record)) == record);
   const auto arm = arm_with(spring_3D(hook, hand, zero, 8.0), torsion_spring_3D(hand, upper, 0.25));
   CHECK(record_of(from_record(arm, record_of(arm))) == record_of(arm));
 }

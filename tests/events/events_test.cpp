@@ -124,7 +124,7 @@ TEST_CASE("Touching zero is no crossing, reaching it and going on is one") {
   CHECK(plateau[0].time <= 2.3 + 4 * eps);
 }
 
-TEST_CASE("A crossing is at the first time beyond zero, to the ulp") {
+TEST_CASE("A crossing is at the first time beyond zero, to the ulp", "[long]") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> anywhere(0.001, 7.9);
   for (int i = 0; i < 200; ++i) {

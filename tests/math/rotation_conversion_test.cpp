@@ -93,7 +93,7 @@ TEST_CASE("conversions of random rotations are mutually inverse", "[math][rotati
   check_round_trips<long double>(20000, std::numeric_limits<long double>::epsilon());
 }
 
-TEST_CASE("conversions keep fifty digits", "[math][rotation]") {
+TEST_CASE("conversions keep fifty digits", "[math][rotation][long]") {
   check_round_trips<digits50>(1000, digits50(1e-48) / 12);
   using std::sqrt;
   const digits50 pi50 = boost::math::constants::pi<digits50>();

@@ -1,4 +1,3 @@
-#include <kte/chain/registry.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/models/controlled.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
@@ -7,6 +6,7 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "chain/registered.hpp"
 
 // A wheel on a ball joint, turned by a motor that brakes it: of both kinds of chain.
 
@@ -45,7 +45,7 @@ TEST_CASE("A controlled model is driven by its law at every evaluation, on the g
   CHECK(solver.state()[8] == within_relative(2 * std::exp(-2 * rate), 1e-10));
   CHECK(gyro.input()[0] != 0);
 
-  const manipulator_dynamics_model same_model(to_chain(record_of(gyroscope)));
+  const manipulator_dynamics_model same_model(models::registered(record_of(gyroscope)));
   controlled runtime(same_model, brake);
   dormand_prince45 same(std::ref(runtime), 0.0, runtime.make_x(q0, v0), {.absolute = 1e-12, .relative = 1e-12});
   same.integrate(2);

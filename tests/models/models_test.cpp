@@ -1,4 +1,3 @@
-#include <kte/chain/registry.hpp>
 #include <kte/models/runtime_models.hpp>
 
 #include "dynamics/small_chains.hpp"
@@ -56,11 +55,11 @@ TEST_CASE("A kinematics model gives poses, Jacobians and their change") {
   CHECK(model.getJacobianMatrix(m.q) == jacobian(robots::iiwa14, m.q, tool, in_world_axes));
   CHECK(model.getDependentVelocities(m.q, m.v) == model.getJacobianMatrix(m.q) * m.v);
 
-  manipulator_kinematics_model runtime(to_chain(record_of(robots::iiwa14)), {std::string(tool.name)});
+  manipulator_kinematics_model runtime(models::registered(record_of(robots::iiwa14)), {std::string(tool.name)});
   CHECK((runtime.getJacobianMatrix(m.q) - model.getJacobianMatrix(m.q)).norm() < 1e-14);
   CHECK((runtime.getDependentVelocities(m.q, m.v) - model.getDependentVelocities(m.q, m.v)).norm() < 1e-13);
   CHECK(std::abs(runtime.getDependentPoses(m.q)[0].position.z - p.position.z) < 1e-15);
-  CHECK_THROWS_WITH(manipulator_kinematics_model(to_chain(record_of(robots::iiwa14)), {"tol"}),
+  CHECK_THROWS_WITH(manipulator_kinematics_model(models::registered(record_of(robots::iiwa14)), {"tol"}),
                     contains_text("nothing of the name 'tol'"));
 
   const random_motion_of<big, std::remove_const_t<decltype(planar)>> exact(planar, random);

@@ -63,7 +63,7 @@ double energy_of(const Chain& c, const X& x) {
 
 }  // namespace
 
-TEST_CASE("Variational integrators have their orders, on numbers and on rotations") {
+TEST_CASE("Variational integrators have their orders, on numbers and on rotations", "[long]") {
   check_order<variational2, double_pendulum_from_horizontal>(2, 1 / 128.0);
   check_order<variational4, double_pendulum_from_horizontal>(4, 1 / 64.0);
   check_order<variational2, dzhanibekov>(2, 1 / 512.0);
@@ -72,7 +72,7 @@ TEST_CASE("Variational integrators have their orders, on numbers and on rotation
 
 TEST_CASE("Kutta's method has its order on rotations") { check_order<runge_kutta4, dzhanibekov>(4, 1 / 128.0); }
 
-TEST_CASE("Variational integrators keep momenta to rounding, however long the step") {
+TEST_CASE("Variational integrators keep momenta to rounding, however long the step", "[long]") {
   const auto free = floating_with_springs.gravity(zero3{});
   manipulator_dynamics_model model(free);
   random_numbers random(1);
@@ -91,7 +91,7 @@ TEST_CASE("Variational integrators keep momenta to rounding, however long the st
   }
 }
 
-TEST_CASE("Variational integrators let energy oscillate and not drift") {
+TEST_CASE("Variational integrators let energy oscillate and not drift", "[long]") {
   auto solver = start<variational2, problems::pendulum>(0.02);
   const double e = energy_of(problems::pendulum::model, solver.state());
   double halves[]{0, 0};

@@ -112,7 +112,8 @@ class element_registry {
     return e;
   }
 
-  /// All elements of this library.
+  /// All elements of this library. (A template, so that who does not call it does not compile them all.)
+  template <class = void>
   static element_registry standard() {
     element_registry r;
     using in = const record_reader&;
@@ -210,7 +211,7 @@ class element_registry {
 };
 
 /// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
-inline kte_map_chain to_chain(const model_record& m, const element_registry& registry = element_registry::standard()) {
+inline kte_map_chain to_chain(const model_record& m, const element_registry& registry) {
   kte_map_chain c;
   if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
   c.gravity(vec3{m.gravity[0], m.gravity[1], m.gravity[2]});
@@ -222,6 +223,11 @@ inline kte_map_chain to_chain(const model_record& m, const element_registry& reg
     }
   }
   return c;
+}
+/// The same with the elements of this library.
+template <class = void>
+kte_map_chain to_chain(const model_record& m) {
+  return to_chain(m, element_registry::standard());
 }
 
 }  // namespace kte

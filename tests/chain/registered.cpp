@@ -1,0 +1,14 @@
+#include "chain/registered.hpp"
+
+#include "chain/gear.hpp"
+
+const kte::element_registry& models::registry() {
+  static const auto all = [] {
+    auto r = kte::element_registry::standard();
+    r.add("gear_gen", [](const kte::record_reader& x) {
+      return kte::connect(kte::test::gear{x.number("ratio")}, x.name("base"), x.name("end"));
+    });
+    return r;
+  }();
+  return all;
+}
