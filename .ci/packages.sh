@@ -18,6 +18,7 @@ as_root() {
   fi
 }
 
+# install_packages PACKAGE...: those that all need, and these.
 install_packages() {
   missing=
   need cmake cmake
@@ -31,6 +32,7 @@ install_packages() {
   need libcereal-dev
   need libsundials-dev
   need libxsimd-dev
+  for package in "$@"; do need "$package"; done
   updated=
   for package in $missing; do
     echo "Installing $package"

@@ -126,7 +126,6 @@ TEST_CASE("centre of mass and momentum from the bodies, at 50 digits") {
 
 TEST_CASE("centre of mass and momentum in double, and of runtime chains") {
   check_double(robots::iiwa14, 11);
-  check_double(robots::solo12, 12);
   check_double(floating_with_dampers, 13);
   check_double(planar, 14);
   check_double(geared, 15);

@@ -38,14 +38,12 @@ void check_change(const Chain& c, unsigned seed) {
 
 TEST_CASE("Generalized momenta are the mass matrix times velocities") {
   check_momenta(robots::iiwa14, 1);
-  check_momenta(robots::solo12, 2);
   check_momenta(floating_with_springs, 3);
   check_momenta(planar, 4);
   check_momenta(geared, 5);
 }
 
 TEST_CASE("Their change along the velocities is a derivative") {
-  check_change(robots::iiwa14, 11);
   check_change(floating_with_springs, 12);
   check_change(planar, 13);
   check_change(geared, 14);
