@@ -8,8 +8,10 @@
 #endif
 
 #include <cmath>
+#include <exception>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace kte::test {
 
@@ -33,6 +35,13 @@ class within {
 };
 /// The same with a margin relative to the expected number.
 inline within within_relative(double expected, double epsilon) { return {expected, epsilon * std::abs(expected)}; }
+
+/// Matches an error whose text contains `part`: `CHECK_THROWS_MATCHES(f(x), bad_argument, says("no finite number"))`.
+inline auto says(const std::string& part) {
+  return Catch::Matchers::Predicate<std::exception>(
+      [part](const std::exception& e) { return std::string_view(e.what()).find(part) != std::string_view::npos; },
+      "says \"" + part + '"');
+}
 
 /// Matches a text that contains `part`.
 inline auto contains_text(const std::string& part) {

@@ -99,7 +99,7 @@ TEST_CASE("the registry refuses what it does not understand") {
   bad = link, bad.parameters[0].values = {1, 0, 1};
   CHECK_THROWS_WITH(make(bad), contains_text("out of the plane"));
   bad = link, bad.parameters[1].values = {2, 0, 0, 0, 1, 0, 0, 0, 1};
-  CHECK_THROWS_AS(make(bad), kte::error);
+  CHECK_THROWS_MATCHES(make(bad), kte::bad_parameter, kte::test::says("rotation must be orthonormal"));
 
   auto registry = models::registry();
   CHECK_THROWS_AS(registry.add("spring_gen",

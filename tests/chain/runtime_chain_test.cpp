@@ -138,6 +138,13 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
     CHECK_THROWS_WITH(c << inertia_3D("tpi", point_mass(1.0)),
                       contains_text("inertia_3D (frame 'tpi')") && contains_text("misspelt"));
   }
+  SECTION("two bases") {
+    kte_map_chain another;
+    CHECK_THROWS_WITH(another << spring_3D("a", "b", 0.5, 8.0),
+                      contains_text("it reads 'b', which no element before it writes"));
+    another << base_3D("b") << spring_3D("a", "b", 0.5, 8.0);
+    CHECK_THROWS_WITH(another << damper_3D("b", "d", 8.0), contains_text("it reads 'd'"));
+  }
   SECTION("wrong kind") {
     CHECK_THROWS_WITH(c << inertia_2D("tip", point_mass(1.0)), contains_text("'tip' is a 3D frame, not a 2D frame"));
     CHECK_THROWS_WITH(c << inertia_3D("q", point_mass(1.0)), contains_text("'q' is a coordinate, not a 3D frame"));

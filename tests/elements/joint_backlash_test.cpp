@@ -43,7 +43,9 @@ TEST_CASE("teeth with play push where they touch, and never pull", "[elements][j
   CHECK(push(0.5, 0) == std::pair{2.0, -2.0});
   CHECK(push(-0.5, 0) == std::pair{-2.0, 2.0});
   CHECK(push(0.5, 0.5) == std::pair{3.0, -3.0});
+  CHECK(push(-0.5, -0.5) == std::pair{-3.0, 3.0});
   CHECK(push(0.5, -4) == std::pair{0.0, 0.0});  // damping would pull
+  CHECK(push(-0.5, 4) == std::pair{0.0, 0.0});
   CHECK(std::isnan(push(not_a_number, 0).first));
   CHECK(std::isnan(push(0.5, not_a_number).second));
 }

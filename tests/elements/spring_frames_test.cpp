@@ -102,6 +102,22 @@ TEST_CASE("a spring between frames saturates", "[elements][spring]") {
   CHECK(pulls_by(1.0, pulled(zero, 10.0, one)));
 }
 
+TEST_CASE("where a spring between frames saturates is an event", "[elements][spring]") {
+  const auto below = [](double distance, auto... numbers) {
+    const auto at = vec3{0.0, distance, 0.0};
+    const double solid = spring_3D("a", "b", numbers...).core.switching(frame_3D<>{}, frame_3D<>{.position = at});
+    CHECK(spring_2D("a", "b", numbers...)
+              .core.switching(spatial(frame_2D<>{}), spatial(frame_2D<>{.position = {0.0, distance}})) == solid);
+    return solid;
+  };
+  CHECK(below(1.0, 0.5, 8.0, 4.0) == 0.0);  // stretched by 0.5 m to 4 N
+  CHECK(below(0.0, 0.5, 8.0, 4.0) == 0.0);
+  CHECK(below(0.75, 0.5, 8.0, 4.0) == 12.0);
+  CHECK(below(1.25, 0.5, 8.0, 4.0) == -20.0);
+  CHECK(below(0.5, zero, 8.0, 4.0) == 0.0);
+  CHECK(below(9.0, 0.5, 8.0, 0.0) == 1.0);  // no saturation
+}
+
 TEST_CASE("the energy of a spring between frames", "[elements][spring]") {
   CHECK(energy(5.0, 2.0, 10.0) == 45.0);
   CHECK(energy(5.0, zero, 10.0) == 125.0);

@@ -113,13 +113,14 @@ TEST_CASE("conversions agree with Eigen and with Rodrigues", "[math][rotation]")
   // The same quantities by other formulas: tolerances as for the round trips.
   test::draw draw(32);
   for (int i = 0; i < 10000; ++i) {
-    const auto q = detail::canonical(draw.rotation());
+    const auto q = draw.rotation();  // w < 0 for every second one
     const Eigen::Quaterniond e(q.w, q.x, q.y, q.z);
     REQUIRE((eigen(matrix(q)) - e.toRotationMatrix()).cwiseAbs().maxCoeff() <= 6 * eps);
     const auto a = to_axis_angle(q);
     const Eigen::AngleAxisd ea(e);
     REQUIRE(std::abs(a.angle - ea.angle()) <= 8 * eps);
     REQUIRE((eigen(a.axis) - ea.axis()).cwiseAbs().maxCoeff() * std::min(1.0, a.angle) <= 8 * eps);
+    REQUIRE(gap(to_rotation_vector(q), a.angle * a.axis) <= 8 * eps);
     const auto r = rotation_about(a.axis, std::cos(a.angle), std::sin(a.angle));
     REQUIRE(gap(r, matrix(a)) <= 12 * eps);
     REQUIRE(gap(r, rotation_about(a.axis, a.angle)) == 0);
