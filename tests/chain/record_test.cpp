@@ -5,7 +5,7 @@
 #include "robots/iiwa14.hpp"
 
 using namespace models;
-using kte::test::contains_text;
+using kte::test::contains_text, kte::test::says;
 
 TEST_CASE("a static chain survives its record, with other numbers too") {
   CHECK(record_of(kte::from_record(tree, record_of(tree))) == record_of(tree));
@@ -99,7 +99,9 @@ TEST_CASE("the registry refuses what it does not understand") {
   bad = link, bad.parameters[0].values = {1, 0, 1};
   CHECK_THROWS_WITH(make(bad), contains_text("out of the plane"));
   bad = link, bad.parameters[1].values = {2, 0, 0, 0, 1, 0, 0, 0, 1};
-  CHECK_THROWS_MATCHES(make(bad), kte::bad_parameter, kte::test::says("rotation must be orthonormal"));
+  CHECK_THROWS_MATCHES(make(bad), kte::bad_file, says("'rotation' out of the plane"));
+  bad.parameters[1].values = {2, 0, 0, 0, 2, 0, 0, 0, 1};
+  CHECK_THROWS_MATCHES(make(bad), kte::bad_parameter, says("rotation must be orthonormal"));
 
   auto registry = models::registry();
   CHECK_THROWS_AS(registry.add("spring_gen",

@@ -50,6 +50,25 @@ TEST_CASE("teeth with play push where they touch, and never pull", "[elements][j
   CHECK(std::isnan(push(0.5, not_a_number).second));
 }
 
+TEST_CASE("the energy of teeth with play, and where they touch", "[elements][joint_backlash]") {
+  const gen_coord<> still{};
+  const auto energy = [&](double x) {
+    return joint_backlash_gen("a", "b", 0.5, 8.0, 2.0).core.potential_energy(still, gen_coord<>{.q = x});
+  };
+  CHECK(energy(0.75) == 1.0);
+  CHECK(energy(-0.75) == 1.0);
+  CHECK(energy(0.25) == 0.0);
+  const auto switching = [&](double gap, double x) {
+    return joint_backlash_gen("a", "b", gap, 8.0, 2.0).core.switching(still, gen_coord<>{.q = x});
+  };
+  CHECK(switching(0.5, 0.25) == 0.0);
+  CHECK(switching(0.5, -0.25) == 0.0);
+  CHECK(switching(0.5, 0.125) > 0);
+  CHECK(switching(0.5, -0.5) < 0);
+  CHECK(switching(0.0, 0.125) == 0.125);  // without play it goes through zero, where +-x^2 would only touch it
+  CHECK(switching(0.0, -0.125) == -0.125);
+}
+
 TEST_CASE("a mass flies to and fro in the play of a joint, and its touches are events", "[elements][joint_backlash]") {
   constexpr double gap = 0.5, k = 400, mass = 1, v = 2;
   const auto c = chain(base_gen(wall), prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(mass)),

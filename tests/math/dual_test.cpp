@@ -153,6 +153,7 @@ TEST_CASE("functions of two dual numbers by their gradients", "[math][dual]") {
   CHECK(
       (pow(origin, 0.0).derivative[0] == 0 && pow(origin, 1).derivative[0] == 1 && pow(origin, 2).derivative[0] == 0));
   CHECK((pow(origin, seeded<2>(2.0, 1)).derivative[0] == 0 && pow(origin, seeded<2>(2.0, 1)).derivative[1] == 0));
+  CHECK((pow(origin, seeded<2>(0.0, 1)).derivative[0] == 0 && pow(origin, seeded<2>(0.0, 1)).derivative[1] == 0));
 }
 
 TEST_CASE("arithmetic for every number of derivatives", "[math][dual]") {

@@ -84,6 +84,7 @@ TEST_CASE("quaternions turn vectors, frames and inertias as their matrices do", 
     REQUIRE((a * m == matrix(a) * m && m * a == m * matrix(a)));
     REQUIRE((a * no_rotation{} == a && no_rotation{} * a == a));
     REQUIRE(congruence(a, s) == congruence(matrix(a), s));
+    REQUIRE(gap(matrix_of_any_length(unit_quaternion{3 * a.w, 3 * a.x, 3 * a.y, 3 * a.z}), matrix(a)) <= 12 * eps);
     const auto x = compose(at_rest(a, v), at_rest(b, v));
     const auto y = compose(at_rest(matrix(a), v), at_rest(matrix(b), v));
     REQUIRE(gap(matrix(x.rotation), y.rotation) <= 12 * eps);

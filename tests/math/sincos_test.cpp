@@ -153,6 +153,23 @@ TEST_CASE("a sine does not depend on its neighbours", "[math][sincos]") {
   CHECK((compared > 0 || !sines<double, 4>::simd));
 }
 
+TEST_CASE("each of n sines is exact, whichever of them is large", "[math][sincos]") {
+  for (std::size_t n = 0; n <= 9; ++n) {
+    for (std::size_t large = 0; large <= n; ++large) {  // n: none is
+      CAPTURE(n, large);
+      std::array<double, 10> x, s, c;
+      s.fill(7), c.fill(7);
+      for (std::size_t i = 0; i < n; ++i) x[i] = i == large ? -1e12 : 0.7 * static_cast<double>(i) - 2;
+      sincos_each(x.data(), s.data(), c.data(), n);
+      for (std::size_t i = 0; i < n; ++i) {
+        const long double t = x[i];
+        CHECK((off(s[i], std::sin(t)) <= four_at_once && off(c[i], std::cos(t)) <= four_at_once));
+      }
+      CHECK((s[n] == 7 && c[n] == 7));
+    }
+  }
+}
+
 TEST_CASE("other scalars use their own functions", "[math][sincos]") {
   using digits50 = boost::multiprecision::cpp_bin_float_50;
   const auto r = sincos_all<digits50, 4>([](std::size_t i) { return digits50(i) / 3; });

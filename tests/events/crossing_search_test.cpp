@@ -1,0 +1,62 @@
+#include <kte/events/detail/crossing_search.hpp>
+
+#include <vector>
+
+#include "catch.hpp"
+
+// What the search for zeros is made of.
+
+using namespace kte::detail;
+
+TEST_CASE("The misfit of a quartic is what any value in between is off by") {
+  std::array<double, 9> y{};
+  for (int i = 0; i < 9; ++i) {
+    const double t = i - 4.0;
+    y[static_cast<std::size_t>(i)] = ((t - 1) * t + 2) * t * t - 3 * t + 5;
+  }
+  CHECK(quartic_misfit(y) == 0);
+  for (const std::size_t i : {1u, 3u, 5u, 7u})
+    for (const double off : {0.5, -0.5}) {
+      auto z = y;
+      z[i] += off;
+      CHECK(quartic_misfit(z) == 0.5);
+    }
+}
+
+TEST_CASE("The inner Bernstein coefficients of t and of t^4") {
+  CHECK(inner_bernstein(std::array{0.0, 0.25, 0.5, 0.75, 1.0}) == std::array{0.25, 0.5, 0.75});
+  CHECK(inner_bernstein(std::array{0.0, 1.0, 16.0, 81.0, 256.0}) == std::array{0.0, 0.0, 0.0});
+  CHECK(inner_bernstein(std::array{256.0, 81.0, 16.0, 1.0, 0.0}) == std::array{0.0, 0.0, 0.0});
+}
+
+TEST_CASE("A short flight is seen: what leaves zero and comes back after a time T") {
+  // It is above 4/25 T^2 from T/5 to 4/5 T, and times that are tried follow each other by factors of 4.
+  for (double T = 0.3; T > 1e-6; T *= 0.77) {
+    const auto height = [T](double t) { return t * (T - t); };
+    const auto up = depart(height, 0.0, 1.0, 0.159 * T * T);
+    CHECK(up.side == 1);
+    CHECK(up.time < T);
+    const auto backward = depart([&](double t) { return -height(-t); }, 0.0, -1.0, 0.159 * T * T);
+    CHECK(backward.side == -1);
+    CHECK(backward.time > -T);
+  }
+  CHECK(depart([](double) { return 0.0; }, 0.0, 1.0, 0.0).side == 0);
+}
+
+TEST_CASE("A root takes few values of the function, never more than four for each bit") {
+  const double r = 1.0 / 3;
+  const auto values = [&](const auto& f) {
+    int n = 0;
+    const auto found = find_sign_change([&](double t) { return ++n, f(t); }, 0.0, f(0.0), 1.0, f(1.0));
+    CHECK(found.before <= r);
+    CHECK(found.after >= r);
+    CHECK(found.after - found.before <= 4 * std::numeric_limits<double>::epsilon() * r);
+    return n;
+  };
+  CHECK(values([&](double t) { return r - t; }) <= 10);
+  CHECK(values([&](double t) { return std::exp(-3 * t) - std::exp(-3 * r); }) <= 10);
+  CHECK(values([&](double t) { return std::cos(4 * t) - std::cos(4 * r); }) <= 10);
+  CHECK(values([&](double t) { return t < r ? 1.0 : -1e-9; }) <= 4 * 54);
+  CHECK(values([&](double t) { return t < r ? r - t : -1e9 * (t - r); }) <= 4 * 54);
+  CHECK(values([&](double t) { return t < r ? std::pow(r - t, 0.1) : -std::pow(t - r, 9.0); }) <= 4 * 54);
+}
