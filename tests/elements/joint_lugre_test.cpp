@@ -145,6 +145,7 @@ TEST_CASE("LuGre friction rejects what makes no sense", "[elements][joint_lugre]
   CHECK(what(&lugre_parameters::sigma2, not_a_number).starts_with(where + "sigma2 must be"));
   CHECK(what(&lugre_parameters::coulomb, -2) == where + "coulomb must be finite and positive, got -2");
   CHECK(what(&lugre_parameters::stiction, 0.5) == where + "stiction must be finite and not below coulomb, got 0.5");
+  CHECK(what(&lugre_parameters::stiction, 1) == "");  // that of coulomb
   CHECK(what(&lugre_parameters::stribeck_velocity, 0) ==
         where + "stribeck_velocity must be finite and positive, got 0");
 }
