@@ -17,4 +17,4 @@ struct slack_link : kte::transmission<slack_link> {
   constexpr void check(const kte::parameter_check&) const {}
 };
 }  // namespace core
-const auto link = kte::connect(core::slack_link{}, "base", "end");
+const auto bar = kte::connect(core::slack_link{}, "base", "end");

@@ -175,8 +175,10 @@ struct check_core<Core> {
   static constexpr bool fits_space = fits_frames || !in_space, fits_plane = fits_frames || in_space;
   static constexpr bool moves = moves_by_relative<Core>, passed = fits_frames && moves;
   static_assert(rule<Core, turn, fits_space>,
-                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation)");
-  static_assert(rule<Core, turn, fits_plane>, "kte: a joint or link in the plane turns by a kte::rotation_2D");
+                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation), "
+                "kte::rotation_about(axis, angle)");
+  static_assert(rule<Core, turn, fits_plane>,
+                "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
   static_assert(rule<Core, turn, moves>,
                 "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
 };

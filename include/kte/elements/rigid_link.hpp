@@ -60,8 +60,6 @@ struct rigid_link_gen {
 /// A link in the plane: position of the end in the base, m (`along_x(0.5)`, `vec2{0.3, 0.4}`), and its rotation.
 template <class B, class E, geometric Position, class Rotation = no_rotation>
 constexpr auto rigid_link_2D(const B& base, const E& end, const Position& position, const Rotation& rotation = {}) {
-  static_assert(detail::is_planar_rotation<Rotation>,
-                "kte: a link in the plane takes a planar rotation: rotation_by(angle)");
   const auto r = detail::planar(position);
   return connect(core::rigid_link<kind::frame_2D, Rotation, std::remove_const_t<decltype(r)>>(r, rotation), base, end);
 }
@@ -70,8 +68,6 @@ constexpr auto rigid_link_2D(const B& base, const E& end, const Position& positi
 template <class B, class E, class X, class Y, class Z, class Rotation = no_rotation>
 constexpr auto rigid_link_3D(const B& base, const E& end, const vec3<X, Y, Z>& position,
                              const Rotation& rotation = {}) {
-  static_assert(!detail::is_planar_rotation<Rotation> || std::is_same_v<Rotation, no_rotation>,
-                "kte: a link in space takes a matrix or a quaternion: rotation_about(axis::z, angle)");
   return connect(core::rigid_link<kind::frame_3D, Rotation, vec3<X, Y, Z>>(position, rotation), base, end);
 }
 
