@@ -70,6 +70,18 @@ struct check_need {
                 "leaves out unless the element core says: static constexpr bool reads_positions = true;");
 };
 
+/// A joint or link, and how it turns.
+template <class Core, class Turn, bool FitsSpace, bool FitsPlane, bool MovesByRelative>
+struct check_transmission {
+  static_assert(rule<Core, Turn, FitsSpace>,
+                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation), "
+                "kte::rotation_about(axis, angle)");
+  static_assert(rule<Core, Turn, FitsPlane>,
+                "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
+  static_assert(rule<Core, Turn, MovesByRelative>,
+                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
+};
+
 /// A joint or link in an algorithm that asks it for its `relative` alone.
 template <class Core, bool Plain>
 struct check_loads {

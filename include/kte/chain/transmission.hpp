@@ -171,16 +171,10 @@ requires is_transmission<Core>
 struct check_core<Core> {
   using turn = decltype(rotation_of(std::declval<const Core&>()));
   static constexpr bool in_space = Core::ports.back().what == kind::frame_3D;
-  static constexpr bool fits_frames = std::is_same_v<turn, no_rotation> || is_planar_rotation<turn> != in_space;
-  static constexpr bool fits_space = fits_frames || !in_space, fits_plane = fits_frames || in_space;
-  static constexpr bool moves = moves_by_relative<Core>, passed = fits_frames && moves;
-  static_assert(rule<Core, turn, fits_space>,
-                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation), "
-                "kte::rotation_about(axis, angle)");
-  static_assert(rule<Core, turn, fits_plane>,
-                "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
-  static_assert(rule<Core, turn, moves>,
-                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
+  static constexpr bool fits = std::is_same_v<turn, no_rotation> || is_planar_rotation<turn> != in_space;
+  static constexpr bool passed = fits && moves_by_relative<Core>;
+  static_assert(sizeof(check_transmission < Core, turn, fits || !in_space, fits || in_space,
+                       moves_by_relative < Core >>) > 0);
 };
 
 }  // namespace detail
