@@ -10,4 +10,4 @@ inline constexpr struct flat_  final : kte::frame_2D_key<"flat">   {} flat;
 inline constexpr struct other_ final : kte::frame_2D_key<"other">  {} other;
 // clang-format on
 
-constexpr auto link = kte::rigid_link_2D(flat, other, kte::along_z(0.5));
+constexpr auto bar = kte::rigid_link_2D(flat, other, kte::along_z(0.5));

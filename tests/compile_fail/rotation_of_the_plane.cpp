@@ -1,4 +1,5 @@
-// expect: error: .*kte: a link in space takes a matrix or a quaternion
+// expect: error: .*kte: a joint or link in space turns by a matrix or a quaternion
+// lines: 16
 #include <kte/kte.hpp>
 
 // clang-format off
@@ -6,4 +7,4 @@ inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
 inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
 // clang-format on
 
-const auto link = kte::rigid_link_3D(base, hand, kte::along_z(0.5), kte::rotation_by(0.3));
+const auto bar = kte::rigid_link_3D(base, hand, kte::along_z(0.5), kte::rotation_by(0.3));

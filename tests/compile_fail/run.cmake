@@ -13,6 +13,9 @@ foreach(i RANGE ${CMAKE_ARGC})
     set(after_dashes TRUE)
   endif()
 endforeach()
+if(COMPILER STREQUAL Clang)
+  list(APPEND command -ferror-limit=0)  # all mistakes of a file, not the first twenty
+endif()
 # Code is generated: without, g++ leaves some templates alone.
 execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${command} -S -o /dev/null ${FILE}
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)

@@ -1,3 +1,5 @@
+#include <kte/dynamics/runtime_derivatives.hpp>
+
 #include <limits>
 
 #include "catch.hpp"
@@ -53,6 +55,55 @@ TEST_CASE("arguments that are no numbers") {
                            kte::test::says("no finite number"));
       if (i > 0) CHECK_THROWS_AS(kte::inverse_dynamics(c, bad, good, good), kte::bad_argument);
     }
+}
+
+namespace {
+/// A slide along x with friction in itself: its force on the coordinate is not that of virtual power alone.
+struct rubbing_joint : kte::transmission<rubbing_joint> {
+  static constexpr kte::type_name type{"rubbing_joint", kte::kind::frame_3D};
+  static constexpr std::array<kte::port, 3> ports{{{kte::kind::gen, kte::access::in, "coordinate"},
+                                                   {kte::kind::frame_3D, kte::access::in, "base"},
+                                                   {kte::kind::frame_3D, kte::access::out, "end"}}};
+  template <class C>
+  constexpr auto relative(const C& c) const {
+    using namespace kte;
+    return motion{axis::x * c.q, no_rotation{}, axis::x * c.q_dot, zero3{}, axis::x * c.q_ddot, zero3{}};
+  }
+  template <class C, class Base, class Wrench>
+  constexpr auto doForce(const C& c, const Base&, const Wrench& end) const {
+    return kte::make_loads(end.force.x - 0.5 * c.q_dot, end);
+  }
+  constexpr void check(const kte::parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+}  // namespace
+
+TEST_CASE("a joint with a force of its own") {
+  using namespace kte;
+  const auto slide = chain(connect(rubbing_joint{}, hip, ground, trunk), inertia_3D(trunk, point_mass(2.0)));
+  const std::array q{0.1}, v{0.5}, a{3.0};
+  CHECK(inverse_dynamics(slide, q, v, a)[0] == 6.25);  // m a + c v; what is beyond that does not compile
+  for (const bool nested : {false, true}) {
+    kte_map_chain model;
+    if (nested)
+      model << slide;
+    else
+      model << connect(rubbing_joint{}, "hip", "ground", "trunk") << inertia_3D("trunk", point_mass(2.0));
+    auto s = model.make_state();
+    CHECK(inverse_dynamics(model, s, q, v, a)[0] == 6.25);
+    model.doMotion(s), model.clearForce(s), model.doForce(s);
+    CHECK(s.coordinate("hip").f == -6.25);
+    const auto refused = test::contains_text("rubbing_joint_3D has a `doForce` of its own");
+    CHECK_THROWS_WITH(forward_dynamics(model, s), refused);
+    CHECK_THROWS_WITH(mass_matrix(model, s), refused);
+    CHECK_THROWS_WITH(mass_matrix_inverse(model, s), refused);
+    CHECK_THROWS_WITH(inverse_dynamics_derivatives(model, s), refused);
+    CHECK_THROWS_WITH(forward_dynamics_derivatives(model, s), refused);
+    CHECK_THROWS_WITH(hybrid_dynamics(model, s, q, v, a, {}), refused);
+    CHECK_THROWS_WITH(gravity_forces(model, s), refused);
+    CHECK_THROWS_WITH(coriolis_forces(model, s), refused);
+  }
 }
 
 TEST_CASE("large angles keep their digits") {

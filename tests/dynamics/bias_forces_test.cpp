@@ -152,7 +152,7 @@ TEST_CASE("parts of inverse dynamics for bad arguments") {
   const auto model = models::element_by_element(c);
   auto s = model.make_state();
   const std::array<double, 7> good{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
-  const std::array two{1.0, 2.0};
+  const std::vector two{1.0, 2.0};
   CHECK_THROWS_AS(gravity_forces(c, two), bad_argument);
   CHECK_THROWS_AS(static_forces(c, two), bad_argument);
   CHECK_THROWS_AS(nonlinear_effects(c, good, two), bad_argument);

@@ -155,7 +155,7 @@ TEST_CASE("centre of mass and momentum of bad arguments") {
   const auto model = models::element_by_element(c);
   auto s = model.make_state();
   const std::array<double, 7> good{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
-  const std::array two{1.0, 2.0};
+  const std::vector two{1.0, 2.0};
   CHECK_THROWS_AS(centre_of_mass(c, two), bad_argument);
   CHECK_THROWS_AS(centroidal_map(c, two), bad_argument);
   CHECK_THROWS_AS(centroidal_momentum(c, good, two), bad_argument);

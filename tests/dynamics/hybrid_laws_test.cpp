@@ -142,7 +142,8 @@ TEST_CASE("hybrid dynamics of what is no number, and of other sizes", "[hybrid]"
   for (std::size_t i = 1; i < 5; ++i) turned[i] = 0;
   CHECK_THROWS_AS(solve(turned, v, v), bad_argument);
   CHECK_THROWS_WITH(solve(turned, v, v), "kte: the quaternion of a rotation has length 0");
-  CHECK_THROWS_WITH(solve(v, v, v), "kte: q has 6 numbers, the chain has 7 numbers of a configuration");
-  CHECK_THROWS_WITH(solve(q, q, v), "kte: v has 7 numbers, the chain has 6 degrees of freedom");
-  CHECK_THROWS_WITH(solve(q, v, q), "kte: known has 7 numbers, the chain has 6 degrees of freedom");
+  const std::vector six(v.begin(), v.end()), seven(q.begin(), q.end());
+  CHECK_THROWS_WITH(solve(six, six, six), "kte: q has 6 numbers, the chain has 7 numbers of a configuration");
+  CHECK_THROWS_WITH(solve(seven, seven, six), "kte: v has 7 numbers, the chain has 6 degrees of freedom");
+  CHECK_THROWS_WITH(solve(seven, six, seven), "kte: known has 7 numbers, the chain has 6 degrees of freedom");
 }

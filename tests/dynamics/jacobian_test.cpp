@@ -116,7 +116,7 @@ TEST_CASE("Jacobians of bad arguments") {
   const auto model = models::element_by_element(c);
   auto s = model.make_state();
   std::array<double, 7> q{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
-  CHECK_THROWS_AS(jacobian(c, std::array{1.0, 2.0}, tool), bad_argument);
+  CHECK_THROWS_AS(jacobian(c, std::vector{1.0, 2.0}, tool), bad_argument);
   CHECK_THROWS_AS(jacobian(model, s, std::array{1.0, 2.0}, "tool"), bad_argument);
   CHECK_THROWS_AS(jacobian(model, s, q, "tol"), unknown_name);
   for (std::size_t i = 0; i < 7; ++i) {

@@ -102,6 +102,6 @@ TEST_CASE("the inverse of the mass matrix of what is no number", "[mass_matrix_i
     s[drive].q = 0;
   }
   rejected(c, s, std::array{0.25, 0.0, 0.0, 0.0, 0.0, 0.5}, "kte: the quaternion of a rotation has length 0");
-  CHECK_THROWS_WITH(mass_matrix_inverse(c, std::array{0.25, 0.5}),
+  CHECK_THROWS_WITH(mass_matrix_inverse(c, std::vector{0.25, 0.5}),
                     "kte: q has 2 numbers, the chain has 6 numbers of a configuration");
 }

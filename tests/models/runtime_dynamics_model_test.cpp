@@ -67,7 +67,7 @@ TEST_CASE("A model of a runtime chain is the same system as that of a static cha
   CHECK(r[14] != 0);
 
   dormand_prince45 a(std::ref(still), 0.0, x, {.absolute = 1e-9, .relative = 1e-9});
-  dormand_prince45 b(std::ref(moving), 0.0, x_runtime, {.absolute = 1e-9, .relative = 1e-9});
+  dormand_prince45 b(std::cref(moving), 0.0, x_runtime, {.absolute = 1e-9, .relative = 1e-9});
   a.integrate(1), b.integrate(1);
   CHECK(a.statistics().steps == b.statistics().steps);
   // Roundings enter the error estimates, 1e-7 of the tolerance, and by them the steps: far less than the tolerance.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/chain/port.hpp>
+#include <kte/detail/call.hpp>
 
 #include <tuple>
 
@@ -60,5 +61,36 @@ struct check_wiring {
                 "kte: this element reads a name that no element of the chain writes: misspelt, or another base? "
                 "Declare a further base by kte::base_gen, base_2D or base_3D");
 };
+
+/// An element core whose forces depend on what an algorithm leaves out, unless it says that it needs it.
+template <class Core, bool Declared>
+struct check_need {
+  static_assert(Declared,
+                "kte: this element's force depends on a position, rotation or linear velocity, which this algorithm "
+                "leaves out unless the element core says: static constexpr bool reads_positions = true;");
+};
+
+/// A joint or link, and how it turns.
+template <class Core, class Turn, bool FitsSpace, bool FitsPlane, bool MovesByRelative>
+struct check_transmission {
+  static_assert(rule<Core, Turn, FitsSpace>,
+                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation), "
+                "kte::rotation_about(axis, angle)");
+  static_assert(rule<Core, Turn, FitsPlane>,
+                "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
+  static_assert(rule<Core, Turn, MovesByRelative>,
+                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
+};
+
+/// A joint or link in an algorithm that asks it for its `relative` alone.
+template <class Core, bool Plain>
+struct check_loads {
+  static_assert(Plain,
+                "kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has a "
+                "`doForce` of its own: put that force into an element on the coordinate");
+};
+
+/// What stands for an element that was refused with a sentence, so that nothing more is said about it.
+struct refused {};
 
 }  // namespace kte::detail

@@ -24,8 +24,10 @@ class kte_map_adapter final : public kte_element {
     c.stiff = detail::is_transmission<Core>;
     c.reads_positions = detail::reads_positions<Core>;
     c.has_derivatives = detail::has_derivatives<Core>;
+    c.plain_loads = detail::loads_by_relative<Core>;
     t.reads_positions |= c.reads_positions;
     t.has_derivatives &= c.has_derivatives;
+    t.plain_loads &= c.plain_loads;
     number_ = t.elements.size() - 1;
   }
   element_record record() const override { return record_of(core_, names_); }

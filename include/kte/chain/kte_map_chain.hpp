@@ -33,6 +33,7 @@ class kte_map_chain : public kte_map {
   /// Appends an element, a static chain, or a chain. Throws `bad_wiring`; the chain is then as before.
   template <class Core>
   kte_map_chain& operator<<(named_element<Core> e) {
+    static_assert(sizeof(detail::check_need<Core, detail::knows_its_needs<Core, runtime_state>>) > 0);
     return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
   }
   template <class Gravity, class... E>
@@ -40,6 +41,15 @@ class kte_map_chain : public kte_map {
     return append(std::make_unique<static_chain_map<static_chain<Gravity, E...>>>(c));
   }
   kte_map_chain& operator<<(const kte_map_chain& c) { return append(c.clone()); }
+  template <class Core, class... Keys>
+  kte_map_chain& operator<<(const element<Core, Keys...>&) {
+    static_assert(
+        detail::fit<Core>,
+        "kte: a runtime chain is connected by texts; elements with keys are for kte::chain, and static chains "
+        "can be appended");
+    return *this;
+  }
+  kte_map_chain& operator<<(detail::refused) { return *this; }
   kte_map_chain& append(std::unique_ptr<kte_map> e) {
     const bool single = dynamic_cast<const kte_element*>(e.get()) != nullptr;
     if (elements_.size() == elements_.capacity()) elements_.reserve(2 * elements_.size() + 8);
@@ -58,6 +68,12 @@ class kte_map_chain : public kte_map {
   template <class X, class Y, class Z>
   kte_map_chain& gravity(const vec3<X, Y, Z>& g) {
     gravity_ = as<double>(g);
+    return *this;
+  }
+  template <class Number>
+  kte_map_chain& gravity(const Number&) {
+    static_assert(detail::fit<Number>,
+                  "kte: gravity is a vector in the axes of the bases, m/s^2: .gravity(kte::along_z(-9.81))");
     return *this;
   }
   const vec3<>& gravity() const { return gravity_; }

@@ -34,6 +34,16 @@ inline constexpr int kept_count = [] {
   return n;
 }();
 
+/// Whether something that nobody asked for is in a load.
+template <class T>
+inline constexpr bool has_skip = std::is_same_v<T, skip>;
+template <class X, class Y, class Z>
+inline constexpr bool has_skip<vec3<X, Y, Z>> = has_skip<X> || has_skip<Y> || has_skip<Z>;
+template <class F, class T>
+inline constexpr bool has_skip<wrench<F, T>> = has_skip<F> || has_skip<T>;
+template <class... L>
+inline constexpr bool has_skip<boost::hana::tuple<L...>> = (has_skip<L> || ...);
+
 /// Where the ports of an element lead, as a list of indices.
 struct by_index {
   const int* index;

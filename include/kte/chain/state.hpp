@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/chain/checks.hpp>
 #include <kte/chain/thing.hpp>
 #include <kte/chain/wiring.hpp>
 
@@ -28,6 +29,14 @@ class chain_state {
     return at(*this, Key{});
   }
 
+  /// The result only keeps compilers from saying more.
+  template <text_type Text>
+  constexpr auto& operator[](const Text&) const {
+    static_assert(detail::fit<Text>,
+                  "kte: the state of a static chain is asked by keys, s[hand]; texts are for runtime chains");
+    return no_thing();
+  }
+
   // By index among things of a kind, for the passes: first come those that are degrees of freedom.
   constexpr auto& coordinate(int i) { return get<kind::gen>(i); }
   constexpr const auto& coordinate(int i) const { return get<kind::gen>(i); }
@@ -47,6 +56,9 @@ class chain_state {
     static_assert(i >= 0, "kte: this chain has nothing of this name");
     return s.template get<Key::what>(i < 0 ? 0 : i);
   }
+  struct any_thing : gen_coord<Scalar>, frame_3D<Scalar> {};
+  static any_thing& no_thing();
+
   template <class Kinds>
   struct lists;
   template <std::size_t... K>

@@ -73,6 +73,12 @@ class static_chain {
   constexpr auto gravity(const vec3<X, Y, Z>& g) const {
     return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
   }
+  template <class Number>
+  constexpr const static_chain& gravity(const Number&) const {
+    static_assert(detail::fit<Number>,
+                  "kte: gravity is a vector in the axes of the base, m/s^2: .gravity(kte::along_z(-9.81))");
+    return *this;
+  }
   constexpr const Gravity& gravity() const { return gravity_; }
 
   constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }
@@ -142,6 +148,30 @@ template <class Core, class... Keys>
 constexpr auto as_elements(const element<Core, Keys...>& e) {
   return boost::hana::tuple<element<Core, Keys...>>(e);
 }
+/// Whether something can be part of a static chain.
+template <class E>
+struct check_part {
+  static constexpr bool passed = true;
+};
+template <>
+struct check_part<refused> {
+  static constexpr bool passed = false;
+};
+template <class Core>
+struct check_part<named_element<Core>> {
+  static_assert(fit<Core>,
+                "kte: a static chain is connected by keys; texts are for runtime chains: kte::kte_map_chain");
+  static constexpr bool passed = false;
+};
+/// Its elements, or none.
+template <bool Usable, class E>
+constexpr auto part(const E& e) {
+  if constexpr (Usable) {
+    return as_elements(e);
+  } else {
+    return boost::hana::tuple<>{};
+  }
+}
 template <class T>
 inline constexpr bool is_element = false;
 template <class Core, class... Keys>
@@ -169,7 +199,8 @@ constexpr auto chain(const E&... e) {
   if constexpr (flat) {
     return detail::make_chain(e...);
   } else {
-    return boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::as_elements(e)...)),
+    constexpr bool usable = (detail::check_part<E>::passed && ...);
+    return boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::part<usable>(e)...)),
                                detail::make_chain);
   }
 }

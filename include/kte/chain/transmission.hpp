@@ -18,6 +18,9 @@ KTE_INLINE constexpr auto make_loads(const L&... l) {
 }
 
 namespace detail {
+/// A type that no pass is called with.
+struct no_pass;
+
 /// The N-th vector of unit length along the axes, or none of them.
 template <int N>
 KTE_INLINE constexpr auto unit_vector() {
@@ -123,8 +126,57 @@ struct transmission {
                       transmit(core().relative(detail::position_only(c)), end));  // (3)
   }
 
+  // Hidden by passes that a core has of its own.
+  static void doMotion(const detail::no_pass&);
+  static void doForce(const detail::no_pass&);
+
  private:
   KTE_INLINE constexpr const Core& core() const { return static_cast<const Core&>(*this); }
 };
+
+namespace detail {
+
+/// A core with a `relative`: a stiff connection between two frames. Its ports are the coordinates, the base, the end.
+template <class Core>
+inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
+
+/// Whether doMotion and doForce are those that follow from `relative`.
+template <class Core>
+inline constexpr bool moves_by_relative = requires {
+  static_cast<void (*)(const no_pass&)>(&Core::doMotion);
+};
+template <class Core>
+inline constexpr bool loads_by_relative = !is_transmission<Core> || requires {
+  static_cast<void (*)(const no_pass&)>(&Core::doForce);
+};
+
+/// The rotation of a link, or of a joint at a coordinate made of numbers; none where it can only be one in space.
+template <class Core>
+constexpr auto rotation_of(const Core& core) {
+  if constexpr (port_count<Core> == 2) {
+    return core.relative().rotation;
+  } else if constexpr (Core::ports[0].what == kind::gen) {
+    return core.relative(coordinate<double, double, double, double, double>{}).rotation;
+  } else if constexpr (Core::ports[0].what == kind::pose_2D) {
+    using in_plane = vec3<double, double, zero_t>;
+    using about_z = vec3<zero_t, zero_t, double>;
+    return core.relative(motion<in_plane, rotation_2D<>, in_plane, about_z, in_plane, about_z>{}).rotation;
+  } else {
+    return no_rotation{};
+  }
+}
+
+template <class Core>
+requires is_transmission<Core>
+struct check_core<Core> {
+  using turn = decltype(rotation_of(std::declval<const Core&>()));
+  static constexpr bool in_space = Core::ports.back().what == kind::frame_3D;
+  static constexpr bool fits = std::is_same_v<turn, no_rotation> || is_planar_rotation<turn> != in_space;
+  static constexpr bool passed = fits && moves_by_relative<Core>;
+  static_assert(sizeof(check_transmission < Core, turn, fits || !in_space, fits || in_space,
+                       moves_by_relative < Core >>) > 0);
+};
+
+}  // namespace detail
 
 }  // namespace kte

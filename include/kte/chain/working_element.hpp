@@ -105,6 +105,11 @@ struct working_element {
   void push() const {
     if constexpr (!reads_positions<Core>) push<RatesOnly>(inputs{});
   }
+  /// Of an element that writes nothing: what it puts on things.
+  template <std::size_t... P>
+  auto loads(std::index_sequence<P...>) const {
+    return core.doForce(seen<P, false>()...);
+  }
 
  private:
   auto stored() const { return stored_element<Core, State, by_index>{core, state, {index}}; }
@@ -154,8 +159,11 @@ struct working_element {
   }
   template <std::size_t... P, class Loads>
   void spread(const Loads& l) const {
-    std::size_t done[]{(add<P>(l), std::size_t{0})..., 0};
-    (void)done;
+    static_assert(sizeof(check_need<Core, !has_skip<Loads>>) > 0);
+    if constexpr (!has_skip<Loads>) {
+      std::size_t done[]{(add<P>(l), std::size_t{0})..., 0};
+      (void)done;
+    }
   }
   template <std::size_t P, class Loads>
   void add(const Loads& l) const {
@@ -169,5 +177,16 @@ struct working_element {
     }
   }
 };
+
+/// Whether an element says so if its forces depend on positions.
+template <class Core, class State>
+inline constexpr bool knows_its_needs = [] {
+  if constexpr (reads_positions<Core> || Core::ports.back().how == access::out) {
+    return true;
+  } else {
+    using element = working_element<Core, State>;
+    return !has_skip<decltype(std::declval<const element&>().loads(typename element::inputs{}))>;
+  }
+}();
 
 }  // namespace kte::detail

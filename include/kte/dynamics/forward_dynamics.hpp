@@ -12,6 +12,7 @@ namespace detail {
 template <class S, int N, class Chain, class Given>
 KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const joint_vector<S, N>& tau,
                                           joint_vector<S, N>& a) {
+  static_assert(sizeof(check_loads_of<Chain>) > 0);
   if constexpr (is_unrolled<Chain, S>) {
     local_articulated<S, Chain, Given>(c, g).accelerate(tau, a);
   } else {

@@ -80,7 +80,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   using base_type = std::remove_const_t<decltype(base)>;
   using given_type = detail::given<decltype(at), detail::each<S, V>, accelerations, base_type, true>;
   const given_type g{at, {v}, {known}, base};
-  detail::articulated_accelerations(c, g, force, r.a);
+  if constexpr (detail::is_tree_of_joints<chain_type>) detail::articulated_accelerations(c, g, force, r.a);
   r.tau = detail::coordinate_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
                                        minus_one);
   for (int i = 0; i < chain_type::dofs; ++i)  // what is known is given back as it came

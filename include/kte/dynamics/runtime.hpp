@@ -27,6 +27,7 @@ const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s
 /// The mass matrix at the state's positions (CRBA). As `mass_matrix` on a static chain.
 inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s) {
   c.check(s);
+  detail::check_plain_loads(c);
   detail::check_positions(s);
   detail::mass_of_coordinates(c, s);
   return s.work.mass;

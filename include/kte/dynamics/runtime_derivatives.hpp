@@ -16,6 +16,7 @@ namespace detail {
 /// Throws unless the derivatives of a chain are known element by element.
 inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
   c.check(s);
+  check_plain_loads(c);
   check_positions(s);
   for (const auto& e : c.wiring().elements)
     if (!e.has_derivatives)
@@ -31,6 +32,7 @@ inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
 /// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
 inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s) {
   c.check(s);
+  detail::check_plain_loads(c);
   detail::check_positions(s);
   auto& inverse = s.work.inverse;
   inverse.resize(s.dofs(), s.dofs());

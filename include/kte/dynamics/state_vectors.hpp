@@ -44,6 +44,7 @@ constexpr void check_configuration(int nq, int dofs, const Q& q) {
 }
 template <class Chain, indexable Q>
 constexpr void check_configuration(const Q& q) {
+  static_assert(holds<Q, Chain::nq>, "kte: q has another number of entries than a configuration of the chain has");
   check_configuration(Chain::nq, Chain::dofs, q);
 }
 /// Which numbers of a coordinate, and where they begin in a vector.

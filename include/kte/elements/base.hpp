@@ -36,4 +36,8 @@ constexpr auto base_3D(const F& frame) {
   return connect(core::base<kind::frame_3D>{}, frame);
 }
 
+KTE_CALL(base_gen, "(coordinate)")
+KTE_CALL(base_2D, "(frame)")
+KTE_CALL(base_3D, "(frame)")
+
 }  // namespace kte

@@ -76,4 +76,8 @@ constexpr auto damper_3D(const F1& anchor1, const F2& anchor2, const Damping& da
   return connect(core::damper<kind::frame_3D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 
+KTE_CALL(damper_gen, "(anchor1, anchor2, damping)")
+KTE_CALL(damper_2D, "(anchor1, anchor2, damping)")
+KTE_CALL(damper_3D, "(anchor1, anchor2, damping)")
+
 }  // namespace kte

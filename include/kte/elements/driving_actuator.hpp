@@ -29,4 +29,6 @@ constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
   return connect(core::driving_actuator_gen{}, coordinate, input);
 }
 
+KTE_CALL(driving_actuator_gen, "(coordinate, input)")
+
 }  // namespace kte

@@ -44,4 +44,7 @@ constexpr auto free_joint_3D(const X& coordinate, const B& base, const E& end) {
   return connect(core::free_joint<kind::frame_3D>{}, coordinate, base, end);
 }
 
+KTE_CALL(free_joint_2D, "(coordinate, base, end)")
+KTE_CALL(free_joint_3D, "(coordinate, base, end)")
+
 }  // namespace kte

@@ -118,4 +118,8 @@ constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
   return connect(core::inertia_gen<std::remove_const_t<decltype(m)>>{m}, coordinate);
 }
 
+KTE_CALL(inertia_gen, "(coordinate, mass)")
+KTE_CALL(inertia_2D, "(frame, body); a body is kte::point_mass(1.0) or kte::planar_body(2.0, 0.1)")
+KTE_CALL(inertia_3D, "(frame, body); a body is kte::point_mass(1.0) or kte::rigid_body{mass, com, inertia}")
+
 }  // namespace kte

@@ -85,4 +85,6 @@ constexpr auto joint_backlash_gen(const Q1& anchor1, const Q2& anchor2, const S&
   return connect(core::joint_backlash_gen<S>{gap, stiffness, damping}, anchor1, anchor2);
 }
 
+KTE_CALL(joint_backlash_gen, "(anchor1, anchor2, gap, stiffness, damping)")
+
 }  // namespace kte

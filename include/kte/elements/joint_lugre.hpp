@@ -95,4 +95,6 @@ constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lug
   return connect(core::joint_lugre_gen{p}, coordinate, bristles);
 }
 
+KTE_CALL(joint_lugre_gen, "(coordinate, bristles, parameters)")
+
 }  // namespace kte

@@ -51,9 +51,12 @@ constexpr auto revolute_joint_2D(const Q& coordinate, const B& base, const E& en
 
 /// A revolute joint in space about a unit axis, which is the same in base and end axes. `axis::z` and its kin are free;
 /// any `vec3` of length 1 will do.
-template <class Q, class B, class E, class Axis = std::remove_const_t<decltype(axis::z)>>
-constexpr auto revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const Axis& axis = {}) {
-  return connect(core::revolute_joint<kind::frame_3D, Axis>(axis), coordinate, base, end);
+template <class Q, class B, class E, class X = zero_t, class Y = zero_t, class Z = one_t>
+constexpr auto revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis = {}) {
+  return connect(core::revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis), coordinate, base, end);
 }
+
+KTE_CALL(revolute_joint_2D, "(coordinate, base, end)")
+KTE_CALL(revolute_joint_3D, "(coordinate, base, end[, axis]); an axis is a vector, such as kte::axis::x")
 
 }  // namespace kte

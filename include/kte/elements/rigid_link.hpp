@@ -58,20 +58,17 @@ struct rigid_link_gen {
 }  // namespace core
 
 /// A link in the plane: position of the end in the base, m (`along_x(0.5)`, `vec2{0.3, 0.4}`), and its rotation.
-template <class B, class E, class Position, class Rotation = no_rotation>
+template <class B, class E, geometric Position, class Rotation = no_rotation>
 constexpr auto rigid_link_2D(const B& base, const E& end, const Position& position, const Rotation& rotation = {}) {
-  static_assert(detail::is_planar_rotation<Rotation>,
-                "kte: a link in the plane takes a planar rotation: rotation_by(angle)");
   const auto r = detail::planar(position);
   return connect(core::rigid_link<kind::frame_2D, Rotation, std::remove_const_t<decltype(r)>>(r, rotation), base, end);
 }
 
 /// A link in space: position of the end in the base, m, and its rotation (`quarter_turn_x`, a matrix, a quaternion).
-template <class B, class E, class Position, class Rotation = no_rotation>
-constexpr auto rigid_link_3D(const B& base, const E& end, const Position& position, const Rotation& rotation = {}) {
-  static_assert(!detail::is_planar_rotation<Rotation> || std::is_same_v<Rotation, no_rotation>,
-                "kte: a link in space takes a matrix or a quaternion: rotation_about(axis::z, angle)");
-  return connect(core::rigid_link<kind::frame_3D, Rotation, Position>(position, rotation), base, end);
+template <class B, class E, class X, class Y, class Z, class Rotation = no_rotation>
+constexpr auto rigid_link_3D(const B& base, const E& end, const vec3<X, Y, Z>& position,
+                             const Rotation& rotation = {}) {
+  return connect(core::rigid_link<kind::frame_3D, Rotation, vec3<X, Y, Z>>(position, rotation), base, end);
 }
 
 /// A coordinate at a constant distance (m or rad) from another.
@@ -80,5 +77,9 @@ constexpr auto rigid_link_gen(const B& base, const E& end, const Offset& offset)
   const auto c = real(offset);
   return connect(core::rigid_link_gen<std::remove_const_t<decltype(c)>>{c}, base, end);
 }
+
+KTE_CALL(rigid_link_gen, "(base, end, offset)")
+KTE_CALL(rigid_link_2D, "(base, end, position[, rotation]); a position is a vector, such as kte::along_x(0.5)")
+KTE_CALL(rigid_link_3D, "(base, end, position[, rotation]); a position is a vector, such as kte::along_z(0.5)")
 
 }  // namespace kte

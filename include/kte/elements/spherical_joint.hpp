@@ -32,4 +32,6 @@ constexpr auto spherical_joint_3D(const X& coordinate, const B& base, const E& e
   return connect(core::spherical_joint{}, coordinate, base, end);
 }
 
+KTE_CALL(spherical_joint_3D, "(coordinate, base, end)")
+
 }  // namespace kte

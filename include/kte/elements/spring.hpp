@@ -243,4 +243,8 @@ constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
 }
 
+KTE_CALL(spring_gen, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
+KTE_CALL(spring_2D, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
+KTE_CALL(spring_3D, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
+
 }  // namespace kte

@@ -39,4 +39,7 @@ constexpr auto torsion_damper_3D(const F1& anchor1, const F2& anchor2, const Dam
   return connect(core::torsion_damper<kind::frame_3D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 
+KTE_CALL(torsion_damper_2D, "(anchor1, anchor2, damping)")
+KTE_CALL(torsion_damper_3D, "(anchor1, anchor2, damping)")
+
 }  // namespace kte

@@ -140,4 +140,7 @@ constexpr auto torsion_spring_3D(const F1& anchor1, const F2& anchor2, const Sti
   return connect(core_type{real(stiffness), real(saturation), zero}, anchor1, anchor2);
 }
 
+KTE_CALL(torsion_spring_2D, "(anchor1, anchor2, stiffness[, saturation[, rest_angle]])")
+KTE_CALL(torsion_spring_3D, "(anchor1, anchor2, stiffness[, saturation])")
+
 }  // namespace kte

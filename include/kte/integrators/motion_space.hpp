@@ -32,6 +32,12 @@ F& unwrapped(std::reference_wrapper<F>& f) {
 }
 template <class F>
 using unwrapped_type = std::remove_cvref_t<decltype(unwrapped(std::declval<F&>()))>;
+/// Whether F is `std::cref` of what can be called only through `std::ref`.
+template <class F, class S, class X>
+inline constexpr bool changes_when_called = false;
+template <class F, class S, class X>
+inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X> =
+    !std::invocable<const F&, const S&, const X&> && std::invocable<F&, const S&, const X&>;
 }  // namespace detail
 
 /// A right-hand side f whose states are no vectors:

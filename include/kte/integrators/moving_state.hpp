@@ -26,19 +26,23 @@ class moving_state {
   using S = typename X::Scalar;
   using rate = rate_of<F, X>;
   static_assert(X::ColsAtCompileTime == 1, "kte: a state is a column vector");
-  static_assert(std::invocable<F&, const S&, const X&>, "kte: a right-hand side is called as f(t, x)");
   static_assert(!detail::has_states_on_group<detail::unwrapped_type<F>> || moves_on_group<detail::unwrapped_type<F>, X>,
                 "kte: the states of this model move on a group: give the integrator a start state of its type `state`, "
                 "as make_x does");
 
  protected:
+  static constexpr bool is_called = std::invocable<F&, const S&, const X&>;
   /// Whether states are no vectors.
   static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
   struct nothing {};
   template <class T>
   using if_on_group = std::conditional_t<on_group, T, nothing>;
 
-  explicit moving_state(F f) : f_(std::move(f)) {}
+  explicit moving_state(F f) : f_(std::move(f)) {
+    static_assert(!detail::changes_when_called<F, S, X>,
+                  "kte: this right-hand side changes when it is called: pass std::ref(f), not std::cref(f)");
+    static_assert(is_called || detail::changes_when_called<F, S, X>, "kte: a right-hand side is called as f(t, x)");
+  }
   /// Anew from x.
   template <class V>
   void place(const Eigen::MatrixBase<V>& x) {
@@ -63,7 +67,7 @@ class moving_state {
   /// x_dot = f(t, x).
   void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
-    x_dot = f_(t, x);
+    if constexpr (is_called) x_dot = f_(t, x);
     if (x_dot.size() != rates()) [[unlikely]]
       detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
                                   " numbers for a state of " + std::to_string(x.size()));

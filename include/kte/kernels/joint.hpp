@@ -7,10 +7,7 @@
 /// What the composite-rigid-body algorithm asks of elements, in static and runtime chains.
 namespace kte::detail {
 
-/// A core with a `relative(coordinates...)`: a stiff connection between two frames. Its ports are the coordinates, the
-/// base, the end.
-template <class Core>
-inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
+/// How many coordinates a transmission has.
 template <class Core>
 inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
 /// The kind of a joint's coordinate, and its number of degrees of freedom; none for a link.

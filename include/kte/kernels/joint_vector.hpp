@@ -34,8 +34,25 @@ constexpr void check_size(std::size_t n, const T& x, const char* name, const cha
                                   " numbers, the chain has " + std::to_string(n) + " " + what);
   }
 }
+namespace detail {
+/// How many numbers a type holds, where it says so.
+template <class T>
+inline constexpr std::ptrdiff_t count_of = -1;
+template <class T>
+requires requires { std::tuple_size<T>::value; }
+inline constexpr std::ptrdiff_t count_of<T> = std::ptrdiff_t{std::tuple_size<T>::value};
+template <class T>
+requires requires { T::SizeAtCompileTime; }
+inline constexpr std::ptrdiff_t count_of<T> = T::SizeAtCompileTime;
+/// Whether it may hold N.
+template <class T, int N>
+inline constexpr bool holds = count_of<T> < 0 || count_of<T> == N;
+}  // namespace detail
+
 template <int N, indexable T>
 constexpr void check_size(const T& x, const char* name, const char* what = "degrees of freedom") {
+  static_assert(detail::holds<T, N>,
+                "kte: an argument (v, a, tau) has another number of entries than the chain has degrees of freedom");
   check_size(std::size_t{N}, x, name, what);
 }
 

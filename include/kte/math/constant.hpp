@@ -23,8 +23,12 @@ inline constexpr one_t one{};
 inline constexpr constant<-1> minus_one{};
 
 /// A quantity that nobody asked for: any arithmetic with it gives `skip` again and no machine code. An algorithm that
-/// needs no positions starts from a base whose position is `skip`, and no position is ever computed.
-struct skip {};
+/// needs no positions starts from a base whose position is `skip`, and no position is ever computed. So are its
+/// entries.
+struct skip {
+  static const skip x, y, z;
+};
+inline constexpr skip skip::x{}, skip::y{}, skip::z{};
 
 namespace detail {
 template <class T>
@@ -178,6 +182,15 @@ template <not_skip T>
 KTE_INLINE constexpr skip operator*(const T&, skip) {
   return {};
 }
+template <class T>
+KTE_INLINE constexpr skip operator/(skip, const T&) {
+  return {};
+}
+template <not_skip T>
+KTE_INLINE constexpr skip operator/(const T&, skip) {
+  return {};
+}
+KTE_INLINE constexpr skip sqrt(skip) { return {}; }
 
 /// Literals for typed constants: `0_c`, `1_c`, `-1_c`.
 inline namespace literals {

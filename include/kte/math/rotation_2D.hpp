@@ -97,5 +97,6 @@ KTE_INLINE constexpr auto congruence(no_rotation, const sym3<T...>& a) {
   return a;
 }
 KTE_INLINE constexpr skip transpose(skip) { return {}; }
+KTE_INLINE constexpr skip matrix(skip) { return {}; }
 
 }  // namespace kte

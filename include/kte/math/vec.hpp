@@ -133,5 +133,13 @@ template <class A, class B, class C, class D>
 KTE_INLINE constexpr auto dot(const vec2<A, B>& a, const vec2<C, D>& b) {
   return a.x * b.x + a.y * b.y;
 }
+template <class T>
+KTE_INLINE constexpr skip dot(skip, const T&) {
+  return {};
+}
+template <not_skip T>
+KTE_INLINE constexpr skip dot(const T&, skip) {
+  return {};
+}
 
 }  // namespace kte

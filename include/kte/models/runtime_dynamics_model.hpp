@@ -35,7 +35,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// Throws `bad_wiring` as `kte_map_chain::make_state` does.
   explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {}
 
-  const rate& computeStateRate(double, const state& x) {
+  const rate& computeStateRate(double, const state& x) const {
     setJointStates(x, s_);
     rate_.head(dofs()) = velocities_of(x);
     rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
@@ -43,7 +43,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return rate_;
   }
   /// The same for integrators: NaN where numbers are not finite, so that they try a shorter step, or say when it was.
-  const rate& operator()(double t, const state& x) {
+  const rate& operator()(double t, const state& x) const {
     check_state(x);
     try {
       return computeStateRate(t, x);
@@ -72,20 +72,20 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     for (int i = 0; i < u_.size(); ++i) s.get<kind::input>(i) = u_[i];
   }
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
-  const runtime_state& state_at(double t, const state& x) {
+  const runtime_state& state_at(double t, const state& x) const {
     computeStateRate(t, x);  // leaves accelerations in the state
     doMotion(s_), clearForce(s_), doForce(s_);
     return s_;
   }
 
-  Eigen::VectorXd computeOutput(double t, const state& x) {
+  Eigen::VectorXd computeOutput(double t, const state& x) const {
     check_state(x);
     if (output_) return output_(state_at(t, x));
     return x.head(nq() + dofs());
   }
   /// What goes through zero where the law of an element changes, of number `which` of those whose law does; 1 beyond
   /// the last. For events: `element_events(model)`.
-  double switching(const state& x, std::size_t which) {
+  double switching(const state& x, std::size_t which) const {
     setJointStates(x, s_);
     doMotion(s_);
     for (const auto& e : wiring().elements)
@@ -105,7 +105,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     check_size(static_cast<std::size_t>(nq() + dofs() + internals()), x, "x", "numbers of a state");
   }
   /// doMotion of the elements that keep them, and of what these depend on.
-  void rates_of_internals() {
+  void rates_of_internals() const {
     const auto& t = wiring();
     for (std::size_t i = 0; i < t.keepers.size(); ++i) {
       const auto& e = t.elements[static_cast<std::size_t>(t.keepers[i])];
@@ -116,8 +116,9 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
   }
 
-  runtime_state s_;
-  rate rate_;
+  // To work in, also through std::cref; who calls one model in two threads needs two.
+  mutable runtime_state s_;
+  mutable rate rate_;
   output_function output_;
 };
 manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
@@ -125,7 +126,7 @@ manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte
 /// As of a static chain (models/element_events.hpp), an event for each of at most `Most` elements whose law changes.
 /// Throws `bad_argument` where there are more.
 template <std::size_t Most = 16>
-auto element_events(manipulator_dynamics_model<kte_map_chain>& model) {
+auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
   std::size_t count = 0;
   for (const auto& e : model.wiring().elements) count += e.element->switches();
   if (count > Most)

@@ -17,20 +17,20 @@ class inverse_dynamics_model<kte_map_chain> : public unchanging_chain {
   explicit inverse_dynamics_model(const kte_map_chain& c) : unchanging_chain(c), s_(make_state()) {}
 
   template <indexable Q, indexable V, indexable A>
-  const Eigen::VectorXd& computeForces(const Q& q, const V& v, const A& a) {
+  const Eigen::VectorXd& computeForces(const Q& q, const V& v, const A& a) const {
     return inverse_dynamics(*this, s_, q, v, a);
   }
   template <indexable Q, indexable V, indexable A>
-  const auto& computeForcesAndDerivatives(const Q& q, const V& v, const A& a) {
+  const auto& computeForcesAndDerivatives(const Q& q, const V& v, const A& a) const {
     return inverse_dynamics_derivatives(*this, s_, q, v, a);
   }
   template <indexable Q>
-  const Eigen::MatrixXd& getMassMatrix(const Q& q) {
+  const Eigen::MatrixXd& getMassMatrix(const Q& q) const {
     return mass_matrix(*this, s_, q);
   }
 
  private:
-  runtime_state s_;
+  mutable runtime_state s_;  // to work in
 };
 inverse_dynamics_model(const kte_map_chain&)->inverse_dynamics_model<kte_map_chain>;
 
@@ -47,14 +47,14 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
   }
 
   template <indexable Q>
-  std::vector<pose<mat3<vec3<>>, vec3<>>> getDependentPoses(const Q& q) {
+  std::vector<pose<mat3<vec3<>>, vec3<>>> getDependentPoses(const Q& q) const {
     set_positions(s_, q);
     std::vector<pose<mat3<vec3<>>, vec3<>>> poses;
     for (const auto& f : frames_) poses.push_back(forward_kinematics(*this, s_, f));
     return poses;
   }
   template <indexable Q>
-  Eigen::MatrixXd getJacobianMatrix(const Q& q) {
+  Eigen::MatrixXd getJacobianMatrix(const Q& q) const {
     set_positions(s_, q);
     Eigen::MatrixXd j(6 * static_cast<Eigen::Index>(frames_.size()), dofs());
     Eigen::Index row = 0;
@@ -63,14 +63,14 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
   }
   /// Velocities of the frames: J v.
   template <indexable Q, indexable V>
-  Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) {
+  Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) const {
     set_velocities(s_, v);
     return getJacobianMatrix(q) * velocities(s_);
   }
 
  private:
   std::vector<std::string> frames_;
-  runtime_state s_;
+  mutable runtime_state s_;  // to work in
 };
 manipulator_kinematics_model(const kte_map_chain&, std::vector<std::string>)
     ->manipulator_kinematics_model<kte_map_chain>;

@@ -60,8 +60,12 @@ class state_space : public Chain {
   template <indexable Q, indexable V, indexable Z>
   state make_x(const Q& q, const V& v, const Z& z) const {
     const Eigen::Index at_v = numbers_q(), at_z = at_v + velocity_count(), end = at_z + internals();
-    detail::check_configuration(numbers_q(), velocity_count(), q);
-    check_size(static_cast<std::size_t>(velocity_count()), v, "v");
+    if constexpr (size::q != Eigen::Dynamic) {
+      detail::check_configuration<Chain>(q), check_size<size::v>(v, "v");
+    } else {
+      detail::check_configuration(numbers_q(), velocity_count(), q);
+      check_size(static_cast<std::size_t>(velocity_count()), v, "v");
+    }
     check_size(static_cast<std::size_t>(internals()), z, "z", "internal states");
     state x(end);
     for (Eigen::Index i = 0; i < at_v; ++i) x[i] = S(q[static_cast<std::size_t>(i)]);

@@ -1,35 +1,9 @@
 #pragma once
 
-#include <kte/dynamics/detail/local_pass.hpp>
-#include <kte/kernels/joint.hpp>
+#include <kte/dynamics/detail/tree.hpp>
 
 /// A chain in which some elements put other loads, for the passes to be used on.
 namespace kte::detail {
-
-/// An element that puts no loads.
-template <class Core>
-struct silent {
-  static constexpr auto& ports = Core::ports;
-
-  template <class... Inputs>
-  KTE_INLINE constexpr auto doForce(const Inputs&...) const {
-    return none(std::make_index_sequence<sizeof...(Inputs)>{});
-  }
-
- private:
-  template <std::size_t P>
-  KTE_INLINE static constexpr auto none() {
-    if constexpr (is_signal(Core::ports[P].what)) {
-      return boost::hana::tuple<>{};
-    } else {
-      return boost::hana::make_tuple(no_load<Core::ports[P].what>());
-    }
-  }
-  template <std::size_t... P>
-  KTE_INLINE static constexpr auto none(std::index_sequence<P...>) {
-    return boost::hana::flatten(boost::hana::make_tuple(none<P>()...));
-  }
-};
 
 /// Puts its momentum where a body puts its force: that of its mass m, moment h and inertia I about the origin,
 ///
@@ -80,6 +54,8 @@ struct with_loads {
   static constexpr std::size_t size = Chain::size;
   static constexpr int dofs = Chain::dofs, nq = Chain::nq;
   static constexpr bool reads_positions = false;
+
+  static_assert(sizeof(check_loads_of<Chain>) > 0);
 
   const Chain& chain;
 

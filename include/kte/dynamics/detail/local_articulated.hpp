@@ -75,8 +75,10 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   };
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
-    if constexpr (!stiff<I>)
-      boost::hana::at_c<I>(loads_) = this->chain_.template core<I>().doForce(this->template seen<I, P>()...);
+    if constexpr (!stiff<I>) {
+      if constexpr (types::template loads<I>::usable)
+        boost::hana::at_c<I>(loads_) = this->chain_.template core<I>().doForce(this->template seen<I, P>()...);
+    }
   }
   template <kind K, int Slot, std::size_t N>
   KTE_INLINE constexpr auto load() const {

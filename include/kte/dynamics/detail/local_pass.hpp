@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/chain/static_chain.hpp>
+#include <kte/dynamics/detail/silent.hpp>
 
 /// The passes of a static chain on frames that are local variables: the fused algorithms are made of these. Each frame
 /// has its own type, with typed constants and `skip` where nothing is to be computed, and lives in registers.
@@ -33,25 +34,6 @@ inline constexpr auto loads_on = [] {
 /// Whether an element core writes something by doMotion; that is then its last port.
 template <class Core>
 inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == access::out;
-
-/// Whether something that nobody asked for is in a load.
-template <class T>
-inline constexpr bool has_skip = std::is_same_v<T, skip>;
-template <class X, class Y, class Z>
-inline constexpr bool has_skip<vec3<X, Y, Z>> = has_skip<X> || has_skip<Y> || has_skip<Z>;
-template <class F, class T>
-inline constexpr bool has_skip<wrench<F, T>> = has_skip<F> || has_skip<T>;
-template <class... L>
-inline constexpr bool has_skip<boost::hana::tuple<L...>> = (has_skip<L> || ...);
-
-template <kind K>
-constexpr auto no_load() {
-  if constexpr (K == kind::gen) {
-    return zero;
-  } else {
-    return no_wrench;
-  }
-}
 
 /// A coordinate whose sine and cosine are wanted, written by an element.
 template <class Q, class QD, class QDD, class C, class S>
@@ -154,10 +136,10 @@ struct local_types {
   using load_at = std::remove_cvref_t<decltype(boost::hana::at_c<Index>(std::declval<typename loads<I>::type>()))>;
   template <std::size_t I, std::size_t... P>
   struct loads<I, std::index_sequence<P...>> {
-    using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
-    static_assert(!has_skip<type>,
-                  "kte: this element's force depends on a position, rotation or linear velocity, which this algorithm "
-                  "leaves out unless the element core says: static constexpr bool reads_positions = true;");
+    using put = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
+    static constexpr bool usable = !has_skip<put>;
+    static_assert(sizeof(check_need<core<I>, usable>) > 0);
+    using type = typename std::conditional_t<usable, std::type_identity<put>, no_loads<core<I>>>::type;
   };
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>>) struct loads<I, std::index_sequence<P...>> {
@@ -259,7 +241,7 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
     if constexpr (has_output<typename types::template core<I>>) {
       boost::hana::at_c<I>(loads_) = core.doForce(
           this->template seen<I, P>()..., load<types::template output_kind<I>, types::template output_slot<I>>());
-    } else {
+    } else if constexpr (types::template loads<I>::usable) {
       boost::hana::at_c<I>(loads_) = core.doForce(this->template seen<I, P>()...);
     }
   }

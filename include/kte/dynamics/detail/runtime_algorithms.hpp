@@ -110,6 +110,17 @@ inline void coordinate_forces(const kte_map_chain& c, runtime_state& s) {
   forces_on_coordinates(runtime_elements{c}, s);
 }
 
+/// Throws `bad_argument` where a joint or link has a `doForce` of its own, which algorithms that ask for `relative`
+/// alone would leave out.
+inline void check_plain_loads(const kte_map_chain& c) {
+  if (c.wiring().plain_loads) return;
+  for (const auto& e : c.wiring().elements)
+    if (!e.plain_loads)
+      throw bad_argument("kte: this algorithm takes the loads of joints and links from `relative` alone, and " +
+                         e.element->record().type +
+                         " has a `doForce` of its own: put that force into an element on the coordinate");
+}
+
 /// The mass matrix, into the working memory.
 inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
   for (const auto& e : c.wiring().elements)
@@ -135,6 +146,7 @@ template <class Tau>
 const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& tau,
                                            std::span<const char> prescribed = {}) {
   c.check(s);
+  check_plain_loads(c);
   check_positions(s);
   if (s.plan.tree) {
     std::fill(s.work.prescribed.begin(), s.work.prescribed.end(), 0);

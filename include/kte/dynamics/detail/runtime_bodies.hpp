@@ -53,6 +53,7 @@ inline dense_composite<double> inertia_of(const topology::connection& e, runtime
 }
 /// Inverse dynamics of the bodies alone, without accelerations of coordinates.
 inline void forces_of_bodies(const kte_map_chain& c, runtime_state& s, bool accelerated_bases) {
+  check_plain_loads(c);
   auto& w = s.work;
   const auto& elements = c.wiring().elements;
   update_angles(s);

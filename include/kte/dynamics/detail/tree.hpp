@@ -32,4 +32,23 @@ inline constexpr bool gives_way = [] {
   }
 }();
 
+/// The first joint or link with a `doForce` of its own; void where there is none.
+template <class Chain>
+constexpr auto find_own_loads() {
+  constexpr std::size_t first = []<std::size_t... I>(std::index_sequence<I...>) {
+    const bool plain[]{loads_by_relative<core_of<Chain, I>>..., false};
+    std::size_t i = 0;
+    while (plain[i]) ++i;
+    return i;
+  }
+  (std::make_index_sequence<Chain::size>{});
+  if constexpr (first < Chain::size)
+    return std::type_identity<core_of<Chain, first>>{};
+  else
+    return std::type_identity<void>{};
+}
+/// Of algorithms that would leave that out.
+template <class Chain, class Core = typename decltype(find_own_loads<Chain>())::type>
+using check_loads_of = check_loads<Core, std::is_void_v<Core>>;
+
 }  // namespace kte::detail

@@ -1,0 +1,14 @@
+// expect: error: .*kte: a runtime chain is connected by texts
+// expect: error: .*kte: gravity is a vector
+// lines: 20
+#include <kte/chain/kte_map_chain.hpp>
+#include <kte/elements/revolute_joint.hpp>
+
+// clang-format off
+inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
+// clang-format on
+
+void keys(kte::kte_map_chain& arm) { arm << kte::revolute_joint_3D(q, base, elbow); }
+void number(kte::kte_map_chain& arm) { arm.gravity(-9.81) << kte::revolute_joint_3D("q", "base", "elbow"); }

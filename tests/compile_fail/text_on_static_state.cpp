@@ -1,0 +1,16 @@
+// expect: error: .*kte: the state of a static chain is asked by keys
+// lines: 16
+#include <kte/chain/static_chain.hpp>
+#include <kte/elements/revolute_joint.hpp>
+
+// clang-format off
+inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
+// clang-format on
+
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow));
+double x() {
+  auto s = kte::make_state(arm);
+  return s["elbow"].position.x;
+}
