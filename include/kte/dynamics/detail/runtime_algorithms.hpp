@@ -22,8 +22,8 @@ inline void check_positions(const runtime_state& s) {
   for_each_listed_freedom(s, [&](const auto& c, const freedom&) {
     visit_q(c, [&finite](double x) { finite &= x - x == 0; });
     if constexpr (requires { c.rotation; }) {
-      const double n = dot(c.rotation, c.rotation);
-      turned &= n > 0 && n - n == 0;
+      const auto& r = c.rotation;
+      turned &= r.w != 0 || r.x != 0 || r.y != 0 || r.z != 0;
     }
   });
   for_each_given_coordinate(s, [&finite](const gen_coord<>& c) { finite &= c.q - c.q == 0; });
