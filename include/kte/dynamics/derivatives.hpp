@@ -35,6 +35,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
     } else {
       stored_derivatives<S>(c, g, r);
     }
+    check_forces<typename Chain::wiring>(r.tau, g);
   } else {
     dual_derivatives<S>(c, base, q, v, a, r);
     r.by_a = local_mass_matrix<S>(c, at, base);

@@ -41,6 +41,7 @@ inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtim
     detail::mass_of_coordinates(c, s);
     detail::invert_by_factors(s.work.mass, inverse);
   }
+  detail::check_masses(s, inverse);
   return inverse;
 }
 /// The same at q, which is put into the state.
@@ -62,6 +63,7 @@ inline const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_d
   r.tau.resize(n), r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_a.resize(n, n);
   detail::derive_forces(detail::runtime_elements{c}, s, r);
   detail::take_forces(s, minus_one, r.tau);
+  detail::check_result(r.tau, static_cast<std::size_t>(n), [&s] { detail::blame("a force", s); });
   return r;
 }
 /// The same at q, v, a, which are put into the state.

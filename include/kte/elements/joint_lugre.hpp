@@ -81,7 +81,7 @@ struct joint_lugre_gen {
       const number rate = abs(number(v / p.stribeck_velocity));
       const number r = select(rate > number(1e4), number(1e4), rate);  // exp(-r^2) is 0, but r^2 may overflow
       const auto g = p.coulomb + (p.stiction - p.coulomb) * number(exp(number(-(r * r))));  // (1)
-      return v - number(abs(number(v))) * (p.sigma0 * z / g);                               // (2)
+      return v - number(abs(number(v))) * ((p.sigma0 / g) * z);                             // (2)
     }
   }
 };

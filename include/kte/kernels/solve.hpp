@@ -117,12 +117,11 @@ KTE_INLINE void solve_by_inverse(const Matrix& inverse, const Matrix& b, X& x) {
 }
 
 /// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws as
-/// `factorise_mass`, and `bad_argument` for NaN.
+/// `factorise_mass`.
 template <class Matrix, class Vector>
 KTE_INLINE void solve_in_place(Matrix& m, Vector& b) {
   factorise_mass(m);
   substitute(m, b);
-  check_finite(b, static_cast<std::size_t>(m.rows()), "kte: an acceleration is no finite number: an argument is none");
 }
 
 }  // namespace kte::detail
