@@ -185,6 +185,7 @@ TEST_CASE("stiff springs saturate", "[elements][spring]") {
     CAPTURE(k);
     const auto check = [&](const auto& spring, double most) {
       auto x = trial_of(spring, 1);
+      x.template at<0>() = {};
       x.template at<1>() = {.position = {3e5, 4e5, 0.0}};
       x.doForce();
       CHECK(x.template at<0>().force.x / most == within(0.6, 1e-15));
@@ -196,6 +197,7 @@ TEST_CASE("stiff springs saturate", "[elements][spring]") {
     check(spring_3D("a", "b", zero, k, 1e120), 1e120);
     if (k == 1e300) check(spring_3D("a", "b", zero, k, 1e200), 1e200);
     auto x = trial_of(torsion_spring_3D("a", "b", k, 7.0), 1);
+    x.at<0>() = {};
     x.at<1>() = {.rotation = {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}}};  // a quarter turn
     x.doForce();
     CHECK(x.at<0>().torque.y == within(7, 1e-14));

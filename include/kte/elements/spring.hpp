@@ -42,7 +42,7 @@ KTE_INLINE constexpr auto to_polar(const vec3<X, Y, Z>& d) {
   const S n = as_number(dot(u, u));
   const auto none = n == S(0);
   const S length = sqrt(select(none, S(1), n));
-  return result{select(none, S(0), S(length / k)), S(S(1) / length) * u};
+  return result{select(none, S(0), S(length / k)), S(S(1) / length) * (select(none, S(1), k) * d)};
 }
 
 /// A force s limited to [-most, most]; 0, typed or not: no limit. NaN stays NaN.
