@@ -74,6 +74,32 @@ TEST_CASE("the registry knows every element of the library") {
   CHECK(record_of(models::registered(record_of(flat))) == record_of(flat));
 }
 
+TEST_CASE("a body as published is so again from its record") {
+  using namespace kte;
+  const rigid_body odd{1.0, vec3{0.1, 0.2, 0.3}, sym3{1.0, 0.0, 0.0, 1.0, 0.0, 3.0}};
+  kte_map_chain c;
+  c << base_3D("w") << inertia_3D("w", odd.as_published()) << base_2D("b")
+    << inertia_2D("b", planar_body(1.0, -0.1).as_published());
+  const auto r = record_of(c);
+  CHECK(record_of(to_chain(r)) == r);
+  CHECK(r.elements[1].parameters.back() == parameter_record{"as_published", {1}});
+  auto bad = r;
+  bad.elements[1].parameters.back().values = {2};
+  CHECK_THROWS_WITH(to_chain(bad), Contains("element 2: inertia_3D has 'as_published' other than 1"));
+  bad.elements[1].parameters.pop_back();
+  CHECK_THROWS_WITH(to_chain(bad), Contains("inertia must be physical"));
+
+  // A static chain takes it from the record, and without it is a body like any other.
+  auto published = record_of(pendulum);
+  published.elements[2].parameters.push_back({"as_published", {1}});
+  CHECK(record_of(from_record(pendulum, published)) == published);
+  CHECK(record_of(from_record(from_record(pendulum, published), record_of(pendulum))) == record_of(pendulum));
+  published.elements[2].parameters.back().values = {0};
+  CHECK_THROWS_WITH(from_record(pendulum, published), Contains("element 3") && Contains("must be 1"));
+  published.elements[2].parameters.back() = {"colour", {1}};
+  CHECK_THROWS_WITH(from_record(pendulum, published), Contains("element 3") && Contains("parameters"));
+}
+
 TEST_CASE("the registry refuses what it does not understand") {
   const auto make = [](const kte::element_record& r) { return models::registry().make(r); };
   kte::element_record link{"rigid_link_2D",

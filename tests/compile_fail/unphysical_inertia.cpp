@@ -1,5 +1,6 @@
 // expect: error:
-// expect: inertia must be physical
+// expect: inertia must be physical: no principal moment above the sum of the other two
+// expect: as_published.. is taken as it is
 #include <kte/kte.hpp>
 
 // clang-format off

@@ -45,9 +45,10 @@ TEST_CASE("articulated bodies with arguments that are no numbers", "[articulated
   for (const Eigen::Index i : {4, 8}) {
     auto x = good;
     x.q.segment<4>(i).setZero();
+    const auto no_rotation = kte::test::contains_text("has length 0");
     rejected(x);
-    CHECK_THROWS_WITH(forward_dynamics(tree_3D, x.q, x.v, x.tau), "kte: the quaternion of a rotation has length 0");
-    CHECK_THROWS_WITH(forward_dynamics(model, r, x.q, x.v, x.tau), "kte: the quaternion of a rotation has length 0");
+    CHECK_THROWS_WITH(forward_dynamics(tree_3D, x.q, x.v, x.tau), no_rotation);
+    CHECK_THROWS_WITH(forward_dynamics(model, r, x.q, x.v, x.tau), no_rotation);
   }
   // what comes from outside
   const auto given = [&](const auto& spoil) {

@@ -8,6 +8,9 @@
 
 // What has no answer is an error, never NaN.
 
+namespace {
+inline constexpr struct ball_ final : kte::rotation_3D_key<"ball"> { } ball; }  // namespace
+
 using models::element_by_element, models::ground, models::hip, models::knee, models::left, models::thigh, models::trunk;
 
 TEST_CASE("a coordinate that moves no mass") {
@@ -104,6 +107,54 @@ TEST_CASE("a joint with a force of its own") {
     CHECK_THROWS_WITH(gravity_forces(model, s), refused);
     CHECK_THROWS_WITH(coriolis_forces(model, s), refused);
   }
+}
+
+TEST_CASE("the argument at fault is named") {
+  using namespace kte;
+  using kte::test::contains_text;
+  const auto model = element_by_element(robots::iiwa14);
+  auto s = model.make_state();
+  const std::array<double, 7> good{0.1, -0.2, 0.3, 0.4, -0.5, 0.6, 0.7};
+  auto large = good, none = good;
+  large[2] = 1e160, none[3] = std::numeric_limits<double>::infinity();
+  const auto& c = robots::iiwa14;
+  const std::string force = "kte: a force is no finite number: ", third(robots::iiwa14_names::q3.name);
+  const auto too_large = force + "v[2] of '" + third + "' is " + detail::number(1e160) + ", too large";
+  CHECK_THROWS_WITH(inverse_dynamics(c, good, large, good), too_large);
+  CHECK_THROWS_WITH(inverse_dynamics(model, s, good, large, good), too_large);
+  CHECK_THROWS_WITH(inverse_dynamics(c, good, good, none), contains_text(force + "a[3] of") && contains_text("is inf"));
+  const std::string acceleration = "kte: an acceleration is no finite number: ";
+  CHECK_THROWS_WITH(forward_dynamics(c, good, good, none), contains_text(acceleration + "tau[3] of"));
+  CHECK_THROWS_WITH(forward_dynamics(model, s, good, good, none), contains_text(acceleration + "tau[3] of"));
+  CHECK_THROWS_WITH(forward_dynamics(c, good, large, good), contains_text(acceleration + "v[2] of"));
+
+  // A link of which the square overflows.
+  constexpr auto arm = chain(revolute_joint_3D(hip, ground, trunk, axis::z), rigid_link_3D(trunk, left, along_x(1e155)),
+                             inertia_3D(left, point_mass(1.0)));
+  const auto long_arm = element_by_element(arm);
+  auto l = long_arm.make_state();
+  const std::string mass = "kte: a mass is no finite number: a parameter or an argument is none, or is too large";
+  CHECK_THROWS_WITH(mass_matrix(arm, std::array{0.1}), mass);
+  CHECK_THROWS_WITH(mass_matrix(long_arm, l, std::array{0.1}), mass);
+}
+
+TEST_CASE("quaternions of any length but 0") {
+  using namespace kte;
+  constexpr auto c = chain(spherical_joint_3D(ball, ground, trunk),
+                           inertia_3D(trunk, rigid_body{1.0, along_x(0.5), diagonal(1.0, 1.5, 2.0)}));
+  const auto model = element_by_element(c);
+  auto s = model.make_state();
+  const auto of_length = [](double size) { return std::array{size, -0.5 * size, 0.25 * size, 0.75 * size}; };
+  const std::array v{1.0, 2.0, 3.0};
+  const Eigen::Vector3d tau = inverse_dynamics(c, of_length(1), v, v);
+  for (const double size : {1e-300, 1e-200, 1e-160, 1e-130, 1e130, 1e160, 1e300}) {
+    CAPTURE(size);
+    CHECK((inverse_dynamics(c, of_length(size), v, v) - tau).norm() <= 1e-15 * tau.norm());
+    CHECK((inverse_dynamics(model, s, of_length(size), v, v) - tau).norm() <= 1e-15 * tau.norm());
+    CHECK_NOTHROW(mass_matrix(model, s, of_length(size)));
+  }
+  CHECK_THROWS_WITH(mass_matrix(c, of_length(0)), "kte: quaternion 'ball' has length 0");
+  CHECK_THROWS_WITH(mass_matrix(model, s, of_length(0)), "kte: quaternion 'ball' has length 0");
 }
 
 TEST_CASE("large angles keep their digits") {

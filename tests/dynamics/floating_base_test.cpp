@@ -122,42 +122,43 @@ TEST_CASE("NaN and quaternions of length 0 are errors, floating", "[floating]") 
   const auto& c = pair_of_bodies;
   const auto good = random_configuration(c, random);
   const auto v = random_vector<double, 10>(random, 1);
-  const std::string no_number = "kte: a coordinate is no finite number",
-                    no_force = "kte: a force is no finite number: an argument is none, or is too large",
-                    no_rotation = "kte: the quaternion of a rotation has length 0";
+  const std::string no_number = "kte: a coordinate is no finite number: q[",
+                    no_force = "kte: a force is no finite number: ";
+  using kte::test::contains_text;
   const auto check_configuration = [&](const joint_vector<double, 12>& q, const std::string& what,
-                                       bool reaches_forces) {
+                                       const std::string& of_forces) {
     CHECK_THROWS_AS(mass_matrix(c, q), bad_argument);
-    CHECK_THROWS_WITH(mass_matrix(c, q), what);
-    CHECK_THROWS_WITH(forward_kinematics(c, q, tip), what);
-    CHECK_THROWS_WITH(forward_dynamics(c, q, v, v), what);
+    CHECK_THROWS_WITH(mass_matrix(c, q), contains_text(what));
+    CHECK_THROWS_WITH(forward_kinematics(c, q, tip), contains_text(what));
+    CHECK_THROWS_WITH(forward_dynamics(c, q, v, v), contains_text(what));
     CHECK_THROWS_AS(mass_matrix(runtime, r, q), bad_argument);
-    CHECK_THROWS_WITH(mass_matrix(runtime, r, q), what);
-    CHECK_THROWS_WITH(forward_kinematics(runtime, r, q, "tip"), what);
-    CHECK_THROWS_WITH(forward_dynamics(runtime, r, q, v, v), what);
-    if (!reaches_forces) return;
-    CHECK_THROWS_WITH(inverse_dynamics(c, q, v, v), no_force);
-    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, q, v, v), no_force);
+    CHECK_THROWS_WITH(mass_matrix(runtime, r, q), contains_text(what));
+    CHECK_THROWS_WITH(forward_kinematics(runtime, r, q, "tip"), contains_text(what));
+    CHECK_THROWS_WITH(forward_dynamics(runtime, r, q, v, v), contains_text(what));
+    if (of_forces.empty()) return;
+    CHECK_THROWS_WITH(inverse_dynamics(c, q, v, v), contains_text(of_forces));
+    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, q, v, v), contains_text(of_forces));
   };
   for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (int i = 0; i < 12; ++i) {
       auto q = good;
       q[i] = x;
-      check_configuration(q, no_number, i >= 3);
+      check_configuration(q, no_number + std::to_string(i), i >= 3 ? no_force + "q[" + std::to_string(i) : "");
     }
   for (const int i : {3, 7}) {
     auto q = good;
     q.segment(i, 4).setZero();
-    check_configuration(q, no_rotation, true);
+    const std::string no_rotation = std::string("kte: quaternion '") + (i == 3 ? "trunk" : "ball") + "' has length 0";
+    check_configuration(q, no_rotation, no_rotation);
   }
   for (int i = 0; i < 10; ++i) {
     auto bad = v;
     bad[i] = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(inverse_dynamics(c, good, v, bad), bad_argument);
-    CHECK_THROWS_WITH(inverse_dynamics(c, good, v, bad), no_force);
-    CHECK_THROWS_WITH(inverse_dynamics(c, good, bad, v), no_force);
-    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, v, bad), no_force);
-    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, bad, v), no_force);
+    CHECK_THROWS_WITH(inverse_dynamics(c, good, v, bad), contains_text(no_force + "a[" + std::to_string(i)));
+    CHECK_THROWS_WITH(inverse_dynamics(c, good, bad, v), contains_text(no_force + "v[" + std::to_string(i)));
+    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, v, bad), contains_text(no_force + "a[" + std::to_string(i)));
+    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, bad, v), contains_text(no_force + "v[" + std::to_string(i)));
     CHECK_THROWS_MATCHES(forward_dynamics(c, good, bad, v), bad_argument, kte::test::says("no finite number"));
     CHECK_THROWS_MATCHES(forward_dynamics(c, good, v, bad), bad_argument, kte::test::says("no finite number"));
     CHECK_THROWS_MATCHES(forward_dynamics(runtime, r, good, bad, v), bad_argument, kte::test::says("no finite number"));

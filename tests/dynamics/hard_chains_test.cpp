@@ -1,3 +1,5 @@
+#include <kte/dynamics/runtime_derivatives.hpp>
+
 #include "data/hard_chains.hpp"
 
 #include "catch.hpp"
@@ -37,4 +39,25 @@ TEST_CASE("long chains in space", "[hard]") {
     CHECK(error_in(spatial_chain(n)) < 7e-15L);  // [3e-16, 6e-16, 2.3e-15, 1.7e-15]
   }
   CHECK(error_in(heavy_tip_spatial_chain()) < 5e-14L);  // [1.5e-14]
+}
+
+TEST_CASE("the inverse of the mass matrix of long chains, also as a derivative of forward dynamics", "[hard]") {
+  // Against forward dynamics of chains at rest, which the above checks: column j is what a unit force on j does.
+  const auto check = [](hard_chain x) {
+    auto& c = x.chain;
+    auto s = c.make_state();
+    const Eigen::MatrixXd by_tau = forward_dynamics_derivatives(c, s, x.q, x.v, x.tau).by_tau;
+    c.gravity(zero3{});
+    s = c.make_state();  // without gravity
+    Eigen::MatrixXd exact(c.dofs(), c.dofs());
+    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(c.dofs());
+    for (int j = 0; j < c.dofs(); ++j)
+      exact.col(j) = forward_dynamics(c, s, x.q, rest, Eigen::VectorXd(Eigen::VectorXd::Unit(c.dofs(), j)));
+    const double largest = exact.cwiseAbs().maxCoeff();
+    CHECK((by_tau - exact).cwiseAbs().maxCoeff() < 7e-15 * largest);
+    CHECK((mass_matrix_inverse(c, s, x.q) - exact).cwiseAbs().maxCoeff() < 7e-15 * largest);
+    CHECK((by_tau - by_tau.transpose()).cwiseAbs().maxCoeff() == 0);
+  };
+  check(uniform_rods(128));
+  check(spatial_chain(100));
 }

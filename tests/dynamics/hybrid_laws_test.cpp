@@ -126,7 +126,8 @@ TEST_CASE("hybrid dynamics of what is no number, and of other sizes", "[hybrid]"
       auto x = q;
       x[i] = bad;
       CHECK_THROWS_AS(solve(x, v, v), bad_argument);
-      CHECK_THROWS_WITH(solve(x, v, v), "kte: a coordinate is no finite number");
+      CHECK_THROWS_WITH(solve(x, v, v),
+                        kte::test::contains_text("kte: a coordinate is no finite number: q[" + std::to_string(i)));
     }
     for (std::size_t i = 0; i < 6; ++i) {
       CAPTURE(i);
@@ -141,7 +142,7 @@ TEST_CASE("hybrid dynamics of what is no number, and of other sizes", "[hybrid]"
   auto turned = q;
   for (std::size_t i = 1; i < 5; ++i) turned[i] = 0;
   CHECK_THROWS_AS(solve(turned, v, v), bad_argument);
-  CHECK_THROWS_WITH(solve(turned, v, v), "kte: the quaternion of a rotation has length 0");
+  CHECK_THROWS_WITH(solve(turned, v, v), "kte: quaternion 'ball' has length 0");
   const std::vector six(v.begin(), v.end()), seven(q.begin(), q.end());
   CHECK_THROWS_WITH(solve(six, six, six), "kte: q has 6 numbers, the chain has 7 numbers of a configuration");
   CHECK_THROWS_WITH(solve(seven, seven, six), "kte: v has 7 numbers, the chain has 6 degrees of freedom");

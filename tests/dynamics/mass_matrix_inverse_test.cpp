@@ -81,11 +81,11 @@ TEST_CASE("the inverse of the mass matrix of what is no number", "[mass_matrix_i
   auto s = make_state(c);
   const auto rejected = [&](const auto& chain_, auto& state, const auto& q, const std::string& what) {
     CHECK_THROWS_AS(mass_matrix_inverse(chain_, q), bad_argument);
-    CHECK_THROWS_WITH(mass_matrix_inverse(chain_, q), what);
+    CHECK_THROWS_WITH(mass_matrix_inverse(chain_, q), kte::test::contains_text(what));
     set_positions(state, q);
-    CHECK_THROWS_WITH(mass_matrix_inverse(chain_, state), what);
+    CHECK_THROWS_WITH(mass_matrix_inverse(chain_, state), kte::test::contains_text(what));
   };
-  const std::string no_number = "kte: a coordinate is no finite number";
+  const std::string no_number = "kte: a coordinate is no finite number: q[";
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -HUGE_VAL}) {
     for (std::size_t i = 0; i < good.size(); ++i) {
@@ -101,7 +101,7 @@ TEST_CASE("the inverse of the mass matrix of what is no number", "[mass_matrix_i
     CHECK_THROWS_MATCHES(mass_matrix_inverse(c, s), bad_argument, kte::test::says("no finite number"));
     s[drive].q = 0;
   }
-  rejected(c, s, std::array{0.25, 0.0, 0.0, 0.0, 0.0, 0.5}, "kte: the quaternion of a rotation has length 0");
+  rejected(c, s, std::array{0.25, 0.0, 0.0, 0.0, 0.0, 0.5}, "kte: quaternion 'ball' has length 0");
   CHECK_THROWS_WITH(mass_matrix_inverse(c, std::vector{0.25, 0.5}),
                     "kte: q has 2 numbers, the chain has 6 numbers of a configuration");
 }

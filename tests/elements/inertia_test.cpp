@@ -143,15 +143,17 @@ TEST_CASE("an inertia wants a physical body", "[elements][inertia]") {
   CHECK(what(point_mass(1.0, along_y(not_a_number))) == where + "centre of mass must be finite, got nan");
   CHECK(what(point_mass(1.0, along_y(-infinity))) == where + "centre of mass must be finite, got -inf");
 
-  const std::string physical =
-      where + "inertia must be physical: not negative, each principal moment at most the sum of the others";
-  CHECK(diagonal_of(1, 1, 2.5) == physical + ", got 2.5");  // flatter than flat
-  CHECK(diagonal_of(3, 1, 1) == physical + ", got 3");
-  CHECK(diagonal_of(1, 5, 1) == physical + ", got 5");
+  const std::string physical = where +
+                               "inertia must be physical: no principal moment above the sum of the other two "
+                               "(rigid_body{...}.as_published() is taken as it is), but ";
+  CHECK(diagonal_of(1, 1, 2.5) == physical + "2.5 is above 1 + 1 by 0.5");  // flatter than flat
+  CHECK(diagonal_of(3, 1, 1) == physical + "3 is above 1 + 1 by 1");
+  CHECK(diagonal_of(1, 5, 1) == physical + "5 is above 1 + 1 by 3");
+  CHECK(diagonal_of(0.00191, 0.00846, 0.01059) == physical + "0.01059 is above 0.00846 + 0.00191 by 0.00022");
   CHECK(diagonal_of(-1, 1, 1).starts_with(physical));
   CHECK(diagonal_of(-1, -1, -1).starts_with(physical));
-  CHECK(with({1, 2, 0, 1, 0, 1}) == physical + ", got 2");  // not positive definite
-  CHECK(with({1, 0, 0, 1, -2, 1}) == physical + ", got -2");
+  CHECK(with({1, 2, 0, 1, 0, 1}) == physical + "3 is above 1 + -1 by 3");  // not positive definite
+  CHECK(with({1, 0, 0, 1, -2, 1}) == physical + "3 is above 1 + -1 by 3");
   // Principal moments 1 + 2 p, 1 - p, 1 - p with all products p: the first at most the sum of the others if p <= 1/4.
   CHECK(with({1, 0.2499, 0.2499, 1, 0.2499, 1}) == "");
   CHECK(with({1, -0.4999, -0.4999, 1, -0.4999, 1}) == "");
@@ -171,4 +173,31 @@ TEST_CASE("an inertia wants a physical body", "[elements][inertia]") {
         "kte: inertia_gen (coordinate 'rotor'): mass must be finite and not negative, got -0.25");
   CHECK(complaint([] { inertia_gen("rotor", not_a_number); }) ==
         "kte: inertia_gen (coordinate 'rotor'): mass must be finite and not negative, got nan");
+}
+
+TEST_CASE("a body as it was published", "[elements][inertia]") {
+  // The frame of a published robot's upper arm, 2 % above the triangle inequality: only by name.
+  const rigid_body arm{1.42, vec3{0.03, -0.01, 0.04}, sym3{0.00191, 0.0, 0.0, 0.00846, 0.0, 0.01059}};
+  CHECK(complaint([&] { inertia_3D("arm", arm); }).find("0.01059 is above 0.00846 + 0.00191") != std::string::npos);
+  CHECK(complaint([&] { inertia_3D("arm", arm.as_published()); }) == "");
+  CHECK(complaint([] { inertia_2D("arm", planar_body(1.0, -0.5).as_published()); }) == "");
+  constexpr struct key final : frame_3D_key<"arm"> {
+  } arm_key;
+  constexpr auto published = inertia_3D(arm_key, rigid_body{1.0, zero3{}, diagonal(1.0, 1.0, 3.0)}.as_published());
+  CHECK(published.core.body.published);
+  // Of what is still asked, a word.
+  const auto what = [](const auto& body) { return complaint([&] { inertia_3D("arm", body.as_published()); }); };
+  const std::string where = "kte: inertia_3D (frame 'arm'): ";
+  CHECK(what(point_mass(-1.0)) == where + "mass must be finite and not negative, got -1");
+  CHECK(what(point_mass(1.0, along_y(infinity))) == where + "centre of mass must be finite, got inf");
+  CHECK(what(rigid_body{1.0, zero3{}, sym3{1.0, 0.0, not_a_number, 1.0, 0.0, 1.0}}) ==
+        where + "inertia must be finite, got nan");
+}
+
+TEST_CASE("an inertia is physical to the digits of the body about its frame", "[elements][inertia]") {
+  // Bodies that were lumped into one: what is left about the centre of mass is rounding of m |c|^2.
+  const auto what = [](const auto& body) { return complaint([&] { inertia_3D("lump", body); }); };
+  CHECK(what(rigid_body{0.5, vec3{0.1, 0.0, -0.2}, sym3{3e-18, 1e-18, 0.0, -1e-18, 0.0, 8e-18}}) == "");
+  CHECK(what(rigid_body{0.5, vec3{0.1, 0.0, -0.2}, diagonal(0.0, 0.0, 1e-10)}) != "");
+  CHECK(what(rigid_body{0.5, zero3{}, sym3{3e-18, 1e-18, 0.0, -1e-18, 0.0, 8e-18}}) != "");
 }

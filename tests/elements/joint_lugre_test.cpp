@@ -149,3 +149,17 @@ TEST_CASE("LuGre friction rejects what makes no sense", "[elements][joint_lugre]
   CHECK(what(&lugre_parameters::stribeck_velocity, 0) ==
         where + "stribeck_velocity must be finite and positive, got 0");
 }
+
+TEST_CASE("LuGre friction at rates of any size", "[elements][joint_lugre]") {
+  const kte::core::joint_lugre_gen friction{
+      {.sigma0 = 1e10, .sigma1 = 0, .sigma2 = 0, .coulomb = 2, .stiction = 3, .stribeck_velocity = 1e-3}};
+  using number = kte::dual<double, 1>;
+  for (const double v : {1e150, 1e300, -1e300}) {
+    kte::coordinate c{0.0, v, 0.0, kte::skip{}, kte::skip{}};
+    CHECK(friction.z_dot(c, 1e-10) == v - 0.5 * std::abs(v));
+    number rate(v);
+    rate.derivative[0] = 1;
+    kte::coordinate moving{number(0), rate, number(0), kte::skip{}, kte::skip{}};
+    CHECK(friction.z_dot(moving, number(1e-10)).derivative[0] == (v < 0 ? 1.5 : 0.5));
+  }
+}

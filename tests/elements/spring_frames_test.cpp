@@ -177,6 +177,49 @@ TEST_CASE("a spring between frames keeps NaN", "[elements][spring]") {
   CHECK(kept(spring_3D("a", "b", zero, 10.0, 2.0)));
 }
 
+TEST_CASE("springs and dampers between frames of any size", "[elements][spring]") {
+  // From the origin to 3 m along x and 4 m along y, times what squares of double cannot hold.
+  for (const double size : {1e-200, 1e-155, 1e155, 1e200, 1e300}) {
+    CAPTURE(size);
+    const auto pull = [&](const auto& element) {
+      auto x = trial_of(element, 1);
+      x.template at<0>() = {.velocity = {-1.0, 0.0, 0.0}};
+      x.template at<1>() = {.position = {3 * size, 4 * size, 0.0}};
+      x.doForce();
+      return x.template at<0>().force;
+    };
+    const double k = 5 / (5 * size), eps = 8 * 0x1p-52;
+    CHECK(near(pull(spring_3D("a", "b", 0.0, k)), vec3{3.0, 4.0, 0.0}, 5 * eps));
+    CHECK(near(pull(spring_3D("a", "b", zero, k, 2.5)), vec3{1.5, 2.0, 0.0}, 5 * eps));
+    CHECK(near(pull(spring_3D("a", "b", 0.0, k, 2.5)), vec3{1.5, 2.0, 0.0}, 5 * eps));
+    CHECK(near(pull(damper_3D("a", "b", 5.0)), vec3{1.8, 2.4, 0.0}, 5 * eps));
+  }
+}
+
+TEST_CASE("stiff springs saturate", "[elements][spring]") {
+  for (const double k : {1e155, 1e200, 1e300}) {
+    CAPTURE(k);
+    const auto check = [&](const auto& spring, double most) {
+      auto x = trial_of(spring, 1);
+      x.template at<0>() = {};
+      x.template at<1>() = {.position = {3e5, 4e5, 0.0}};
+      x.doForce();
+      CHECK(x.template at<0>().force.x / most == within(0.6, 1e-15));
+      CHECK(x.template at<0>().force.y / most == within(0.8, 1e-15));
+      CHECK(energy_of(spring)(x.template at<0>(), x.template at<1>()) / most == within_relative(5e5, 1e-15));
+    };
+    check(spring_3D("a", "b", zero, k, 7.0), 7);
+    check(spring_3D("a", "b", 0.0, k, 7.0), 7);
+    check(spring_3D("a", "b", zero, k, 1e120), 1e120);
+    if (k == 1e300) check(spring_3D("a", "b", zero, k, 1e200), 1e200);
+    auto x = trial_of(torsion_spring_3D("a", "b", k, 7.0), 1);
+    x.at<0>() = {};
+    x.at<1>() = {.rotation = {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}}};  // a quarter turn
+    x.doForce();
+    CHECK(x.at<0>().torque.y == within(7, 1e-14));
+  }
+}
+
 TEST_CASE("a spring between frames wants finite numbers, and none negative", "[elements][spring]") {
   const std::string where = "kte: spring_3D (anchor1 'wall', anchor2 'hand'): ";
   const auto what = [](auto... numbers) { return complaint([&] { spring_3D("wall", "hand", numbers...); }); };

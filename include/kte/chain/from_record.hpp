@@ -25,6 +25,9 @@ class number_reader {
     const double x = next();
     if (x != N) place_.fail("holds " + number(x) + ", but the static chain has " + std::to_string(N) + " by its type");
   }
+  void operator()(bool& x) {
+    if (!(x = next() == 1)) place_.fail("must be 1 where it is given");
+  }
   template <variable T>
   void operator()(T& x) {
     x = T(next());
@@ -90,8 +93,12 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
     at.fail("is not connected as in the static chain:" + names);
   }
   std::size_t n = 0;
-  if (r.parameters.size() != own.parameters.size()) at.fail("has not the parameters of its type");
   Core::parameters(e.core, [&](const char* name, auto& value) {
+    if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, bool>) {
+      value = n < r.parameters.size() && r.parameters[n].name == name;
+      if (!value) return;
+    }
+    if (n == r.parameters.size()) at.fail("has not the parameters of its type");
     const auto& p = r.parameters[n++];
     if (p.name != name) at.fail("has a parameter '" + p.name + "' instead of '" + name + "'");
     const record_place here{at.text + ", " + name};
@@ -99,6 +106,7 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
     reader(value);
     reader.finish();
   });
+  if (n != r.parameters.size()) at.fail("has not the parameters of its type");
   const std::array<std::string_view, sizeof...(Keys)> names{Keys::name...};
   e.core.check(parameter_check{Core::type, Core::ports, names});
 }

@@ -120,13 +120,22 @@ struct articulated_memory {
   list_of<Sizes, std::array<S, 6>, Sizes::dofs> inverses;
   list_of<Sizes, char, Sizes::dofs> prescribed;  ///< whether its acceleration is given
   bool good = true;
-  dense_wrench<S> load{};  ///< for the inverse of the mass matrix: what comes down from a unit force ...
-  int unit = -1;           ///< ... on this row
   void make(const sizes_of_chain& n) {
     burdens.make(n), accelerations.make(n);
     own_mass.resize(n.coordinates), gains.resize(n.dofs), rates.resize(n.dofs), inverses.resize(n.dofs);
     prescribed.resize(n.dofs);
   }
+};
+
+/// The inverse of the mass matrix, beside articulated bodies: what comes down from a unit force on row `unit`, what it
+/// leaves on all axes and how fast they answer; of all rows before, row by row
+/// (dynamics/detail/local_inverse_mass.hpp).
+template <class S, class Sizes>
+struct inverse_memory {
+  dense_wrench<S> load{};
+  int unit = -1;
+  vector_of_size<Sizes, S, Sizes::dofs> left, rate;  ///< made by the first call, as the next
+  matrix_of_size<Sizes, S, Sizes::dofs> all_left;
 };
 
 /// Derivatives of the forces. A column is a change of wrench by displacement and by rate, and a sensitivity

@@ -2,9 +2,11 @@
 
 #include <kte/chain/port.hpp>
 #include <kte/errors.hpp>
+#include <kte/math/principal_moments.hpp>
 #include <kte/math/rigid_body.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <span>
 #include <string>
 
@@ -55,31 +57,39 @@ struct parameter_check {
     const double det = dot(m.x, cross(m.y, m.z));
     require(det > 1 - 1e-8, rule, det);
   }
-  /// Physical: the second moments tr(I)/2 1 - I, which are integrals of x x^T dm, have no negative eigenvalue. That is
-  /// the triangle inequality of the principal moments. Tested by principal minors, with room for printed digits.
   template <class... T>
-  constexpr void physical(const sym3<T...>& inertia) const {
-    const auto i = as<double>(inertia);
-    const double t = (i.xx + i.yy + i.zz) / 2;
-    finite(t, "inertia must be finite");
-    finite(i.xy + i.xz + i.yz, "inertia must be finite");
-    const double a = t - i.xx, b = t - i.yy, c = t - i.zz, slack = 1e-9 * t;
-    physical_if(a >= -slack && t >= 0, i.xx);
-    physical_if(b >= -slack, i.yy);
-    physical_if(c >= -slack, i.zz);
-    physical_if(a * b - i.xy * i.xy >= -slack * t, i.xy);
-    physical_if(a * c - i.xz * i.xz >= -slack * t, i.xz);
-    physical_if(b * c - i.yz * i.yz >= -slack * t, i.yz);
-    const double det = a * (b * c - i.yz * i.yz) - i.xy * (i.xy * c + i.yz * i.xz) - i.xz * (i.xy * i.yz + b * i.xz);
-    physical_if(det >= -slack * t * t, det);
+  constexpr void finite(const sym3<T...>& i, const char* rule) const {
+    finite(i.xx, rule), finite(i.xy, rule), finite(i.xz, rule);
+    finite(i.yy, rule), finite(i.yz, rule), finite(i.zz, rule);
+  }
+  /// The triangle inequality of the principal moments, which says that the second moments tr(I)/2 1 - I, the integrals
+  /// of x x^T dm, are not negative. With room for printed digits, relative to the body as its frame feels it.
+  template <class M, class C, class I>
+  constexpr void physical(const rigid_body<M, C, I>& body) const {
+    finite(body.inertia, "inertia must be finite");
+    const auto i = as<double>(body.inertia);
+    const auto c = as<double>(body.com);
+    const auto [largest, middle, smallest] = principal_moments(i);
+    const double scale = as<double>(body.mass) * dot(c, c) + (i.xx + i.yy + i.zz), excess = largest - middle - smallest;
+    physical_if(excess <= 1e-9 * scale, largest, middle, smallest, excess);
   }
 
   constexpr void unit_length(double squared, const char* rule) const {
     if (!(squared > 1 - 2e-9 && squared < 1 + 2e-9)) reject_length(rule, squared);
   }
   [[noreturn]] void reject_length(const char* rule, double squared) const { reject(rule, std::sqrt(squared)); }
-  constexpr void physical_if(bool ok, double value) const {
-    require(ok, "inertia must be physical: not negative, each principal moment at most the sum of the others", value);
+  constexpr void physical_if(bool ok, double largest, double middle, double smallest, double excess) const {
+    if (!ok)
+      reject_moments(
+          "inertia must be physical: no principal moment above the sum of the other two "
+          "(rigid_body{...}.as_published() is taken as it is)",
+          largest, middle, smallest, excess);
+  }
+  [[noreturn]] void reject_moments(const char* rule, double largest, double middle, double smallest,
+                                   double excess) const {
+    char moments[120];
+    std::snprintf(moments, sizeof moments, "%.6g is above %.6g + %.6g by %.6g", largest, middle, smallest, excess);
+    detail::raise<bad_parameter>("kte: " + describe() + ": " + rule + ", but " + moments);
   }
   [[noreturn]] void reject(const char* rule, double value) const {
     detail::raise<bad_parameter>("kte: " + describe() + ": " + rule + ", got " + detail::number(value));

@@ -63,7 +63,7 @@ void append_numbers(std::vector<double>& v, const R& rotation) {
 
 }  // namespace detail
 
-/// The record of a core under the given names.
+/// The record of a core under the given names. A parameter that is a bool is there, as 1, only if it is true.
 template <class Core, class Names>
 element_record record_of(const Core& core, const Names& names) {
   element_record r{std::string(std::string_view(Core::type)), 1, {}, {}};
@@ -71,7 +71,12 @@ element_record record_of(const Core& core, const Names& names) {
     r.connections.push_back({std::string(Core::ports[p].role), std::string(names[p])});
   Core::parameters(core, [&r](const char* name, const auto& value) {
     parameter_record x{name, {}};
-    detail::append_numbers(x.values, value);
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>) {
+      if (!value) return;
+      x.values = {1};
+    } else {
+      detail::append_numbers(x.values, value);
+    }
     r.parameters.push_back(std::move(x));
   });
   return r;

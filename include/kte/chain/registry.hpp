@@ -32,6 +32,13 @@ class record_reader {
     fail("has no connection '" + std::string(role) + "'");
   }
   double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
+  /// A parameter that is 1 where it is given.
+  bool flag(std::string_view parameter) const {
+    const bool given = std::any_of(record_.parameters.begin(), record_.parameters.end(),
+                                   [&](const parameter_record& p) { return p.name == parameter; });
+    if (given && number(parameter) != 1) fail("has '" + std::string(parameter) + "' other than 1");
+    return given;
+  }
   vec3<> vector(std::string_view parameter) const {
     const auto& v = values(parameter, 3);
     return {v[0], v[1], v[2]};
@@ -53,7 +60,7 @@ class record_reader {
   }
   rigid_body<> body() const {
     const auto& v = values("inertia", 6);
-    return {number("mass"), vector("com"), {v[0], v[1], v[2], v[3], v[4], v[5]}};
+    return {number("mass"), vector("com"), {v[0], v[1], v[2], v[3], v[4], v[5]}, flag("as_published")};
   }
   /// A body in the plane; what it has out of it must be zero.
   auto planar_body() const {
@@ -61,7 +68,9 @@ class record_reader {
     const auto& i = b.inertia;
     if (b.com.z != 0 || i.xx != 0 || i.xy != 0 || i.xz != 0 || i.yy != 0 || i.yz != 0)
       fail("has inertia out of the plane");
-    return kte::planar_body(b.mass, i.zz, vec3{b.com.x, b.com.y, zero});
+    auto planar = kte::planar_body(b.mass, i.zz, vec3{b.com.x, b.com.y, zero});
+    planar.published = b.published;
+    return planar;
   }
   /// Calls f with the typed axis of the same value if there is one, else with the numbers: a joint read from a file is
   /// the one that was written.

@@ -27,6 +27,7 @@ struct runtime_connections {
 struct runtime_memory : pass_memory<double, growing>,
                         mass_memory<double, growing>,
                         articulated_memory<double, growing>,
+                        inverse_memory<double, growing>,
                         variation_memory<double, growing>,
                         jacobian_memory<double> {
   explicit runtime_memory(const sizes_of_chain& n, std::size_t angles) {
@@ -38,7 +39,6 @@ struct runtime_memory : pass_memory<double, growing>,
   Eigen::MatrixXd inverse;
   inverse_dynamics_result<double, Eigen::Dynamic> of_forces;
   forward_dynamics_result<double, Eigen::Dynamic> of_accelerations;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows;
 };
 }  // namespace detail
 

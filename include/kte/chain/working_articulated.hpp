@@ -83,15 +83,19 @@ struct working_articulated : working_element<Core, State> {
   }
   void answer() const {
     auto& w = state.work;
-    auto r = response();
+    joint_response<S, axes> r;
     std::array<S, std::size_t{axes}> force{};
     for (std::size_t k = 0; k < std::size_t{axes}; ++k) {
+      r.gain[k] = w.gains[row() + k];
       for (std::size_t i = 0; i < std::size_t{axes}; ++i) r.inverse[k][i] = w.inverses[row() + k][i];
       force[k] = S(place.row + static_cast<int>(k) == w.unit ? 1 : 0);
     }
     with_mass(
         [&](const auto& m) { w.load = dense<S>(transmitted_by_joint(core, this->coordinate(), m, w.load, force, r)); });
-    for (std::size_t k = 0; k < std::size_t{axes}; ++k) w.rates[row() + k] = r.rate[k];
+    for (std::size_t k = 0; k < std::size_t{axes}; ++k) {
+      const auto i = place.row + static_cast<int>(k);
+      w.left[i] = force[k], w.rate[i] = r.rate[k];
+    }
   }
   template <std::size_t P>
   auto& burden_of() const {

@@ -5,6 +5,7 @@
 #include <kte/dynamics/detail/local_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 
 namespace kte {
 
@@ -35,6 +36,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
     } else {
       stored_derivatives<S>(c, g, r);
     }
+    check_forces<typename Chain::wiring>(r.tau, g);
   } else {
     dual_derivatives<S>(c, base, q, v, a, r);
     r.by_a = local_mass_matrix<S>(c, at, base);
@@ -42,17 +44,29 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
   return r;
 }
 
-/// From a and the derivatives of inverse dynamics there:
+/// From accelerations a under tau and the derivatives of inverse dynamics there:
 ///
 ///   da/dq = -M^-1 dtau/dq,   da/dv = -M^-1 dtau/dv,   da/dtau = M^-1          (1)
-template <class S, int N>
-KTE_INLINE auto inverted(const joint_vector<S, N>& a, inverse_dynamics_result<S, N>& r) {
-  Eigen::Matrix<S, N, 3 * N, Eigen::RowMajor> b;
-  b << -r.by_q, -r.by_v, joint_matrix<S, N>::Identity();
-  factorise_mass(r.by_a);
-  substitute_rows(r.by_a, b);
-  return forward_dynamics_result<S, N>{a, b.template leftCols<N>(), b.template middleCols<N>(N),
-                                       b.template rightCols<N>()};
+template <class S, class Chain, class At, class Base, class Q, class V>
+KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v,
+                                       const joint_vector<S, Chain::dofs>& tau) {
+  forward_dynamics_result<S, Chain::dofs> r;
+  const each<S, V> rates{v};
+  if constexpr (is_tree_of_joints<Chain>) {
+    at.check(), base.check();
+    const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
+    if constexpr (is_unrolled<Chain, S>) {
+      local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate_and_invert(tau, r.a, r.by_tau);
+    } else {
+      stored_accelerations_and_inverse<S>(c, g, tau, r.a, r.by_tau);
+    }
+  } else {
+    r.a = accelerations_under<S>(c, at, rates, base, tau);
+  }
+  auto of_forces = derivatives_at<S>(c, at, base, q, v, r.a);
+  if constexpr (!is_tree_of_joints<Chain>) invert_by_factors(of_forces.by_a, r.by_tau);
+  solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
+  return r;
 }
 }  // namespace detail
 
@@ -80,24 +94,28 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
   return detail::derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, a);
 }
 
-/// Forward dynamics and its derivatives, from those of inverse dynamics. Arguments as for `forward_dynamics`. Throws
-/// `singular_mass_matrix`.
+/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, which has
+/// all digits of `mass_matrix_inverse`. Arguments as for `forward_dynamics`. Throws `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  const joint_vector<S, chain_type::dofs> a = forward_dynamics(c, q, v, tau);
-  auto r = inverse_dynamics_derivatives(c, q, v, a);
-  return detail::inverted(a, r);
+  constexpr int n = chain_type::dofs;
+  detail::check_configuration<chain_type>(q), check_size<n>(v, "v"), check_size<n>(tau, "tau");
+  const detail::configuration<S, typename chain_type::wiring, Q> at(q);
+  joint_vector<S, n> f;
+  for (int i = 0; i < n; ++i) f[i] = S(tau[static_cast<std::size_t>(i)]);
+  return detail::forward_derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, f);
 }
 /// The same at the positions and rates of a state, with its moving bases and its inputs, and no other forces.
 template <class Gravity, class... E, class S>
 auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
-  const joint_vector<S, static_chain<Gravity, E...>::dofs> a = forward_dynamics(c, s);
-  auto accelerated = s;
-  set_accelerations(accelerated, a);
-  auto r = inverse_dynamics_derivatives(c, accelerated);
-  return detail::inverted(a, r);
+  using state = chain_state<S, detail::wiring<E...>>;
+  const auto q = positions(s);
+  const auto v = velocities(s);
+  const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
+  using vector = joint_vector<S, state::dofs>;
+  return detail::forward_derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, vector(vector::Zero()));
 }
 
 }  // namespace kte

@@ -32,6 +32,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
     a = tau + coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = local_mass_matrix<S>(c, at, base);
     solve_in_place(m, a);
+    check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
   }
   return a;
 }

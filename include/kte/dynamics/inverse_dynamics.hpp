@@ -32,16 +32,19 @@ KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
     (void)done;
   };
   read(std::make_index_sequence<wiring::freedoms>{});
-  check_finite(f, std::size_t{wiring::dofs}, "kte: a force is no finite number: an argument is none, or is too large");
   return f;
 }
 template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
-  if constexpr (has_unrolled_passes<Chain, S>) {
-    return forces_of<S>(local_pass<Chain, Given>(c, g), sign);
-  } else {
-    return stored_forces<S>(c, g, sign);
-  }
+  const auto f = [&]() KTE_INLINE_LAMBDA {
+    if constexpr (has_unrolled_passes<Chain, S>) {
+      return forces_of<S>(local_pass<Chain, Given>(c, g), sign);
+    } else {
+      return stored_forces<S>(c, g, sign);
+    }
+  }();
+  check_forces<typename Chain::wiring>(f, g);
+  return f;
 }
 }  // namespace detail
 

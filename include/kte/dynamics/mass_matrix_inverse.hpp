@@ -30,6 +30,7 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     auto factors = local_mass_matrix<S>(c, at, base);
     invert_by_factors(factors, m);
   }
+  check_masses<typename Chain::wiring>(m, at);
   return m;
 }
 }  // namespace detail

@@ -13,8 +13,7 @@ inline const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_s
   detail::coordinate_forces(c, s);
   detail::read_listed_numbers<detail::vector_of::f>(s, s.work.forces);
   s.work.forces = -s.work.forces;
-  detail::check_finite(s.work.forces, static_cast<std::size_t>(s.dofs()),
-                       "kte: a force is no finite number: an argument is none, or is too large");
+  detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::blame("a force", s); });
   return s.work.forces;
 }
 /// The same at q, v, a, which are put into the state.
@@ -30,6 +29,7 @@ inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state&
   detail::check_plain_loads(c);
   detail::check_positions(s);
   detail::mass_of_coordinates(c, s);
+  detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
 /// The same at q, which is put into the state.

@@ -43,6 +43,7 @@ inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtim
     detail::mass_of_coordinates(c, s);
     detail::invert_by_factors(s.work.mass, inverse);
   }
+  detail::check_masses(s, inverse);
   return inverse;
 }
 /// The same at q, which is put into the state.
@@ -64,6 +65,7 @@ inline const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_d
   r.tau.resize(n), r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_a.resize(n, n);
   detail::derive_forces(detail::runtime_elements{c}, s, r);
   detail::take_forces(s, minus_one, r.tau);
+  detail::check_result(r.tau, static_cast<std::size_t>(n), [&s] { detail::blame("a force", s); });
   return r;
 }
 /// The same at q, v, a, which are put into the state.
@@ -74,21 +76,16 @@ const auto& inverse_dynamics_derivatives(const kte_map_chain& c, runtime_state& 
 }
 
 namespace detail {
-/// With accelerations in the state, from those of inverse dynamics: (1) of dynamics/derivatives.hpp.
+/// After forward dynamics: (1) of dynamics/derivatives.hpp.
 inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
                                                                                     runtime_state& s) {
   auto& r = s.work.of_accelerations;
-  r.a = s.work.forces;
-  inverse_dynamics_derivatives(c, s);
-  auto& of_forces = s.work.of_forces;
   const Eigen::Index n = s.dofs();
-  auto& rows = s.work.rows;
-  rows.resize(n, 3 * n);
-  rows.leftCols(n) = -of_forces.by_q, rows.middleCols(n, n) = -of_forces.by_v;
-  rows.rightCols(n).setIdentity();
-  factorise_mass(of_forces.by_a);
-  substitute_rows(of_forces.by_a, rows);
-  r.by_q = rows.leftCols(n), r.by_v = rows.middleCols(n, n), r.by_tau = rows.rightCols(n);
+  r.a = s.work.forces;
+  r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_tau.resize(n, n);
+  invert_columns(runtime_elements{c}, s, r.by_tau);
+  const auto& of_forces = inverse_dynamics_derivatives(c, s);
+  solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
   return r;
 }
 }  // namespace detail

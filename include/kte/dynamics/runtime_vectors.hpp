@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/chain/runtime_state.hpp>
+#include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
 /// The numbers of a runtime state as vectors, as dynamics/state_vectors.hpp has them for static chains.
@@ -23,6 +24,20 @@ void write_numbers(runtime_state& s, const X& x, const char* name) {
     auto i = begin_of<Which>(at);
     visit_numbers<Which>(c, [&](double& number) { number = static_cast<double>(x[i++]); });
   });
+}
+/// Throws `bad_argument` that names the number at fault, of those in the state and of `tau`.
+[[noreturn, gnu::cold]] inline void blame(const char* what, const runtime_state& s, const Eigen::VectorXd& tau = {}) {
+  std::vector<layout_entry<>> layout;
+  for (const auto& f : s.freedoms())
+    layout.push_back({s.made_for()->names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what,
+                      f.q, nq_of(f.what), f.v, nv_of(f.what)});
+  const auto span = [](const Eigen::VectorXd& x) {
+    return std::span<const double>(x.data(), static_cast<std::size_t>(x.size()));
+  };
+  const auto q = read_numbers<vector_of::q>(s), v = read_numbers<vector_of::v>(s), a = read_numbers<vector_of::a>(s);
+  raise_if_no_rotation(layout, span(q));
+  if (tau.size() > 0) raise_not_finite(what, layout, {{"q", span(q), true}, {"v", span(v)}, {"tau", span(tau)}});
+  raise_not_finite(what, layout, {{"q", span(q), true}, {"v", span(v)}, {"a", span(a)}});
 }
 }  // namespace detail
 

@@ -25,7 +25,7 @@ struct inertia {
 
   template <class Frame>
   KTE_INLINE constexpr auto doForce(const Frame& x) const {
-    const auto& [m, c, J] = body;
+    const auto& [m, c, J, published] = body;
     const auto& w = x.ang_velocity;
     const auto& al = x.ang_acceleration;
     const auto a_c = plus_cross(plus_cross(x.acceleration, al, c), w, cross(w, c));  // (1)
@@ -35,7 +35,7 @@ struct inertia {
   /// m |v_c|^2 / 2 + w . I w / 2,  v_c = v + w x c,  J
   template <class Frame>
   KTE_INLINE constexpr auto kinetic_energy(const Frame& x) const {
-    const auto& [m, c, J] = body;
+    const auto& [m, c, J, published] = body;
     const auto& w = x.ang_velocity;
     const auto v_c = plus_cross(x.velocity, w, c);
     return detail::half(m * dot(v_c, v_c) + dot(w, J * w));
@@ -53,10 +53,12 @@ struct inertia {
   constexpr void check(const parameter_check& where) const {
     where.not_negative(body.mass, "mass must be finite and not negative");
     where.finite(body.com, "centre of mass must be finite");
-    if constexpr (Dim == kind::frame_2D) {
+    if (body.published) {
+      where.finite(body.inertia, "inertia must be finite");
+    } else if constexpr (Dim == kind::frame_2D) {
       where.not_negative(body.inertia.zz, "inertia must be finite and not negative");
     } else {
-      where.physical(body.inertia);
+      where.physical(body);
     }
   }
   template <class Self, class Visit>
@@ -64,6 +66,7 @@ struct inertia {
     visit("mass", self.body.mass);
     visit("com", self.body.com);
     visit("inertia", self.body.inertia);
+    visit("as_published", self.body.published);
     if constexpr (!std::is_const_v<Self>) self.at_origin = to_composite(self.body);
   }
 };
@@ -106,7 +109,9 @@ template <class F, class M, class C, class I>
 constexpr auto inertia_2D(const F& frame, const rigid_body<M, C, I>& body) {
   return connect(core::inertia<kind::frame_2D, M, C, I>(body), frame);
 }
-/// A body in space, fixed to `frame`: `rigid_body{mass, com, inertia}`, `point_mass(1.0)`.
+/// A body in space, fixed to `frame`: `rigid_body{mass, com, inertia}`, `point_mass(1.0)`. Its inertia must be
+/// physical: no principal moment above the sum of the other two by more than 1e-9 of m |com|^2 + tr inertia;
+/// `rigid_body{...}.as_published()` is taken as it is.
 template <class F, class M, class C, class I>
 constexpr auto inertia_3D(const F& frame, const rigid_body<M, C, I>& body) {
   return connect(core::inertia<kind::frame_3D, M, C, I>(body), frame);

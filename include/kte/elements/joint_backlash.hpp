@@ -41,7 +41,7 @@ struct joint_backlash_gen {
   KTE_INLINE constexpr auto switching(const C1& c1, const C2& c2) const {
     const auto x = play(c1, c2);
     using T = std::remove_const_t<decltype(x)>;
-    return T(select(T(gap) > T(0), T(T(gap * gap) / T(4) - x * x), x));
+    return T(select(T(gap) > T(0), T(T(gap) / T(2) - select(x < T(0), T(-x), x)), x));
   }
   constexpr void check(const parameter_check& where) const {
     where.not_negative(gap, "gap must be finite and not negative");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/chain/transmission.hpp>
+#include <kte/math/select.hpp>
 
 namespace kte {
 
@@ -76,10 +77,11 @@ struct joint_lugre_gen {
     if constexpr (std::is_same_v<V, zero_t>) {
       return zero;
     } else {
-      const auto r = v / p.stribeck_velocity;
-      using number = std::remove_cvref_t<decltype(r)>;
+      using number = std::remove_cvref_t<decltype(v / p.stribeck_velocity)>;
+      const number rate = abs(number(v / p.stribeck_velocity));
+      const number r = select(rate > number(1e4), number(1e4), rate);  // exp(-r^2) is 0, but r^2 may overflow
       const auto g = p.coulomb + (p.stiction - p.coulomb) * number(exp(number(-(r * r))));  // (1)
-      return v - (p.sigma0 * number(abs(number(v))) / g) * z;                               // (2)
+      return v - number(abs(number(v))) * ((p.sigma0 / g) * z);                             // (2)
     }
   }
 };

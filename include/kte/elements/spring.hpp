@@ -2,6 +2,7 @@
 
 #include <kte/chain/transmission.hpp>
 #include <kte/math/select.hpp>
+#include <kte/math/squares.hpp>
 
 #include <cmath>
 
@@ -31,10 +32,17 @@ KTE_INLINE constexpr auto to_polar(const vec3<X, Y, Z>& d) {
   using std::sqrt;
   const auto square = as_number(dot(d, d));
   using S = std::remove_const_t<decltype(square)>;
-  const auto none = square == S(0);
-  const S length = sqrt(select(none, S(1), square));
-  const auto direction = S(S(1) / length) * d;
-  return polar<S, std::remove_const_t<decltype(direction)>>{select(none, S(0), length), direction};
+  using result = polar<S, std::remove_const_t<decltype(S() * d)>>;
+  if (keeps_digits(square)) [[likely]] {
+    const S length = sqrt(square);
+    return result{length, S(S(1) / length) * d};
+  }
+  const S k = scale_for_squares(square);
+  const auto u = k * d;
+  const S n = as_number(dot(u, u));
+  const auto none = n == S(0);
+  const S length = sqrt(select(none, S(1), n));
+  return result{select(none, S(0), S(length / k)), S(S(1) / length) * (select(none, S(1), k) * d)};
 }
 
 /// A force s limited to [-most, most]; 0, typed or not: no limit. NaN stays NaN.
@@ -49,55 +57,55 @@ KTE_INLINE constexpr auto limited(const S& s, const Most& most) {
     return select(m == T(0), f, select(f > m, m, select(f < T(-m), T(-m), f)));
   }
 }
-/// A force or torque limited in its length.
-template <class X, class Y, class Z, class Most>
-KTE_INLINE constexpr auto limited(const vec3<X, Y, Z>& f, const Most& most) {
-  using std::sqrt;
+/// k d, limited in its length.
+template <class K, class X, class Y, class Z, class Most>
+KTE_INLINE constexpr auto limited_pull(const K& k, const vec3<X, Y, Z>& d, const Most& most) {
   if constexpr (std::is_same_v<Most, zero_t>) {
-    return f;
+    return k * d;
   } else {
-    const auto square = as_number(dot(f, f));
-    using T = std::remove_const_t<decltype(square)>;
-    const T m = as<T>(most);
-    const auto beyond = square > T(m * m);
-    const T share = select(beyond, T(m / sqrt(select(beyond, square, T(1)))), T(1));
-    return select(m == T(0), T(1), share) * f;
+    const auto length = to_polar(d).length;
+    using T = std::remove_const_t<decltype(length)>;
+    const T m = as<T>(most), stiffness = as<T>(k);
+    const auto beyond = T(stiffness * length) > m;
+    const T share = select(beyond, T(m / select(beyond, length, T(1))), stiffness);
+    return select(m == T(0), stiffness, share) * d;
   }
 }
 
-template <class A, class B>
-KTE_INLINE constexpr auto inner_product(const A& a, const B& b) {
-  if constexpr (entry<A>) {
-    return a * b;
-  } else {
-    return dot(a, b);
-  }
-}
 /// The energy of a spring of stiffness k that is stretched by x, a number or a vector. With the limited force f:
 ///
-///   V = k/2 x.x,  with saturation  V = f.x - f.f/(2k)          (1)
+///   V = k/2 x.x,  with saturation  V = f (|x| - f/(2k))          (1)
 ///
 /// beyond saturation, that is f times the stretch less half the stretch at which it saturates.
 template <class X, class Stiffness, class Most>
 KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const Most& most) {
-  const auto f = limited(k * x, most);
-  const auto work = as_number(inner_product(f, x));
-  using S = std::remove_const_t<decltype(work)>;
-  if constexpr (std::is_same_v<Most, zero_t>) {
-    return S(S(0.5) * work);
+  if constexpr (!entry<X>) {
+    if constexpr (std::is_same_v<Most, zero_t>) {
+      const auto work = as_number(dot(k * x, x));
+      using S = std::remove_const_t<decltype(work)>;
+      return S(S(0.5) * work);
+    } else {
+      return elastic_energy(to_polar(x).length, k, most);
+    }
   } else {
-    const S stiffness = as<S>(k);
-    return S(work - as<S>(inner_product(f, f)) / (S(2) * select(stiffness == S(0), S(1), stiffness)));
+    const auto f = as_number(limited(k * x, most));
+    using S = std::remove_const_t<decltype(f)>;
+    if constexpr (std::is_same_v<Most, zero_t>) {
+      return S(S(0.5) * (f * x));
+    } else {
+      const S stiffness = as<S>(k);
+      return S(f * (x - S(0.5) * (f / select(stiffness == S(0), S(1), stiffness))));
+    }
   }
 }
 
 /// How far a force s is from its limit: positive below, negative where it is limited, 1 where there is none.
-template <class F, class Most>
+template <entry F, class Most>
 KTE_INLINE constexpr auto below_limit(const F& s, const Most& most) {
-  const auto square = as_number(inner_product(s, s));
-  using T = std::remove_const_t<decltype(square)>;
+  const auto f = as_number(s);
+  using T = std::remove_const_t<decltype(f)>;
   const T m = as<T>(most);
-  return T(select(m == T(0), T(1), T(m * m - square)));
+  return T(select(m == T(0), T(1), T(m - select(f < T(0), T(-f), f))));
 }
 
 /// A force f on the first of two frames, -f on the second, given in axes of the world, at their origins.
@@ -185,7 +193,7 @@ struct spring : spring_parameters<Rest, Stiffness, Saturation> {
   KTE_INLINE constexpr auto doForce(const A& a, const B& b) const {
     const auto d = b.position - a.position;
     if constexpr (std::is_same_v<Rest, zero_t>) {
-      return detail::opposite_forces(a, b, detail::limited(this->stiffness * d, this->saturation));
+      return detail::opposite_forces(a, b, detail::limited_pull(this->stiffness, d, this->saturation));
     } else {
       const auto [D, e] = detail::to_polar(d);  // (1)
       const auto s = detail::limited(this->stiffness * (D - this->rest_length), this->saturation);

@@ -78,7 +78,7 @@ struct torsion_spring {
 
   template <class A, class B>
   KTE_INLINE constexpr auto doForce(const A& a, const B& b) const {
-    const auto t = detail::limited(stiffness * turn(a.rotation, b.rotation), saturation);
+    const auto t = detail::limited_pull(stiffness, turn(a.rotation, b.rotation), saturation);
     return make_loads(wrench{zero3{}, t}, wrench{zero3{}, -t});  // (2)
   }
   /// J
@@ -89,7 +89,7 @@ struct torsion_spring {
   /// Zero where it saturates.
   template <class A, class B>
   KTE_INLINE constexpr auto switching(const A& a, const B& b) const {
-    return detail::below_limit(stiffness * turn(a.rotation, b.rotation), saturation);
+    return detail::below_limit(stiffness * detail::to_polar(turn(a.rotation, b.rotation)).length, saturation);
   }
   constexpr void check(const parameter_check& where) const {
     where.not_negative(stiffness, "stiffness must be finite and not negative");

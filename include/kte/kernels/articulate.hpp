@@ -233,15 +233,15 @@ KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const 
   }
 }
 
-/// A load W at the end of a joint alone, and a force f(n) on its axes: the rate of its response, and what reaches the
-/// base. The same as above for M^-1, where nothing else moves.
+/// A load W at the end of a joint alone, and a force f[n] on its axes: the rate of its response, and what reaches the
+/// base. The same as above for M^-1, where nothing else moves. f becomes e.
 ///
-///   rate = D^-1 (f + s . W),   W' = W - gain (f + s . W)                                             (4)
+///   e = f + s . W,   rate = D^-1 e,   W' = W - gain e                                                (4)
 template <class S, class Core, class C, class M, class F, class T, int N>
 KTE_INLINE constexpr auto transmitted_by_joint(const Core& core, const C& at, const M&, const wrench<F, T>& load,
-                                               const std::array<S, std::size_t(N)>& force, joint_response<S, N>& r) {
+                                               std::array<S, std::size_t(N)>& f, joint_response<S, N>& r) {
   constexpr auto split = division<Core, C, M>();
-  std::array<S, std::size_t{N}> f = force;
+  const std::array<S, std::size_t{N}> force = f;
   const auto add_power = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
     const int done[]{(f[K] = as<S>(f[K] + power(axis_of<K>(core, at), load)), 0)...};
     (void)done;

@@ -57,13 +57,17 @@ constexpr void check_size(const T& x, const char* name, const char* what = "degr
 }
 
 namespace detail {
-/// No algorithm gives NaN back in silence: throws `bad_argument` unless x[0] ... x[n-1] are finite numbers.
 template <class X>
-KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* what) {
+KTE_INLINE constexpr bool all_finite(const X& x, std::size_t n) {
   using S = std::remove_cvref_t<decltype(x[0])>;
   S zero_or_nan(0);
   for (std::size_t i = 0; i < n; ++i) zero_or_nan += x[i] * S(0);
-  if (!all(zero_or_nan == S(0))) [[unlikely]]
+  return all(zero_or_nan == S(0));
+}
+/// No algorithm gives NaN back in silence: throws `bad_argument` unless x[0] ... x[n-1] are finite numbers.
+template <class X>
+KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* what) {
+  if (!all_finite(x, n)) [[unlikely]]
     raise<bad_argument>(what);
 }
 }  // namespace detail

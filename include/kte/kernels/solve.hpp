@@ -3,6 +3,7 @@
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/math/select.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace kte::detail {
@@ -35,25 +36,16 @@ KTE_INLINE bool factorise(Matrix& m) {
   }
   return good;
 }
-/// Solves M x = b in place, with M factorised. at(i) is number i of b, or row i of several.
-template <class Matrix, class At>
-KTE_INLINE void substitute_each(const Matrix& m, const At& at) {
-  const Eigen::Index n = m.rows();
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index k = 0; k < i; ++k) at(i) -= m(i, k) * at(k);
-  for (Eigen::Index i = n; i-- > 0;) {
-    at(i) /= m(i, i);
-    for (Eigen::Index k = i + 1; k < n; ++k) at(i) -= m(k, i) * at(k);
-  }
-}
+/// Solves M x = b in place, with M factorised.
 template <class Matrix, class Vector>
 KTE_INLINE void substitute(const Matrix& m, Vector& b) {
-  substitute_each(
-      m, [&b](Eigen::Index i) KTE_INLINE_LAMBDA -> auto& { return b[i]; });
-}
-template <class Matrix, class Rows>
-KTE_INLINE void substitute_rows(const Matrix& m, Rows& b) {
-  substitute_each(m, [&b](Eigen::Index i) KTE_INLINE_LAMBDA { return b.row(i); });
+  const Eigen::Index n = m.rows();
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index k = 0; k < i; ++k) b[i] -= m(i, k) * b[k];
+  for (Eigen::Index i = n; i-- > 0;) {
+    b[i] /= m(i, i);
+    for (Eigen::Index k = i + 1; k < n; ++k) b[i] -= m(k, i) * b[k];
+  }
 }
 
 [[noreturn]] inline void raise_singular_mass_matrix() {
@@ -77,13 +69,59 @@ KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse) {
   }
 }
 
+/// f<4>(i) for rows i, i + 4, ... of n, the last four moved back, that they do not stick out; f<1>(i) for less than
+/// four.
+template <int N, class F>
+KTE_INLINE void for_each_four(Eigen::Index n, const F& f) {
+  if constexpr (N == Eigen::Dynamic || N >= 4) {
+    if (n >= 4) {
+      for (Eigen::Index i = 0; i < n; i += 4) f.template operator()<4>(std::min(i, n - 4));
+      return;
+    }
+  }
+  if constexpr (N < 4) {  // Eigen::Dynamic is negative
+    for (Eigen::Index i = 0; i < n; ++i) f.template operator()<1>(i);
+  }
+}
+/// Column k of M^-1, from what a unit force on it leaves on all axes and how fast these answer, by (1) of
+/// dynamics/detail/local_inverse_mass.hpp. `all_left` has a row of the former for each column before; joints in order.
+template <class Left, class Vector, class Matrix>
+KTE_INLINE void add_column(Left& all_left, int k, const Vector& left, const Vector& rate, Matrix& inverse) {
+  using S = typename Matrix::Scalar;
+  const Eigen::Index n = inverse.rows();
+  auto column = inverse.col(k);
+  for_each_four<Matrix::RowsAtCompileTime>(n, [&]<int N>(Eigen::Index i) KTE_INLINE_LAMBDA {
+    Eigen::Matrix<S, N, 1> sum = Eigen::Matrix<S, N, 1>::Zero();
+    for (Eigen::Index joint = 0; joint < n; ++joint) sum += rate[joint] * all_left.col(joint).template segment<N>(i);
+    column.template segment<N>(i) = sum;
+  });
+  column[k] = left.dot(rate);
+  all_left.row(k) = left.transpose();
+  inverse.row(k) = column.transpose();
+}
+/// X = -M^-1 B, which allocates nothing.
+template <class Matrix, class X>
+KTE_INLINE void solve_by_inverse(const Matrix& inverse, const Matrix& b, X& x) {
+  using S = typename Matrix::Scalar;
+  const Eigen::Index n = inverse.rows();
+  for_each_four<Matrix::RowsAtCompileTime>(n, [&]<int N>(Eigen::Index i) KTE_INLINE_LAMBDA {
+    for_each_four<Matrix::RowsAtCompileTime>(n, [&]<int C>(Eigen::Index j) KTE_INLINE_LAMBDA {
+      Eigen::Matrix<S, N, C> sum = Eigen::Matrix<S, N, C>::Zero();
+      for (Eigen::Index k = 0; k < n; ++k) {
+        const Eigen::Matrix<S, N, 1> m = inverse.col(k).template segment<N>(i);
+        for (Eigen::Index c = 0; c < C; ++c) sum.col(c) -= b(k, j + c) * m;
+      }
+      x.template block<N, C>(i, j) = sum;
+    });
+  });
+}
+
 /// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws as
-/// `factorise_mass`, and `bad_argument` for NaN.
+/// `factorise_mass`.
 template <class Matrix, class Vector>
 KTE_INLINE void solve_in_place(Matrix& m, Vector& b) {
   factorise_mass(m);
   substitute(m, b);
-  check_finite(b, static_cast<std::size_t>(m.rows()), "kte: an acceleration is no finite number: an argument is none");
 }
 
 }  // namespace kte::detail

@@ -2,6 +2,7 @@
 
 #include <kte/errors.hpp>
 #include <kte/math/rotation_2D.hpp>
+#include <kte/math/squares.hpp>
 
 #include <limits>
 
@@ -71,11 +72,16 @@ KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
   return detail::turned_axes(q, S(2));
 }
 /// The same for a quaternion of any length but 0: with 2/|q|^2 in place of 2, errors of the length do not matter. NaN
-/// where |q|^2 is 0 or overflows.
+/// where q is 0 or not finite.
 template <class S>
 KTE_INLINE constexpr mat3<vec3<S>> matrix_of_any_length(const unit_quaternion<S>& q) {
-  const S n = dot(q, q);
-  return detail::turned_axes(q, S(S(2) / n), S(S(1) + S(0) * n));
+  unit_quaternion<S> u = q;
+  S n = dot(u, u);
+  if (!detail::keeps_digits(n)) [[unlikely]] {
+    const S k = detail::scale_for_squares(n);
+    u = {k * q.w, k * q.x, k * q.y, k * q.z}, n = dot(u, u);
+  }
+  return detail::turned_axes(u, S(S(2) / n), S(S(1) + S(0) * n));
 }
 template <class S, class RX, class RY, class RZ>
 KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const mat3<RX, RY, RZ>& m) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/detail/local_pass.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/math/quaternion.hpp>
@@ -113,12 +114,12 @@ struct configuration {
   template <int... I>
   KTE_INLINE void check(std::integer_sequence<int, I...>) const {
     const std::array<S, sizeof...(I) + 1> x{q.template at<I>()...};
-    check_finite(x, sizeof...(I), "kte: a coordinate is no finite number");
+    check_result(x, sizeof...(I), [this] { blame<Wiring>("a coordinate", q, same<zero_t>{}, same<zero_t>{}, "a"); });
   }
   template <std::size_t... N>
   KTE_INLINE void check_rotations(std::index_sequence<N...>) const {
     const std::array<S, sizeof...(N) + 1> x{rotation[N].x.x...};
-    check_finite(x, sizeof...(N), "kte: the quaternion of a rotation has length 0");
+    check_result(x, sizeof...(N), [this] { blame<Wiring>("a rotation", q, same<zero_t>{}, same<zero_t>{}, "a"); });
   }
   template <std::size_t... N>
   KTE_INLINE static auto gather(const each<S, Q>& q, std::index_sequence<N...>) {
@@ -264,5 +265,27 @@ struct given {
 };
 template <class At, class V, class A, class Base>
 given(const At&, V, A, Base) -> given<At, V, A, Base>;
+
+/// Throws `bad_argument` that names the argument at fault, unless x[0] ... x[n-1], which come of `g`, are finite.
+template <class Wiring, class X, class Given>
+KTE_INLINE void check_forces(const X& x, const Given& g) {
+  check_result(x, std::size_t{Wiring::dofs}, [&] { blame<Wiring>("a force", g.at.q, g.v, g.a, "a"); });
+}
+/// The same of a matrix that is positive definite: none of its numbers is larger than the largest of its diagonal.
+template <class Wiring, class Matrix, class At>
+KTE_INLINE void check_masses(const Matrix& m, const At& at) {
+  struct diagonal {
+    const Matrix& m;
+    auto operator[](std::size_t i) const { return m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)); }
+  };
+  check_result(diagonal{m}, std::size_t{Wiring::dofs},
+               [&] { blame<Wiring>("a mass", at.q, same<zero_t>{}, same<zero_t>{}, "a"); });
+}
+template <class Wiring, class X, class Given, class Tau>
+KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {
+  using forces = each<typename Tau::Scalar, Tau>;
+  check_result(x, std::size_t{Wiring::dofs},
+               [&] { blame<Wiring>("an acceleration", g.at.q, g.v, forces{tau}, "tau"); });
+}
 
 }  // namespace kte::detail

@@ -50,7 +50,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     masses(std::make_index_sequence<wiring::freedoms>{});
     check_good();
     for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { from_base<K, Slot>(); });
-    check_finite(a, std::size_t{Chain::dofs}, "kte: an acceleration is no finite number: an argument is none");
+    check_accelerations<wiring>(a, this->given_, tau);
   }
 
  protected:

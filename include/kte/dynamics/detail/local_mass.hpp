@@ -193,11 +193,15 @@ KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Bas
   at.check(), base.check();
   const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};
-  if constexpr (is_unrolled<Chain, S>) {
-    return unrolled_mass_matrix<S>(c, g);
-  } else {
-    return stored_mass_matrix<S>(c, g);
-  }
+  const auto m = [&]() KTE_INLINE_LAMBDA {
+    if constexpr (is_unrolled<Chain, S>) {
+      return unrolled_mass_matrix<S>(c, g);
+    } else {
+      return stored_mass_matrix<S>(c, g);
+    }
+  }();
+  check_masses<typename Chain::wiring>(m, at);
+  return m;
 }
 
 }  // namespace kte::detail

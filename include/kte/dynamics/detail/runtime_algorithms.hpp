@@ -22,13 +22,16 @@ inline void check_positions(const runtime_state& s) {
   for_each_listed_freedom(s, [&](const auto& c, const freedom&) {
     visit_q(c, [&finite](double x) { finite &= x - x == 0; });
     if constexpr (requires { c.rotation; }) {
-      const double n = dot(c.rotation, c.rotation);
-      turned &= n > 0 && n - n == 0;
+      const auto& r = c.rotation;
+      turned &= r.w != 0 || r.x != 0 || r.y != 0 || r.z != 0;
     }
   });
   for_each_given_coordinate(s, [&finite](const gen_coord<>& c) { finite &= c.q - c.q == 0; });
-  if (!finite) throw bad_argument("kte: a coordinate is no finite number");
-  if (!turned) throw bad_argument("kte: the quaternion of a rotation has length 0");
+  if (!finite || !turned) [[unlikely]]
+    blame("a coordinate", s);
+}
+inline void check_masses(const runtime_state& s, const Eigen::MatrixXd& m) {
+  check_result(m.diagonal(), static_cast<std::size_t>(s.dofs()), [&s] { blame("a mass", s); });
 }
 
 /// Sines, cosines and matrices of the coordinates.
@@ -157,8 +160,11 @@ const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state
   } else {
     accelerate_by_mass(c, s, tau);
   }
-  check_finite(s.work.forces, static_cast<std::size_t>(s.dofs()),
-               "kte: an acceleration is no finite number: an argument is none");
+  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {
+    Eigen::VectorXd forces(s.dofs());
+    for (int i = 0; i < s.dofs(); ++i) forces[i] = tau(i);
+    blame("an acceleration", s, forces);
+  });
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }

@@ -105,8 +105,29 @@ void accelerate_articulated(const Elements& e, State& s, const Tau& tau) {
   check_good(s);
 }
 
-/// The inverse of the mass matrix: column i is what a unit force on row i does to a chain at rest without other loads.
-/// Throws `singular_mass_matrix`.
+/// The inverse of the mass matrix after inertias have been articulated, with or without accelerations: by (1) of
+/// local_inverse_mass.hpp.
+template <class Elements, class State, class Matrix>
+void invert_columns(const Elements& e, State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  auto& w = s.work;
+  w.all_left.setZero(s.dofs(), s.dofs()), w.left.resize(s.dofs()), w.rate.resize(s.dofs());
+  for (std::size_t joint = 0; joint < s.plan.places.size(); ++joint) {
+    const place& at = s.plan.places[joint];
+    if (!at.free) continue;
+    for (int row = at.row; row < at.row + at.axes; ++row) {
+      w.left.setZero(), w.rate.setZero();
+      w.load = {}, w.unit = row;
+      e.template down_from<steps::load_down>(static_cast<int>(joint), s);
+      add_column(w.all_left, row, w.left, w.rate, inverse);
+    }
+  }
+  for (const int row : s.plan.lone_rows) {
+    inverse.col(row).setZero();
+    inverse(row, row) = S(1) / w.own_mass[static_cast<std::size_t>(row)];
+  }
+}
+/// The inverse of the mass matrix. Throws `singular_mass_matrix`.
 template <class Elements, class State, class Matrix>
 void invert_articulated(const Elements& e, State& s, Matrix& inverse) {
   using S = typename State::scalar;
@@ -118,21 +139,7 @@ void invert_articulated(const Elements& e, State& s, Matrix& inverse) {
   e.template backward<steps::articulate>(s);
   for (const int row : s.plan.lone_rows) w.good = w.good && all(w.own_mass[static_cast<std::size_t>(row)] > S(0));
   check_good(s);
-  for (std::size_t joint = 0; joint < s.plan.places.size(); ++joint) {
-    const place& at = s.plan.places[joint];
-    if (!at.free) continue;
-    for (int row = at.row; row < at.row + at.axes; ++row) {
-      std::fill(w.rates.begin(), w.rates.end(), S(0));
-      w.load = {}, w.unit = row;
-      e.template down_from<steps::load_down>(static_cast<int>(joint), s);
-      e.template forward<steps::accelerate>(s);
-      inverse.col(row) = w.forces;
-    }
-  }
-  for (const int row : s.plan.lone_rows) {
-    inverse.col(row).setZero();
-    inverse(row, row) = S(1) / w.own_mass[static_cast<std::size_t>(row)];
-  }
+  invert_columns(e, s, inverse);
 }
 
 /// Derivatives of the forces on the coordinates, after `forces_on_coordinates`.

@@ -10,8 +10,6 @@ template <class State, class Sign, class X>
 void take_forces(const State& s, Sign sign, X& f) {
   read_listed_numbers<vector_of::f>(s, f);
   for (auto& x : f) x = as<typename State::scalar>(sign * x);
-  check_finite(f, static_cast<std::size_t>(s.dofs()),
-               "kte: a force is no finite number: an argument is none, or is too large");
 }
 template <class S, class Chain, class Given, class Sign>
 auto stored_forces(const Chain& c, const Given& g, Sign sign) {
@@ -29,26 +27,37 @@ joint_matrix<S, Chain::dofs> stored_mass_matrix(const Chain& c, const Given& g) 
   return s.work.mass;
 }
 
-/// Accelerations under forces `tau`. A degree of freedom of which an acceleration is given (in `Given` it is no typed
-/// zero) keeps that.
-template <class S, class Chain, class Given>
-joint_vector<S, Chain::dofs> stored_accelerations(const Chain& c, const Given& g,
-                                                  const joint_vector<S, Chain::dofs>& tau) {
-  stored_state<S, Chain, pass_memory, articulated_memory> s(g);
+/// Accelerations under forces `tau`, into the state. A degree of freedom of which an acceleration is given (in `Given`
+/// it is no typed zero) keeps that.
+template <class S, class Chain, class Given, class State>
+const auto& accelerate_stored(const Chain& c, const Given& g, State& s, const joint_vector<S, Chain::dofs>& tau) {
   s.work.prescribed = []<int... I>(std::integer_sequence<int, I...>) {
     return std::array<char, sizeof...(I)>{
         !std::is_same_v<decltype(std::declval<const Given&>().a.template at<I>()), zero_t>...};
   }
   (std::make_integer_sequence<int, Chain::dofs>{});
   accelerate_articulated(static_elements<Chain>{c}, s, [&tau](int i) -> const S& { return tau[i]; });
-  check_finite(s.work.forces, std::size_t{Chain::dofs},
-               "kte: an acceleration is no finite number: an argument is none");
+  check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
   return s.work.forces;
+}
+template <class S, class Chain, class Given>
+joint_vector<S, Chain::dofs> stored_accelerations(const Chain& c, const Given& g,
+                                                  const joint_vector<S, Chain::dofs>& tau) {
+  stored_state<S, Chain, pass_memory, articulated_memory> s(g);
+  return accelerate_stored<S>(c, g, s, tau);
+}
+/// The same, and the inverse of the mass matrix.
+template <class S, class Chain, class Given>
+void stored_accelerations_and_inverse(const Chain& c, const Given& g, const joint_vector<S, Chain::dofs>& tau,
+                                      joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {
+  stored_state<S, Chain, pass_memory, articulated_memory, inverse_memory> s(g);
+  a = accelerate_stored<S>(c, g, s, tau);
+  invert_columns(static_elements<Chain>{c}, s, inverse);
 }
 
 template <class S, class Chain, class Given>
 joint_matrix<S, Chain::dofs> stored_inverse_mass(const Chain& c, const Given& g) {
-  stored_state<S, Chain, pass_memory, articulated_memory> s(g);
+  stored_state<S, Chain, pass_memory, articulated_memory, inverse_memory> s(g);
   joint_matrix<S, Chain::dofs> inverse;
   invert_articulated(static_elements<Chain>{c}, s, inverse);
   return inverse;

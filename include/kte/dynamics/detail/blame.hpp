@@ -1,0 +1,108 @@
+#pragma once
+
+#include <kte/chain/layout.hpp>
+#include <kte/errors.hpp>
+#include <kte/kernels/joint_vector.hpp>
+
+#include <cmath>
+#include <initializer_list>
+#include <span>
+
+/// Which argument made a result that is no finite number. Nothing of this is on the way of results that are.
+namespace kte::detail {
+
+/// A vector of arguments: 'q', or 'v', 'a', 'tau', which are laid out alike.
+struct argument {
+  const char* name;
+  std::span<const double> numbers;
+  bool configuration = false;
+};
+
+/// "v[2] of 'elbow' is 1e+160"
+template <class Layout>
+std::string describe_number(const Layout& layout, const argument& x, std::size_t i) {
+  std::string of;
+  for (const auto& e : layout) {
+    const auto first = static_cast<std::size_t>(x.configuration ? e.q : e.v);
+    const auto count = static_cast<std::size_t>(x.configuration ? e.nq : e.nv);
+    if (i >= first && i < first + count) of = " of '" + std::string(e.name) + "'";
+  }
+  return x.name + ("[" + std::to_string(i) + "]") + of + " is " + number(x.numbers[i]);
+}
+/// The first number that is not finite, else the largest if it is too large for its square. Empty: neither.
+template <class Layout>
+std::string culprit(const Layout& layout, std::initializer_list<argument> arguments) {
+  const argument* where = nullptr;
+  std::size_t which = 0;
+  double largest = 1e150;
+  for (const auto& x : arguments)
+    for (std::size_t i = 0; i < x.numbers.size(); ++i) {
+      const double size = std::fabs(x.numbers[i]);
+      if (!std::isfinite(size)) return describe_number(layout, x, i);
+      if (size > largest) where = &x, which = i, largest = size;
+    }
+  return where ? describe_number(layout, *where, which) + ", too large" : "";
+}
+template <class Layout>
+[[noreturn, gnu::cold]] void raise_not_finite(const char* what, const Layout& layout,
+                                              std::initializer_list<argument> arguments) {
+  const auto which = culprit(layout, arguments);
+  raise<bad_argument>("kte: " + std::string(what) + " is no finite number: " +
+                      (which.empty() ? "a parameter or an argument is none, or is too large" : which));
+}
+/// Names the coordinate whose quaternion has length 0, if there is one.
+template <class Layout>
+[[gnu::cold]] void raise_if_no_rotation(const Layout& layout, std::span<const double> q) {
+  for (const auto& e : layout) {
+    if (e.what != kind::rotation_3D && e.what != kind::pose_3D) continue;
+    const auto r = static_cast<std::size_t>(e.q + e.nq - 4);
+    if (q[r] == 0 && q[r + 1] == 0 && q[r + 2] == 0 && q[r + 3] == 0)
+      raise<bad_argument>("kte: quaternion '" + std::string(e.name) + "' has length 0");
+  }
+}
+
+// ---- of static chains
+
+template <class Wiring>
+struct layout_of_wiring;
+template <class... E>
+struct layout_of_wiring<wiring<E...>> {
+  static constexpr auto table = layout_of<wiring<E...>, E...>();
+};
+/// The numbers at<0>(), at<1>() ... as doubles; typed zeros, and what is not asked for, as 0.
+template <int N, class V>
+std::array<double, std::size_t{N} + 1> plain_numbers(const V& v) {
+  const auto plain = [](const auto& x) {
+    using X = std::remove_cvref_t<decltype(x)>;
+    if constexpr (std::is_same_v<X, zero_t> || std::is_same_v<X, skip>) {
+      return 0.0;
+    } else if constexpr (requires { static_cast<double>(x); }) {
+      return static_cast<double>(x);
+    } else {
+      return 0.0;  // of several states, or with derivatives: no one number to name
+    }
+  };
+  return [&]<int... I>(std::integer_sequence<int, I...>) {
+    return std::array<double, std::size_t{N} + 1>{plain(v.template at<I>())...};
+  }
+  (std::make_integer_sequence<int, N>{});
+}
+/// Arguments by number: at<I>() as in dynamics/detail/given.hpp.
+template <class Wiring, class Q, class V, class A>
+[[noreturn, gnu::cold, gnu::noinline]] void blame(const char* what, Q q, V v, A a, const char* a_name) {
+  const auto x = plain_numbers<Wiring::nq>(q);
+  const auto y = plain_numbers<Wiring::dofs>(v), z = plain_numbers<Wiring::dofs>(a);
+  const auto& layout = layout_of_wiring<Wiring>::table;
+  constexpr auto n = std::size_t{Wiring::dofs}, nq = std::size_t{Wiring::nq};
+  if constexpr (requires { static_cast<double>(q.template at<0>()); }) raise_if_no_rotation(layout, {x.data(), nq});
+  raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
+}
+
+/// No algorithm gives NaN back in silence: throws `bad_argument` that says why, unless x[0] ... x[n-1] are finite.
+template <class X, class Blame>
+KTE_INLINE constexpr void check_result(const X& x, std::size_t n, const Blame& why) {
+  if (!all_finite(x, n)) [[unlikely]]
+    why();
+}
+
+}  // namespace kte::detail
