@@ -88,9 +88,8 @@ struct own_map : kte::kte_map {
 
 TEST_CASE("a chain with a part that is neither an element nor a chain is not saved") {
   kte::kte_map_chain inner, outer;
-  inner << golden;
   inner.append(std::make_unique<own_map>());
-  outer << golden.gravity(kte::along_y(-9.81)) << kte::kte_map_chain();
+  outer << golden << kte::kte_map_chain();
   CHECK_NOTHROW(record_of(outer));
   outer << inner;
   const kte::test::scratch file(".json", "what was there");
@@ -128,17 +127,17 @@ TEST_CASE("a bad file says where, and gives nothing") {
   }
   SECTION("content") {
     CHECK_THROWS_WITH(load(replaced(json, "rigid_link_2D", "rigid_link_4D")),
-                      contains_text("kte: m.json:20:25: element 2: there is no element type 'rigid_link_4D'"));
+                      contains_text("kte: m.json:19:25: element 2: there is no element type 'rigid_link_4D'"));
     CHECK_THROWS_WITH(load(replaced(json, "\"mass\"", "\"maas\"")),
                       contains_text("element 3: inertia_2D has no parameter 'mass'"));
     CHECK_THROWS_WITH(load(replaced(json, "\"mass\"", "\"charge\": 1, \"mass\"")),
-                      contains_text("kte: m.json:38:21: element 3: inertia_2D has no parameter 'charge'"));
+                      contains_text("kte: m.json:37:21: element 3: inertia_2D has no parameter 'charge'"));
     CHECK_THROWS_WITH(load(replaced(json, "\"mass\": \"1\"", "\"mass\": [1, 2]")),
-                      contains_text("kte: m.json:38:21: element 3: inertia_2D has 2 numbers as 'mass', not 1"));
+                      contains_text("kte: m.json:37:21: element 3: inertia_2D has 2 numbers as 'mass', not 1"));
     CHECK_THROWS_WITH(load(replaced(json, "\"frame\"", "\"body\": \"tip\", \"frame\"")),
-                      contains_text("kte: m.json:35:21: element 3: inertia_2D has no connection 'body'"));
+                      contains_text("kte: m.json:34:21: element 3: inertia_2D has no connection 'body'"));
     CHECK_THROWS_WITH(kte::from_record(golden, kte::from_json(replaced(json, "\"mass\": \"1\"", "\"mass\": []"), "m")),
-                      contains_text("kte: m:38:21: element 3 (inertia_2D), mass: holds too few numbers"));
+                      contains_text("kte: m:37:21: element 3 (inertia_2D), mass: holds too few numbers"));
     CHECK(record_of(load(replaced(json, "\"mass\": \"1\"", "\"mass\": 1"))) == record_of(golden));
     CHECK(record_of(load(replaced(json, "\"0.5 0 0\"", "[0.5, 0, 0]"))) == record_of(golden));
     CHECK_THROWS_WITH(load(replaced(json, "\"version\": 1", "\"version\": 2")), contains_text("version 2"));

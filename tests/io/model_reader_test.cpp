@@ -137,10 +137,10 @@ TEST_CASE("fields are known, once each, and none is missing: JSON") {
   CHECK(json(json_element(R"("ports":{"f":"a","\u0066":"a"})")) == "3:18: element 1: a second 'f' in 'ports'");
   CHECK(json(json_element(R"("type":1)")) == "3:8: 'type' is not a text in quotes");
   CHECK(json(json_element(R"("type":["a"])")) == "3:8: 'type' is not a text in quotes");
-  CHECK(json(json_element(R"("ports":"a")")) == "3:9: ports must begin with '{'");
+  CHECK(json(json_element(R"("ports":"a")")) == "3:9: 'ports' must be an object {...}");
   CHECK(json(json_element(R"("ports":{"a":{}})")) == "3:14: 'a' is not a text in quotes");
-  CHECK(json(json_model(R"("elements":{})")) == "2:12: elements must begin with '['");
-  CHECK(json(json_model(R"("elements":[1])")) == "2:13: element 1 must begin with '{'");
+  CHECK(json(json_model(R"("elements":{})")) == "2:12: 'elements' must be a list [...]");
+  CHECK(json(json_model(R"("elements":[1])")) == "2:13: 'element 1' must be an object {...}");
 }
 
 TEST_CASE("fields are known, once each, and none is missing: XML") {
@@ -234,8 +234,8 @@ TEST_CASE("texts: escapes, blanks, remarks") {
 TEST_CASE("what is no JSON") {
   CHECK(json("") == "1:1: the file is empty");
   CHECK(json(" \n") == "1:1: the file is empty");
-  CHECK(json("[]") == "1:1: the model must begin with '{'");
-  CHECK(json("42") == "1:1: the model must begin with '{'");
+  CHECK(json("[]") == "1:1: a model must be an object {...}");
+  CHECK(json("42") == "1:1: a model must be an object {...}");
   CHECK(json("{,") == "1:2: a name in quotes is due here");
   CHECK(json("{'a'") == "1:2: a name in quotes is due here");
   CHECK(json("{\"a\" 1") == "1:6: ':' is due here");

@@ -2,6 +2,7 @@
 
 #include <kte/io/source_text.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace kte::detail {
@@ -16,13 +17,13 @@ class json_scanner {
 
   std::size_t at() const { return at_; }
 
-  void open_document() { open('{', "the model"); }
+  void open_document() { open('{', "a model must be an object {...}"); }
   void close_document() {
     start();
     if (i_ != text_.size()) source_.fail(i_, "something follows the end of the model");
   }
-  void open_group(const std::string& what) { open('{', what); }
-  void open_list(const std::string& what) { open('[', what); }
+  void open_group(const std::string& what) { open('{', "'" + what + "' must be an object {...}"); }
+  void open_list(const std::string& what) { open('[', "'" + what + "' must be a list [...]"); }
   /// Whether the innermost group has one more field, whose name that then is; else the group is closed.
   bool next_field(std::string& name) {
     if (!next('}')) return false;
@@ -49,7 +50,7 @@ class json_scanner {
     if (current() == '"') return quoted();
     if (current() != '[') return number(name);
     const std::size_t first = at_;
-    open('[', name);
+    open_list(name);
     std::string all;
     while (next(']')) all += number(name) + ' ';
     at_ = first;
@@ -67,9 +68,9 @@ class json_scanner {
     while (is_blank(current())) ++i_;
     at_ = i_;
   }
-  void open(char bracket, const std::string& what) {
+  void open(char bracket, const std::string& rule) {
     start();
-    if (current() != bracket) fail(what + " must begin with '" + bracket + "'");
+    if (current() != bracket) fail(rule);
     ++i_;
     first_ = true;
   }
