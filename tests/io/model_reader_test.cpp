@@ -258,10 +258,14 @@ TEST_CASE("what is no XML") {
   CHECK(xml(xml_model("<gravity/ >")) == "2:10: '>' is due here");
   CHECK(xml(xml_model("<gravity size>")) == "2:14: '=' is due here");
   CHECK(xml(xml_model("<gravity size=1>")) == "2:15: a quote is due here");
-  CHECK(xml(xml_model("<gravity size='<'>")) == "2:10: '<' must not stand within an attribute");
+  CHECK(xml(xml_model("<gravity size='<'>")) == "2:10: 'gravity' has no attribute 'size'");
   CHECK(xml(xml_model("< gravity>")) == "2:2: a name is due here");
   const auto good = xml_model("<gravity>0 0 0</gravity><elements/>");
   CHECK(xml("<?xml version=\"1.0\"?><!-- a --> <?b?>" + good + "\n<!-- c -->\n").empty());
+  CHECK(xml("<?xml version='1.0' encoding='latin1'?>" + good) == "1:21: the encoding must be UTF-8");
+  CHECK(xml("<?xml encoding='UTF-8'?>" + good).ends_with(": the version of XML must be 1.0"));
+  CHECK(xml("<?xml version='1.0' coding='UTF-8'?>" + good) == "1:21: 'xml' has an unknown attribute 'coding'");
+  CHECK(xml("<?xml version='1.0'" + good) == "1:20: '?' is due here");
   CHECK(xml(good + "x") == "2:57: something follows the end of the model");
   CHECK(xml(good + good) == "2:57: something follows the end of the model");
 }

@@ -168,7 +168,7 @@ inline model_record from_xml(std::string_view text, const std::string& file = "X
 /// Throws `bad_file`.
 inline model_record load_model(const std::filesystem::path& path) {
   const bool xml = detail::is_xml_file(path);
-  const std::string text = detail::read_file(path, detail::largest_model_file + 8);
+  const std::string text = detail::read_file(path, detail::largest_model_file);
   return xml ? from_xml(text, path.string()) : from_json(text, path.string());
 }
 

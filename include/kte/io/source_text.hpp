@@ -20,7 +20,7 @@ class source_text {
   /// `file` is what messages call it; the text must outlive this.
   source_text(std::string_view text, std::string file)
       : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(file))) {
-    if (text_.size() > largest_model_file) fail(0, "the file is too large for a model");
+    if (text.size() > largest_model_file) fail(0, "the file is too large for a model");
     bool empty = true;
     for (std::size_t i = 0, n = 0; i < text_.size(); i += n) {
       n = utf8_length(text_.substr(i));

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <kte/io/field_names.hpp>
-#include <kte/io/source_text.hpp>
+#include <kte/io/xml_cursor.hpp>
 
-#include <algorithm>
-#include <charconv>
-#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,24 +14,24 @@ namespace kte::detail {
 /// could change what the rest means.
 class xml_scanner {
  public:
-  explicit xml_scanner(source_text& source) : source_(source), text_(source.text()) {}
+  explicit xml_scanner(source_text& source) : in_(source) {}
 
   std::size_t at() const { return at_; }
 
   void open_document() {
-    if (here("<?xml") && is_blank(peek(5))) skip_past("?>");
+    if (in_.here("<?xml") && is_blank(in_.peek(5))) declaration();
     std::string name;
-    if (!next_tag(name) || name != "cereal") source_.fail(at_, "a model file begins with <cereal>");
+    if (!next_tag(name) || name != "cereal") in_.fail_at(at_, "a model file begins with <cereal>");
     open_group(name);
   }
   void close_document() {
-    skip_between();
-    if (i_ != text_.size()) source_.fail(i_, "something follows the end of the model");
+    in_.skip_between();
+    if (!in_.at_end()) in_.fail("something follows the end of the model");
   }
   void open_group(const std::string& what) { check_attributes(what); }
   void open_list(const std::string& what) {
     if (take_attribute("size").value_or("dynamic") != "dynamic")
-      source_.fail(at_, "the size of '" + what + "' must be \"dynamic\"");
+      in_.fail_at(at_, "the size of '" + what + "' must be \"dynamic\"");
     check_attributes(what);
   }
   bool next_field(std::string& name) {
@@ -47,18 +43,19 @@ class xml_scanner {
     std::string name;
     if (!next_field(name)) return false;
     if (const auto due = "value" + std::to_string(number); name != "value" && name != due)
-      source_.fail(at_, "<" + due + "> or <value> is due, not <" + excerpt(name) + ">");
+      in_.fail_at(at_, "<" + due + "> or <value> is due, not <" + excerpt(name) + ">");
     return true;
   }
 
   /// The text of a field, without blanks around it unless xml:space="preserve".
   std::string text(const std::string& name) {
     const auto space = take_attribute("xml:space").value_or("default");
-    if (space != "preserve" && space != "default") source_.fail(at_, "xml:space must be \"preserve\" or \"default\"");
+    if (space != "preserve" && space != "default") in_.fail_at(at_, "xml:space must be \"preserve\" or \"default\"");
     check_attributes(name);
     std::string out;
-    at_ = i_;
-    closed_ ? close() : read_value(name, out);
+    at_ = in_.offset();
+    if (!closed_) read_value(name, out);
+    close();
     if (space == "preserve") return out;
     const auto first = std::min(out.find_first_not_of(blank), out.size());
     return out.substr(first, out.find_last_not_of(blank) + 1 - first);
@@ -72,182 +69,105 @@ class xml_scanner {
   };
   static constexpr std::string_view blank = " \t\r\n";
 
-  char peek(std::size_t ahead = 0) const { return i_ + ahead < text_.size() ? text_[i_ + ahead] : '\0'; }
-  bool here(std::string_view token) const { return text_.substr(i_).starts_with(token); }
-  [[noreturn]] void fail(const std::string& why) {
-    if (i_ == text_.size()) source_.fail_at_end();
-    source_.fail(i_, why);
+  void declaration() {
+    in_.skip(5);
+    while (!in_.blanks().empty() && in_.peek() != '?') read_attribute("xml", {"version", "encoding", "standalone"});
+    in_.expect('?');
+    in_.expect('>');
+    if (!take_attribute("version").value_or("").starts_with("1.")) in_.fail_at(at_, "the version of XML must be 1.0");
+    if (const auto code = take_attribute("encoding").value_or("utf-8"); code != "utf-8" && code != "UTF-8")
+      in_.fail_at(at_, "the encoding must be UTF-8");
   }
-  /// Gives what is before the token.
-  std::string_view skip_past(std::string_view token) {
-    const auto end = text_.find(token, i_);
-    if (end == text_.npos) source_.fail_at_end();
-    const auto before = text_.substr(i_, end - i_);
-    i_ = end + token.size();
-    return before;
-  }
-  bool skip_blanks() {
-    const std::size_t from = i_;
-    i_ = std::min(text_.find_first_not_of(blank, i_), text_.size());
-    return i_ != from;
-  }
-  /// Skips a comment or a processing instruction, if here is one.
-  bool skip_remark() {
-    if (here("<!--")) {
-      i_ += 4;
-      skip_past("--");
-      if (peek() != '>') fail("'--' must not stand within a comment");
-      ++i_;
-    } else if (here("<?")) {
-      i_ += 2;
-      if (const auto target = name(); target == "xml") fail("the declaration of XML belongs at the start");
-      skip_past("?>");
-    } else {
-      return false;
-    }
-    return true;
-  }
-  void skip_between() {
-    while (skip_blanks() || skip_remark()) {
-    }
-  }
-  std::string_view name() {
-    const std::size_t n = tag_name_length(text_.substr(i_)), from = i_;
-    if (n == 0) fail("a name is due here");
-    i_ += n;
-    return text_.substr(from, n);
-  }
-
   /// The next tag that starts, within the innermost open one; false where that ends.
   bool next_tag(std::string& tag) {
     if (closed_) return false;
-    skip_between();
-    at_ = i_;
-    if (here("</")) return false;
-    if (peek() != '<') fail("a tag is due here, not text");
-    if (here("<!DOCTYPE")) fail("a model file has no DOCTYPE");
-    if (here("<!")) fail("a tag is due here");
-    ++i_;
-    tag = name();
+    in_.skip_between();
+    at_ = in_.offset();
+    if (in_.here("</")) return false;
+    if (in_.peek() != '<') in_.fail("a tag is due here, not text");
+    if (in_.here("<!DOCTYPE")) in_.fail("a model file has no DOCTYPE");
+    if (in_.here("<!")) in_.fail("a tag is due here");
+    in_.skip(1);
+    tag = in_.name();
     open_.push_back(tag);
     attributes_.clear();
-    while (skip_blanks() && peek() != '/' && peek() != '>') read_attribute();
-    closed_ = peek() == '/';
-    if (closed_) ++i_;
-    if (peek() != '>') fail("'>' is due here");
-    ++i_;
+    while (!in_.blanks().empty() && in_.peek() != '/' && in_.peek() != '>') read_attribute(tag, {"size", "xml:space"});
+    closed_ = in_.peek() == '/';
+    if (closed_) in_.skip(1);
+    in_.expect('>');
     return true;
   }
   /// The end of the innermost open tag.
   void close() {
     if (!std::exchange(closed_, false)) {
-      i_ += 2;
-      if (name() != open_.back()) source_.fail(at_, "</" + open_.back() + "> is due here");
-      skip_blanks();
-      if (peek() != '>') fail("'>' is due here");
-      ++i_;
+      const std::size_t from = in_.offset();
+      in_.skip(2);
+      if (in_.name() != open_.back()) in_.fail_at(from, "</" + open_.back() + "> is due here");
+      in_.blanks();
+      in_.expect('>');
     }
     open_.pop_back();
   }
-  void read_attribute() {
-    const std::size_t from = i_;
-    const auto key = name();
-    if (key != "size" && key != "xml:space")
-      source_.fail(from, "'" + open_.back() + "' has an unknown attribute '" + excerpt(key) + "'");
-    skip_blanks();
-    if (peek() != '=') fail("'=' is due here");
-    ++i_, skip_blanks();
-    const char quote = peek();
-    if (quote != '"' && quote != '\'') fail("a quote is due here");
-    ++i_;
-    const auto value = skip_past({&quote, 1});
-    if (value.find('<') != value.npos) source_.fail(from, "'<' must not stand within an attribute");
+  void read_attribute(const std::string& what, std::initializer_list<std::string_view> known) {
+    const std::size_t from = in_.offset();
+    const auto key = in_.name();
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      in_.fail_at(from, "'" + what + "' has an unknown attribute '" + excerpt(key) + "'");
+    in_.blanks();
+    in_.expect('=');
+    in_.blanks();
+    const char quote = in_.peek();
+    if (quote != '"' && quote != '\'') in_.fail("a quote is due here");
+    in_.skip(1);
+    const auto value = in_.skip_past({&quote, 1});
     for (const auto& a : attributes_)
-      if (a.name == key) source_.fail(from, "a second attribute '" + std::string(key) + "'");
+      if (a.name == key) in_.fail_at(from, "a second attribute '" + std::string(key) + "'");
     attributes_.push_back({key, value, from});
   }
   std::optional<std::string_view> take_attribute(std::string_view key) {
-    const auto a = std::find_if(attributes_.begin(), attributes_.end(), [key](const auto& x) { return x.name == key; });
-    if (a == attributes_.end()) return {};
-    at_ = a->at;
-    const auto value = a->value;
-    attributes_.erase(a);
-    return value;
+    for (auto a = attributes_.begin(); a != attributes_.end(); ++a) {
+      if (a->name != key) continue;
+      at_ = a->at;
+      const auto value = a->value;
+      attributes_.erase(a);
+      return value;
+    }
+    return {};
   }
   void check_attributes(const std::string& what) {
     for (const auto& a : attributes_)
-      source_.fail(a.at, "'" + what + "' has no attribute '" + std::string(a.name) + "'");
+      in_.fail_at(a.at, "'" + what + "' has no attribute '" + std::string(a.name) + "'");
   }
-  /// Up to the end of the innermost open tag. `at_` is then where the text begins.
+  /// Up to the end of the innermost open tag; `at_` is then where the text begins.
   void read_value(const std::string& tag, std::string& out) {
     bool begun = false, interrupted = false;
-    const auto put = [&](std::size_t from, auto&& append) {
-      const std::size_t before = out.size();
-      append();
-      if (out.find_first_not_of(blank, before) == out.npos) return;
-      if (interrupted) source_.fail(from, "the text of '" + tag + "' goes on behind a comment");
-      if (!std::exchange(begun, true)) at_ = from;
-    };
-    for (;;) {
-      const std::size_t from = i_;
-      if (here("</")) {
-        const std::size_t start = std::exchange(at_, i_);
-        close();
-        at_ = start;
-        return;
-      }
-      if (here("<![CDATA[")) {
-        i_ += 9;
-        put(from, [&] { out += skip_past("]]>"); });
-      } else if (skip_remark()) {
+    while (!in_.here("</")) {
+      if (in_.skip_remark()) {
         interrupted = begun;
-      } else if (peek() == '<') {
-        fail("'" + tag + "' holds a text, not tags");
-      } else if (peek() == '&') {
-        put(from, [&] { entity(out); });
-      } else if (i_ == text_.size()) {
-        source_.fail_at_end();
-      } else if (!skip_blanks_into(out)) {
-        put(from, [&] {
-          const auto end = std::min(text_.find_first_of(" \t\r\n<&", i_), text_.size());
-          out += text_.substr(i_, end - i_);
-          i_ = end;
-        });
+        continue;
       }
+      const std::size_t from = in_.offset(), before = out.size();
+      if (in_.here("<![CDATA[")) {
+        in_.skip(9);
+        out += in_.skip_past("]]>");
+      } else if (in_.peek() == '&') {
+        in_.entity(out);
+      } else if (in_.peek() == '<' || in_.at_end()) {
+        in_.fail("'" + tag + "' holds a text, not tags");
+      } else if (const auto blanks = in_.blanks(); !blanks.empty()) {
+        out += blanks;
+        continue;
+      } else {
+        out += in_.until(" \t\r\n<&");
+      }
+      if (out.find_first_not_of(blank, before) == out.npos) continue;
+      if (interrupted) in_.fail_at(from, "the text of '" + tag + "' goes on behind a comment");
+      if (!std::exchange(begun, true)) at_ = from;
     }
   }
-  bool skip_blanks_into(std::string& out) {
-    const std::size_t from = i_;
-    if (!skip_blanks()) return false;
-    out += text_.substr(from, i_ - from);
-    return true;
-  }
-  void entity(std::string& out) {
-    const std::size_t from = i_++, end = text_.find_first_of("; \t\r\n<&", i_);
-    const auto name = end == text_.npos || text_[end] != ';' ? "" : text_.substr(i_, end - i_);
-    i_ += name.size() + 1;
-    if (name.starts_with('#')) return source_.append(out, character(name.substr(1), from), from);
-    static constexpr std::pair<std::string_view, char> known[]{
-        {"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};
-    const auto* const k =
-        std::find_if(std::begin(known), std::end(known), [&](const auto& x) { return x.first == name; });
-    if (k == std::end(known)) source_.fail(from, "'&' begins no known entity (for itself write &amp;)");
-    out += k->second;
-  }
-  /// Of a reference, "233" or "xE9".
-  char32_t character(std::string_view digits, std::size_t from) {
-    const int base = digits.starts_with('x') ? 16 : 10;
-    if (base == 16) digits.remove_prefix(1);
-    std::uint32_t code{};
-    const char* const end = digits.data() + digits.size();
-    const auto [stop, error] = std::from_chars(digits.data(), end, code, base);
-    if (error != std::errc{} || stop != end) source_.fail(from, "this escape stands for no character");
-    return code;
-  }
 
-  source_text& source_;
-  std::string_view text_;
-  std::size_t i_ = 0, at_ = 0;
+  xml_cursor in_;
+  std::size_t at_ = 0;
   bool closed_ = false;  ///< whether the tag read last was <so/>
   std::vector<std::string> open_;
   std::vector<attribute> attributes_;
