@@ -141,8 +141,8 @@ class model_reader {
 };
 
 template <class Scanner>
-model_record read_model(std::string_view text, std::string file) {
-  source_text source(text, std::move(file));
+model_record read_model(std::string_view text, std::string name) {
+  source_text source(text, std::move(name));
   return model_reader<Scanner>(source).read();
 }
 

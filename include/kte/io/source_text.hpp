@@ -17,9 +17,9 @@ inline std::string excerpt(std::string_view text) { return std::string(text.subs
 /// The text of a model file and the places in it. Throws `bad_file` unless it is UTF-8 without control characters.
 class source_text {
  public:
-  /// `file` is what messages call it; the text must outlive this.
-  source_text(std::string_view text, std::string file)
-      : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(file))) {
+  /// `name` is what messages call the file; the text must outlive this.
+  source_text(std::string_view text, std::string name)
+      : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(name))) {
     if (text.size() > largest_model_file) fail(0, "the file is too large for a model");
     bool empty = true;
     for (std::size_t i = 0, n = 0; i < text_.size(); i += n) {

@@ -154,8 +154,8 @@ class xml_scanner {
         in_.entity(out);
       } else if (in_.peek() == '<' || in_.at_end()) {
         in_.fail("'" + tag + "' holds a text, not tags");
-      } else if (const auto blanks = in_.blanks(); !blanks.empty()) {
-        out += blanks;
+      } else if (const auto gap = in_.blanks(); !gap.empty()) {
+        out += gap;
         continue;
       } else {
         out += in_.until(" \t\r\n<&");
