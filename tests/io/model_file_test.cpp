@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "chain/models.hpp"
+#include "io/scratch.hpp"
 #include "robots/iiwa14.hpp"
 #include "robots/ur5.hpp"
 
@@ -45,20 +46,6 @@ TEST_CASE("models survive XML and JSON, bit for bit") {
   check(robots::ur5);
 }
 
-TEST_CASE("hard numbers and names survive") {
-  kte::model_record m;
-  m.gravity = {0.1, 1.0 / 3.0, -5e-324};
-  m.elements.push_back(
-      {"spring_gen",
-       1,
-       {{"anchor1", "a <b> & \"c\" 'd' \\ / \u00e9"}, {"anchor2", " with blanks "}},
-       {{"rest_length", {1.7976931348623157e308}}, {"stiffness", {2.2250738585072014e-308}}, {"saturation", {-0.0}}}});
-  for (const auto& back : {kte::from_json(kte::to_json(m)), kte::from_xml(kte::to_xml(m))}) {
-    CHECK(back == m);
-    CHECK(std::signbit(back.elements[0].parameters[2].values[0]));
-  }
-}
-
 TEST_CASE("files written by this version can be read for ever") {
   CHECK(kte::load_model(data / "pendulum.json") == record_of(golden));
   CHECK(kte::load_model(data / "pendulum.xml") == record_of(golden));
@@ -76,39 +63,44 @@ TEST_CASE("the locale does not matter") {
 }
 
 TEST_CASE("files") {
-  const auto path = std::filesystem::temp_directory_path() / "kte_model_file_test.json";
-  kte::save_model(path, golden);
-  CHECK(kte::load_model(path) == record_of(golden));
-  std::filesystem::remove(path);
-  CHECK_THROWS_WITH(kte::load_model(path),
-                    contains_text("kte_model_file_test.json") && contains_text("cannot be read"));
+  for (const char* extension : {".json", ".xml", ".JSON", ".Xml"}) {
+    const kte::test::scratch file(extension, "what was there");
+    kte::save_model(file.path, golden);
+    CHECK(kte::load_model(file.path) == record_of(golden));
+    CHECK(file.text().starts_with(extension[1] == 'j' || extension[1] == 'J' ? "{" : "<?xml"));
+  }
   CHECK_THROWS_WITH(kte::save_model("/nonexistent/x.xml", golden),
-                    contains_text("/nonexistent/x.xml: cannot be written"));
+                    contains_text("cannot write '/nonexistent/x.xml': No such file or directory"));
   CHECK_THROWS_WITH(kte::save_model("model.txt", golden), contains_text(".xml or .json"));
+}
+
+namespace {
+/// What no file can hold.
+struct own_map : kte::kte_map {
+  void doMotion(kte::runtime_state&) const override {}
+  void clearForce(kte::runtime_state&) const override {}
+  void doForce(kte::runtime_state&) const override {}
+  std::unique_ptr<kte::kte_map> clone() const override { return std::make_unique<own_map>(); }
+  void for_each_element(const std::function<void(const kte::kte_element&)>&) const override {}
+  void connect(kte::topology&) override {}
+};
+}  // namespace
+
+TEST_CASE("a chain with a part that is neither an element nor a chain is not saved") {
+  kte::kte_map_chain inner, outer;
+  inner.append(std::make_unique<own_map>());
+  outer << golden << kte::kte_map_chain();
+  CHECK_NOTHROW(record_of(outer));
+  outer << inner;
+  const kte::test::scratch file(".json", "what was there");
+  CHECK_THROWS_WITH(kte::save_model(file.path, outer), contains_text("kte: the chain holds a '") &&
+                                                           contains_text("own_map', which no record or file can hold"));
+  CHECK(file.text() == "what was there");
 }
 
 TEST_CASE("a bad file says where, and gives nothing") {
   const std::string json = kte::to_json(record_of(golden)), xml = kte::to_xml(record_of(golden));
   const auto load = [](const std::string& text) { return kte::to_chain(kte::from_json(text, "m.json")); };
-  SECTION("syntax") {
-    CHECK_THROWS_WITH(load(json + "x"), contains_text("m.json:45:1: something follows the end"));
-    CHECK_THROWS_WITH(load(replaced(json, "{", "{,")), contains_text("m.json:1:2"));
-    CHECK_THROWS_WITH(load(""), contains_text("m.json:1:1: the file is empty"));
-    CHECK_THROWS_AS(load("42"), kte::bad_file);
-    CHECK_THROWS_AS(load("null"), kte::bad_file);
-    CHECK_THROWS_AS(load("[]"), kte::bad_file);
-    CHECK_THROWS_WITH(kte::from_xml(xml + "x", "m.xml"), contains_text("m.xml:"));
-    CHECK_THROWS_WITH(kte::from_xml(xml + xml.substr(xml.find("<cereal")), "m.xml"),
-                      contains_text("something follows"));
-    CHECK_THROWS_WITH(kte::from_xml("", "m.xml"), contains_text("the file is empty"));
-    CHECK_THROWS_AS(kte::from_xml("<a></b>"), kte::bad_file);
-    CHECK_THROWS_AS(kte::from_xml("<a/>"), kte::bad_file);
-  }
-  SECTION("truncated anywhere") {
-    for (std::size_t n = 0; n + 2 < json.size(); n += 7)
-      CHECK_THROWS_AS(kte::from_json(json.substr(0, n)), kte::bad_file);
-    for (std::size_t n = 0; n + 3 < xml.size(); n += 7) CHECK_THROWS_AS(kte::from_xml(xml.substr(0, n)), kte::bad_file);
-  }
   SECTION("a letter lost or changed anywhere is an error or a model, never a crash") {
     for (std::size_t i = 0; i < json.size(); i += 3) {
       auto damaged = json;
@@ -133,15 +125,21 @@ TEST_CASE("a bad file says where, and gives nothing") {
       }
     }
   }
-  SECTION("deep nesting") {
-    std::string deep(100000, '['), tags;
-    for (int i = 0; i < 100000; ++i) tags += "<a>";
-    CHECK_THROWS_WITH(load(deep), contains_text("too deep"));
-    CHECK_THROWS_WITH(kte::from_xml(tags), contains_text("too deep"));
-  }
   SECTION("content") {
     CHECK_THROWS_WITH(load(replaced(json, "rigid_link_2D", "rigid_link_4D")),
-                      contains_text("element 2") && contains_text("no element type 'rigid_link_4D'"));
+                      contains_text("kte: m.json:19:25: element 2: there is no element type 'rigid_link_4D'"));
+    CHECK_THROWS_WITH(load(replaced(json, "\"mass\"", "\"maas\"")),
+                      contains_text("element 3: inertia_2D has no parameter 'mass'"));
+    CHECK_THROWS_WITH(load(replaced(json, "\"mass\"", "\"charge\": 1, \"mass\"")),
+                      contains_text("kte: m.json:37:21: element 3: inertia_2D has no parameter 'charge'"));
+    CHECK_THROWS_WITH(load(replaced(json, "\"mass\": \"1\"", "\"mass\": [1, 2]")),
+                      contains_text("kte: m.json:37:21: element 3: inertia_2D has 2 numbers as 'mass', not 1"));
+    CHECK_THROWS_WITH(load(replaced(json, "\"frame\"", "\"body\": \"tip\", \"frame\"")),
+                      contains_text("kte: m.json:34:21: element 3: inertia_2D has no connection 'body'"));
+    CHECK_THROWS_WITH(kte::from_record(golden, kte::from_json(replaced(json, "\"mass\": \"1\"", "\"mass\": []"), "m")),
+                      contains_text("kte: m:37:21: element 3 (inertia_2D), mass: holds too few numbers"));
+    CHECK(record_of(load(replaced(json, "\"mass\": \"1\"", "\"mass\": 1"))) == record_of(golden));
+    CHECK(record_of(load(replaced(json, "\"0.5 0 0\"", "[0.5, 0, 0]"))) == record_of(golden));
     CHECK_THROWS_WITH(load(replaced(json, "\"version\": 1", "\"version\": 2")), contains_text("version 2"));
     CHECK_THROWS_WITH(load(replaced(json, "\"version\": 1,\n                \"ports\"",
                                     "\"version\": 3,\n                \"ports\"")),

@@ -51,4 +51,29 @@ TEST_CASE("Commas and tabs separate cells one by one, with blanks around them") 
   CHECK(message("a\tb\n1,2\n", ".tsv") == "line 2, column 1: '1,2' is not a number");
 }
 
+TEST_CASE("Cells may be in quotes, and a byte order mark may come first") {
+  const auto read = [](const char* extension, const std::string& content) {
+    scratch file(extension, content);
+    return read_table(file.path);
+  };
+  const table t = read(".csv",
+                       "\xEF\xBB\xBF"
+                       "t, \"a,b\" ,\"say \"\"a\"\"\",\"\"\"\"\r\n1,\"2.5\",3, 4\r\n");
+  CHECK(t.names == std::vector<std::string>{"t", "a,b", "say \"a\"", "\""});
+  CHECK(t["a,b"] == std::vector<double>{2.5});
+  CHECK(t["\""] == std::vector<double>{4});
+  CHECK(read(".CSV", "\"t\",\"x\"\n1,2\n")["x"] == std::vector<double>{2});
+  CHECK(read(".tsv", "\"t\"\t\"a\tb\"\n1\t2\n")["a\tb"] == std::vector<double>{2});
+  CHECK(read(".ssv", "\"t\"  \"a b\" c\n1 2 3\n")["a b"] == std::vector<double>{2});
+  CHECK(read(".csv", "5\" disk\n1\n").names == std::vector<std::string>{"5\" disk"});
+
+  CHECK(message("t,\"a\n1,2\n", ".csv") == "line 1, column 2: 'a' does not end at its closing quote");
+  CHECK(message("t,\"a\"b,c\n", ".csv") == "line 1, column 2: 'a' does not end at its closing quote");
+  CHECK(message("t,\"a\"\"\n", ".csv") == "line 1, column 2: 'a\"' does not end at its closing quote");
+  CHECK(message("t,\"\"\n", ".csv") == "line 1, column 2: '' is no name");
+  CHECK(message("t,\"a\",\"a\"\n", ".csv") == "line 1, column 3: 'a' is there twice");
+  CHECK(message("\"a,b\"\n1,2\n", ".csv") == "line 2, column 2: '2' is one too many");
+  CHECK(message("a b\n1 \"2 3\"\n") == "line 2, column 2: '2 3' is not a number");
+}
+
 }  // namespace

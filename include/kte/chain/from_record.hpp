@@ -82,7 +82,8 @@ class number_reader {
 
 template <class Core, class... Keys>
 void assign(element<Core, Keys...>& e, const element_record& r, std::size_t number) {
-  const record_place at{"element " + std::to_string(number) + " (" + r.type + ")"};
+  const std::string which = "element " + std::to_string(number) + " (" + r.type + ")";
+  const record_place at{to_string(r.place) + which};
   const auto own = record_of(e.core, std::array<std::string_view, sizeof...(Keys)>{Keys::name...});
   if (r.type != own.type) at.fail("the static chain has a " + own.type + " here");
   if (r.version != own.version)
@@ -101,7 +102,7 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
     if (n == r.parameters.size()) at.fail("has not the parameters of its type");
     const auto& p = r.parameters[n++];
     if (p.name != name) at.fail("has a parameter '" + p.name + "' instead of '" + name + "'");
-    const record_place here{at.text + ", " + name};
+    const record_place here{to_string(p.place) + which + ", " + name};
     number_reader reader(p.values, here);
     reader(value);
     reader.finish();

@@ -31,6 +31,9 @@ class kte_map {
   virtual std::unique_ptr<kte_map> clone() const = 0;
   /// Calls `visit` for every single element in it, in order.
   virtual void for_each_element(const std::function<void(const kte_element&)>& visit) const = 0;
+  /// The first part of it that no record can hold, being more than the elements it lists: itself, if it is neither an
+  /// element nor a chain.
+  virtual const kte_map* unrecorded() const { return this; }
   /// Connects all its elements to a chain. Throws `bad_wiring`.
   virtual void connect(topology&) = 0;
 
@@ -43,6 +46,7 @@ class kte_element : public kte_map {
  public:
   /// Type, names of connections, parameters.
   virtual element_record record() const = 0;
+  const kte_map* unrecorded() const final { return nullptr; }
 
   virtual std::span<const port> ports() const = 0;
   /// Its own, after doMotion, J; gravity is the chain's.

@@ -2,6 +2,7 @@
 
 #include <kte/chain/kte_map_adapter.hpp>
 #include <kte/chain/static_chain_map.hpp>
+#include <kte/detail/type_text.hpp>
 
 #include <utility>
 #include <vector>
@@ -109,6 +110,11 @@ class kte_map_chain : public kte_map {
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
     for (const auto& e : elements_) e->for_each_element(visit);
   }
+  const kte_map* unrecorded() const override {
+    for (const auto& e : elements_)
+      if (const kte_map* part = e->unrecorded()) return part;
+    return nullptr;
+  }
   void connect(topology& t) override {
     for (const auto& e : elements_) e->connect(t);
     topology_ = nullptr;
@@ -131,8 +137,12 @@ class kte_map_chain : public kte_map {
   vec3<> gravity_{};
 };
 
-/// A runtime chain as plain data; what is in it is listed element by element.
+/// A runtime chain as plain data; what is in it is listed element by element. Throws `bad_argument` if a part of it is
+/// neither an element nor a chain.
 inline model_record record_of(const kte_map_chain& c) {
+  if (const kte_map* part = c.unrecorded())
+    throw bad_argument("kte: the chain holds a '" + detail::type_text(*part) +
+                       "', which no record or file can hold: it is neither an element (a kte_element) nor a chain");
   model_record r;
   r.gravity = {c.gravity().x, c.gravity().y, c.gravity().z};
   c.for_each_element([&r](const kte_element& e) { r.elements.push_back(e.record()); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/chain/file_place.hpp>
 #include <kte/chain/port.hpp>
 #include <kte/math/quaternion.hpp>
 #include <kte/math/rigid_body.hpp>
@@ -14,12 +15,14 @@ namespace kte {
 struct parameter_record {
   std::string name;
   std::vector<double> values;
+  file_place place{};
   friend bool operator==(const parameter_record&, const parameter_record&) = default;
 };
 /// A connection: the role of the port, and the name of what it is connected to.
 struct connection_record {
   std::string role;
   std::string name;
+  file_place place{};
   friend bool operator==(const connection_record&, const connection_record&) = default;
 };
 /// An element: its type, the version of that type, connections and parameters.
@@ -28,6 +31,7 @@ struct element_record {
   int version = 1;
   std::vector<connection_record> connections;
   std::vector<parameter_record> parameters;
+  file_place place{};
   friend bool operator==(const element_record&, const element_record&) = default;
 };
 

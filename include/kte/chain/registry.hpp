@@ -21,6 +21,14 @@
 
 namespace kte {
 
+namespace detail {
+/// A record that makes no element, and where that was read.
+struct bad_record : bad_file {
+  file_place place;
+  bad_record(const file_place& p, const std::string& why) : bad_file(why), place(p) {}
+};
+}  // namespace detail
+
 /// Reads names and parameters of an element record by role and name; throws `bad_file` where one is missing or odd.
 class record_reader {
  public:
@@ -82,14 +90,18 @@ class record_reader {
     if (v == as<double>(axis::z)) return f(axis::z);
     return f(v);
   }
-  [[noreturn]] void fail(const std::string& why) const { throw bad_file(record_.type + " " + why); }
+  [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
 
  private:
+  [[noreturn]] void fail(const std::string& why, const file_place& place) const {
+    throw detail::bad_record(place, record_.type + " " + why);
+  }
   const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
     for (const auto& p : record_.parameters)
       if (p.name == parameter) {
         if (p.values.size() != count)
-          fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count));
+          fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
+               p.place);
         return p.values;
       }
     fail("has no parameter '" + std::string(parameter) + "'");
@@ -209,11 +221,11 @@ class element_registry {
   static void check_complete(const element_record& made, const element_record& r) {
     for (const auto& p : r.parameters)
       if (std::none_of(made.parameters.begin(), made.parameters.end(), [&](const auto& o) { return o.name == p.name; }))
-        throw bad_file(r.type + " has no parameter '" + p.name + "'");
+        throw detail::bad_record(p.place, r.type + " has no parameter '" + p.name + "'");
     for (const auto& c : r.connections)
       if (std::none_of(made.connections.begin(), made.connections.end(),
                        [&](const auto& o) { return o.role == c.role; }))
-        throw bad_file(r.type + " has no connection '" + c.role + "'");
+        throw detail::bad_record(c.place, r.type + " has no connection '" + c.role + "'");
   }
 
   std::map<std::string, factory, std::less<>> factories_;
@@ -228,7 +240,9 @@ inline kte_map_chain to_chain(const model_record& m, const element_registry& reg
     try {
       c.append(registry.make(m.elements[i]));
     } catch (const bad_file& e) {
-      throw bad_file("kte: element " + std::to_string(i + 1) + ": " + e.what());
+      const auto* const known = dynamic_cast<const detail::bad_record*>(&e);
+      const file_place& place = known != nullptr ? known->place : m.elements[i].place;
+      throw bad_file("kte: " + to_string(place) + "element " + std::to_string(i + 1) + ": " + e.what());
     }
   }
   return c;

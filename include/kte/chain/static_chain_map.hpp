@@ -58,6 +58,7 @@ class static_chain_map final : public kte_map {
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
     for (const auto& e : elements_) visit(*e);
   }
+  const kte_map* unrecorded() const override { return nullptr; }
   void connect(topology& t) override {
     for (auto& of_kind : index_) of_kind.clear();
     const std::size_t first = t.elements.size();

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 /// Files of the C library: their errors come with a reason.
 namespace kte::detail {
@@ -27,14 +29,59 @@ inline file open_file(const std::filesystem::path& path, const char* mode) {
   return f;
 }
 
-/// All bytes of a file. It takes as much memory as there are bytes, whatever they say.
-inline std::string read_file(const std::filesystem::path& path) {
+/// All bytes of a file, or as soon as there are more than `largest`, those. It takes as much memory as there are bytes,
+/// whatever they say.
+inline std::string read_file(const std::filesystem::path& path, std::size_t largest = ~std::size_t{0}) {
   std::string bytes;
   const auto f = open_file(path, "rb");
   char part[1 << 14];
-  while (const auto n = std::fread(part, 1, sizeof part, f.get())) bytes.append(part, n);
+  while (const auto n = std::fread(part, 1, sizeof part, f.get())) {
+    bytes.append(part, n);
+    if (bytes.size() > largest) return bytes;
+  }
   if (std::ferror(f.get())) raise_file("read", path, errno);
   return bytes;
+}
+
+/// What symbolic links lead to, also where there is nothing yet.
+inline std::filesystem::path link_target(std::filesystem::path path) {
+  std::error_code none;
+  for (int links = 0; std::filesystem::is_symlink(path, none); ++links) {
+    if (links == 40) raise_file("write", path, ELOOP);
+    path = path.parent_path() / std::filesystem::read_symlink(path, none);
+  }
+  return path;
+}
+
+/// Writes a whole file, which is replaced only when all is written: by way of a file `path.part`, which never stays.
+/// Links stay links. What is no regular file, as a pipe, is written directly.
+inline void replace_file(const std::filesystem::path& path, std::string_view bytes) {
+  std::error_code error;
+  const auto target = link_target(path);
+  const auto old = std::filesystem::status(target, error);
+  const bool direct = std::filesystem::exists(old) && !std::filesystem::is_regular_file(old);
+  const auto part = direct ? target : std::filesystem::path(target.string() + ".part");
+  file f(std::fopen(part.string().c_str(), "wb"));
+  if (!f) raise_file("write", path, errno);
+  errno = 0;
+  bool good = std::fwrite(bytes.data(), 1, bytes.size(), f.get()) == bytes.size();
+  good = std::fclose(f.release()) == 0 && good;
+  int code = good ? 0 : errno != 0 ? errno : EIO;
+  if (good && !direct) {
+    if (std::filesystem::exists(old)) std::filesystem::permissions(part, old.permissions(), error);
+    std::filesystem::rename(part, target, error);
+    code = error.value();
+  }
+  if (code == 0) return;
+  if (!direct) std::filesystem::remove(part, error);
+  raise_file("write", path, code);
+}
+
+/// The extension of a file's name in small letters.
+inline std::string lower_extension(const std::filesystem::path& path) {
+  std::string text = path.extension().string();
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
 }
 
 }  // namespace kte::detail

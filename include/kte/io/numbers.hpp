@@ -1,7 +1,5 @@
 #pragma once
 
-#include <kte/errors.hpp>
-
 #include <charconv>
 #include <string>
 #include <string_view>
@@ -22,19 +20,18 @@ inline std::string numbers_to_text(const std::vector<double>& values) {
   return s;
 }
 
-/// The reverse. Throws `bad_file` for anything that is not just numbers with blanks between them.
-inline std::vector<double> text_to_numbers(std::string_view text) {
-  std::vector<double> values;
+/// The reverse: numbers with blanks between them. Gives what is wrong with the text, or nullptr.
+inline const char* text_to_numbers(std::string_view text, std::vector<double>& values) {
   const char* p = text.data();
   const char* const end = p + text.size();
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
   for (;;) {
     while (p != end && blank(*p)) ++p;
-    if (p == end) return values;
+    if (p == end) return nullptr;
     double x{};
     const auto [next, error] = std::from_chars(p, end, x);
-    if (error != std::errc{} || (next != end && !blank(*next)))
-      throw bad_file("'" + std::string(text.substr(0, 80)) + "' is not a list of numbers");
+    if (error == std::errc::invalid_argument || (next != end && !blank(*next))) return "is not a list of numbers";
+    if (error == std::errc::result_out_of_range) return "holds a number too large or too small for a double";
     values.push_back(x);
     p = next;
   }

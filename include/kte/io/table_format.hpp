@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/errors.hpp>
+#include <kte/io/file.hpp>
 
 #include <filesystem>
 #include <string>
@@ -36,7 +36,7 @@ constexpr char separator_of(table_format f) {
 
 /// The format that the extension of a file's name says. Throws `bad_argument` with the known ones.
 inline table_format format_of(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = detail::lower_extension(path);
   std::string known;
   for (const auto& e : detail::known_extensions) {
     if (e.text == extension) return e.format;

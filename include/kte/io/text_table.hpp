@@ -3,6 +3,7 @@
 #include <kte/io/file.hpp>
 #include <kte/io/table.hpp>
 #include <kte/io/table_number.hpp>
+#include <kte/io/utf8.hpp>
 
 #include <span>
 
@@ -51,17 +52,36 @@ inline std::string_view next_cell(std::string_view& line, char separator) {
   return cell;
 }
 
-/// Reads a text that is a table. Throws `bad_file` with the path, the line and the column, counted from 1, where
-/// something is wrong; also for a text cut off within a line.
+/// The same for a cell in quotes, which may hold separators, and two quotes for one; `text` keeps it. False where the
+/// quotes do not end the cell.
+inline bool next_quoted_cell(std::string_view& line, char separator, std::string& text) {
+  text.clear();
+  for (;;) {
+    const auto quote = line.find('"', 1);
+    text += line.substr(1, quote - 1);
+    line.remove_prefix(std::min(quote, line.size()));
+    if (!line.starts_with("\"\"")) break;
+    text += '"';
+    line.remove_prefix(1);
+  }
+  if (line.empty()) return false;
+  line.remove_prefix(1);
+  return without_blanks(next_cell(line, separator)).empty();
+}
+
+/// Reads a text that is a table, cells of which may be in quotes. Throws `bad_file` with the path, the line and the
+/// column, counted from 1, where something is wrong; also for a text cut off within a line.
 inline table read_text_table(const std::filesystem::path& path, std::string_view text, char separator) {
   std::size_t line = 0, column = 0;
   std::string_view cell;
+  std::string quoted;
   const auto bad = [&](const std::string& what) {
     raise<bad_file>("kte: '" + path.string() + "', line " + std::to_string(line) + what);
   };
   const auto bad_cell = [&](const char* what) {
     bad(", column " + std::to_string(column + 1) + ": '" + std::string(cell.substr(0, 80)) + "' " + what);
   };
+  text = without_mark(text);
   table t;
   known_names known;
   const auto name = [&] {
@@ -82,7 +102,14 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
     auto rest = without_blanks(text.substr(0, end));
     text.remove_prefix(end + 1);
     for (column = 0; !rest.empty(); ++column) {
-      cell = next_cell(rest, separator);
+      rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+      if (rest.starts_with('"')) {
+        const bool whole = next_quoted_cell(rest, separator, quoted);
+        cell = quoted;
+        if (!whole) bad_cell("does not end at its closing quote");
+      } else {
+        cell = next_cell(rest, separator);
+      }
       line == 1 ? name() : number();
     }
     if (t.names.empty()) bad(": no column names");

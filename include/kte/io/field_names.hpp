@@ -1,0 +1,33 @@
+#pragma once
+
+#include <kte/io/utf8.hpp>
+
+/// Names in model files.
+namespace kte::detail {
+
+/// What makes a name unfit for a file, or nullptr.
+constexpr const char* name_fault(std::string_view name) {
+  if (name.empty()) return "is empty";
+  for (std::size_t n = 0; !name.empty(); name.remove_prefix(n)) {
+    n = utf8_length(name);
+    if (n == 0) return "is not UTF-8";
+    if (is_control(static_cast<unsigned char>(name.front()))) return "has a control character";
+  }
+  return nullptr;
+}
+
+/// The length of the name of a tag that a text begins with, or 0.
+constexpr std::size_t tag_name_length(std::string_view text) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' || (c & 0x80) != 0;
+  };
+  std::size_t n = 0;
+  while (n < text.size()) {
+    const char c = text[n];
+    if (!letter(c) && (n == 0 || !((c >= '0' && c <= '9') || c == '-' || c == '.'))) break;
+    ++n;
+  }
+  return n;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <kte/io/source_text.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace kte::detail {
+
+/// Reads a JSON text field by field, as its reader asks for them: what is not asked for is an error, so that nothing
+/// nests deeper than the reader does. (The parsers that cereal brings take duplicates, and tell no places.)
+///
+/// Groups are objects, lists are arrays. After each step `at` is the offset of what was read. Throws `bad_file`.
+class json_scanner {
+ public:
+  explicit json_scanner(source_text& source) : source_(source), text_(source.text()) {}
+
+  std::size_t at() const { return at_; }
+
+  void open_document() { open('{', "a model must be an object {...}"); }
+  void close_document() {
+    start();
+    if (i_ != text_.size()) source_.fail(i_, "something follows the end of the model");
+  }
+  void open_group(const std::string& what) { open('{', "'" + what + "' must be an object {...}"); }
+  void open_list(const std::string& what) { open('[', "'" + what + "' must be a list [...]"); }
+  /// Whether the innermost group has one more field, whose name that then is; else the group is closed.
+  bool next_field(std::string& name) {
+    if (!next('}')) return false;
+    if (current() != '"') fail("a name in quotes is due here");
+    name = quoted();
+    const auto colon = text_.find_first_not_of(" \t\r\n", i_);
+    i_ = std::min(colon, text_.size());
+    if (current() != ':') source_.fail(i_, "':' is due here");
+    ++i_;
+    return true;
+  }
+  /// Whether the innermost list has one more item, else it is closed.
+  bool next_item(std::size_t) { return next(']'); }
+
+  /// A text in quotes.
+  std::string text(const std::string& name) {
+    start();
+    if (current() != '"') fail("'" + name + "' is not a text in quotes");
+    return quoted();
+  }
+  /// Numbers with blanks between them: of a text, a number or a list of numbers.
+  std::string numbers(const std::string& name) {
+    start();
+    if (current() == '"') return quoted();
+    if (current() != '[') return number(name);
+    const std::size_t first = at_;
+    open_list(name);
+    std::string all;
+    while (next(']')) all += number(name) + ' ';
+    at_ = first;
+    return all;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) {
+    if (i_ == text_.size()) source_.fail_at_end();
+    source_.fail(at_, why);
+  }
+  /// 0 behind the end: no text has that.
+  char current() const { return i_ < text_.size() ? text_[i_] : '\0'; }
+  void start() {
+    while (is_blank(current())) ++i_;
+    at_ = i_;
+  }
+  void open(char bracket, const std::string& rule) {
+    start();
+    if (current() != bracket) fail(rule);
+    ++i_;
+    first_ = true;
+  }
+  bool next(char bracket) {
+    start();
+    const bool first = std::exchange(first_, false);
+    if (current() == bracket) {
+      ++i_;
+      return false;
+    }
+    if (first) return true;
+    if (current() != ',') fail(std::string("',' or '") + bracket + "' is due here");
+    ++i_;
+    start();
+    if (current() == bracket) fail("something is due behind the comma");
+    return true;
+  }
+  std::string quoted() {
+    std::string out;
+    for (++i_; current() != '"'; ++i_) {
+      const char c = current();
+      if (c == '\\') {
+        escape(out);
+      } else if (c == '\0') {
+        source_.fail_at_end();
+      } else if (is_blank(c) && c != ' ') {
+        source_.fail(i_, "a line end or tab within quotes");
+      } else {
+        out += c;
+      }
+    }
+    ++i_;
+    return out;
+  }
+  /// Ends on the last character of the escape.
+  void escape(std::string& out) {
+    static constexpr std::string_view names = "\"\\/nrt", stand_for = "\"\\/\n\r\t";
+    const std::size_t from = i_++;
+    if (current() == 'u') {
+      char32_t c = four_digits(from);
+      if (c >= 0xD800 && c < 0xDC00 && text_.substr(i_ + 1, 2) == "\\u") {
+        i_ += 2;
+        const char32_t low = four_digits(from);
+        if (low < 0xDC00 || low > 0xDFFF) source_.fail(from, "this escape stands for no character");
+        c = 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00);
+      }
+      return source_.append(out, c, from);
+    }
+    const auto known = names.find(current());
+    if (known == names.npos) source_.fail(from, "this is no escape for a text");
+    out += stand_for[known];
+  }
+  char32_t four_digits(std::size_t from) {
+    char32_t c = 0;
+    for (int n = 0; n < 4; ++n) {
+      const auto digit = std::string_view("0123456789abcdefABCDEF").find(text_.substr(++i_, 1));
+      if (i_ >= text_.size()) source_.fail_at_end();
+      if (digit == std::string_view::npos) source_.fail(from, "\\u is due four hexadecimal digits");
+      c = 16 * c + static_cast<char32_t>(digit < 16 ? digit : digit - 6);
+    }
+    return c;
+  }
+  std::string number(const std::string& name) {
+    start();
+    const auto bad = [&] { fail("'" + name + "' is neither a number, nor a text, nor a list of numbers"); };
+    const auto digits = [&] {
+      const std::size_t from = i_;
+      while (current() >= '0' && current() <= '9') ++i_;
+      if (i_ == from) bad();
+    };
+    if (current() == '-') ++i_;
+    current() == '0' ? static_cast<void>(++i_) : digits();
+    if (current() == '.') ++i_, digits();
+    if (current() == 'e' || current() == 'E') {
+      ++i_;
+      if (current() == '+' || current() == '-') ++i_;
+      digits();
+    }
+    return std::string(text_.substr(at_, i_ - at_));
+  }
+
+  source_text& source_;
+  std::string_view text_;
+  std::size_t i_ = 0, at_ = 0;
+  bool first_ = false;  ///< whether nothing has been read of the innermost group or list
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <kte/chain/file_place.hpp>
+#include <kte/errors.hpp>
+#include <kte/io/utf8.hpp>
+
+namespace kte::detail {
+
+/// Larger than any model file, in bytes.
+inline constexpr std::size_t largest_model_file = std::size_t{1} << 28;
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// As much of a text as fits into a message.
+inline std::string excerpt(std::string_view text) { return std::string(text.substr(0, 80)); }
+
+/// The text of a model file and the places in it. Throws `bad_file` unless it is UTF-8 without control characters.
+class source_text {
+ public:
+  /// `name` is what messages call the file; the text must outlive this.
+  source_text(std::string_view text, std::string name)
+      : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(name))) {
+    if (text.size() > largest_model_file) fail(0, "the file is too large for a model");
+    bool empty = true;
+    for (std::size_t i = 0, n = 0; i < text_.size(); i += n) {
+      n = utf8_length(text_.substr(i));
+      if (n == 0) fail(i, "this is not UTF-8");
+      if (is_blank(text_[i])) continue;
+      empty = false;
+      if (const char* why = control_fault(static_cast<unsigned char>(text_[i]))) fail(i, std::string("here is ") + why);
+    }
+    if (empty) fail(0, "the file is empty");
+  }
+
+  std::string_view text() const { return text_; }
+
+  /// Fast for places in the order of the text.
+  file_place place(std::size_t offset) {
+    if (offset < offset_) offset_ = 0, line_ = column_ = 1;
+    for (; offset_ < offset && offset_ < text_.size(); ++offset_) {
+      if (text_[offset_] == '\n') {
+        ++line_, column_ = 1;
+      } else if ((text_[offset_] & 0xC0) != 0x80) {  // counted are characters, not bytes
+        ++column_;
+      }
+    }
+    return {file_, line_, column_};
+  }
+  [[noreturn]] void fail(std::size_t offset, const std::string& why) {
+    raise<bad_file>("kte: " + to_string(place(offset)) + why);
+  }
+  [[noreturn]] void fail_at_end() { fail(text_.size(), "the file ends in the middle of the model"); }
+
+  /// Appends the character that an escape at `offset` stands for.
+  void append(std::string& out, char32_t c, std::size_t offset) {
+    if (c > 0x10FFFF || (c >= 0xD800 && c < 0xE000)) fail(offset, "this escape stands for no character");
+    if (const char* why = control_fault(c)) fail(offset, std::string("this escape stands for ") + why);
+    append_utf8(out, c);
+  }
+
+ private:
+  static const char* control_fault(char32_t c) {
+    if (c == 0) return "a zero byte";
+    const bool bad = c < 0x80 && is_control(static_cast<unsigned char>(c)) && !is_blank(static_cast<char>(c));
+    return bad ? "a control character" : nullptr;
+  }
+
+  std::string_view text_;
+  std::shared_ptr<const std::string> file_;
+  std::size_t offset_ = 0;
+  int line_ = 1, column_ = 1;
+};
+
+}  // namespace kte::detail
