@@ -37,7 +37,7 @@ TEST_CASE("models survive XML and JSON, bit for bit") {
     const auto r = record_of(chain);
     CHECK(kte::from_json(kte::to_json(r)) == r);
     CHECK(kte::from_xml(kte::to_xml(r)) == r);
-    CHECK(record_of(kte::to_chain(kte::from_xml(kte::to_xml(r)))) == r);
+    CHECK(record_of(models::registered(kte::from_xml(kte::to_xml(r)))) == r);
     CHECK(record_of(kte::from_record(chain, kte::from_json(kte::to_json(r)))) == r);
   };
   check(golden);
@@ -100,7 +100,7 @@ TEST_CASE("a chain with a part that is neither an element nor a chain is not sav
 
 TEST_CASE("a bad file says where, and gives nothing") {
   const std::string json = kte::to_json(record_of(golden)), xml = kte::to_xml(record_of(golden));
-  const auto load = [](const std::string& text) { return kte::to_chain(kte::from_json(text, "m.json")); };
+  const auto load = [](const std::string& text) { return models::registered(kte::from_json(text, "m.json")); };
   SECTION("a letter lost or changed anywhere is an error or a model, never a crash") {
     for (std::size_t i = 0; i < json.size(); i += 3) {
       auto damaged = json;
@@ -120,7 +120,7 @@ TEST_CASE("a bad file says where, and gives nothing") {
       auto damaged = xml;
       damaged[i] = static_cast<char>(damaged[i] ^ 5);
       try {
-        (void)kte::to_chain(kte::from_xml(damaged));
+        (void)models::registered(kte::from_xml(damaged));
       } catch (const kte::error&) {
       }
     }
