@@ -114,12 +114,14 @@ struct configuration {
   template <int... I>
   KTE_INLINE void check(std::integer_sequence<int, I...>) const {
     const std::array<S, sizeof...(I) + 1> x{q.template at<I>()...};
-    check_result(x, sizeof...(I), [this] { blame<Wiring>("a coordinate", q, same<zero_t>{}, same<zero_t>{}, "a"); });
+    check_result(x, sizeof...(I),
+                 [this]() KTE_INLINE_LAMBDA { blame<Wiring>("a coordinate", q, same<zero_t>{}, same<zero_t>{}, "a"); });
   }
   template <std::size_t... N>
   KTE_INLINE void check_rotations(std::index_sequence<N...>) const {
     const std::array<S, sizeof...(N) + 1> x{rotation[N].x.x...};
-    check_result(x, sizeof...(N), [this] { blame<Wiring>("a rotation", q, same<zero_t>{}, same<zero_t>{}, "a"); });
+    check_result(x, sizeof...(N),
+                 [this]() KTE_INLINE_LAMBDA { blame<Wiring>("a rotation", q, same<zero_t>{}, same<zero_t>{}, "a"); });
   }
   template <std::size_t... N>
   KTE_INLINE static auto gather(const each<S, Q>& q, std::index_sequence<N...>) {
@@ -269,7 +271,8 @@ given(const At&, V, A, Base) -> given<At, V, A, Base>;
 /// Throws `bad_argument` that names the argument at fault, unless x[0] ... x[n-1], which come of `g`, are finite.
 template <class Wiring, class X, class Given>
 KTE_INLINE void check_forces(const X& x, const Given& g) {
-  check_result(x, std::size_t{Wiring::dofs}, [&] { blame<Wiring>("a force", g.at.q, g.v, g.a, "a"); });
+  check_result(x, std::size_t{Wiring::dofs},
+               [&]() KTE_INLINE_LAMBDA { blame<Wiring>("a force", g.at.q, g.v, g.a, "a"); });
 }
 /// The same of a matrix that is positive definite: none of its numbers is larger than the largest of its diagonal.
 template <class Wiring, class Matrix, class At>
@@ -279,13 +282,15 @@ KTE_INLINE void check_masses(const Matrix& m, const At& at) {
     auto operator[](std::size_t i) const { return m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)); }
   };
   check_result(diagonal{m}, std::size_t{Wiring::dofs},
-               [&] { blame<Wiring>("a mass", at.q, same<zero_t>{}, same<zero_t>{}, "a"); });
+               [&]() KTE_INLINE_LAMBDA { blame<Wiring>("a mass", at.q, same<zero_t>{}, same<zero_t>{}, "a"); });
 }
 template <class Wiring, class X, class Given, class Tau>
 KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {
   using forces = each<typename Tau::Scalar, Tau>;
-  check_result(x, std::size_t{Wiring::dofs},
-               [&] { blame<Wiring>("an acceleration", g.at.q, g.v, forces{tau}, "tau"); });
+  check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
+    const Tau copy = tau;  // so that nothing holds tau itself in memory
+    blame<Wiring>("an acceleration", g.at.q, g.v, forces{copy}, "tau");
+  });
 }
 
 }  // namespace kte::detail
