@@ -38,7 +38,7 @@ TEST_CASE("odeint: one step of Dormand and Prince is the same") {
   solver.integrate(100);  // the next step proposed is a long one, so that each of the following is one step
   od::runge_kutta_dopri5<Eigen::Vector2d> stepper;
   Eigen::Vector2d x(1, 2);
-  solver.restart(0, x);
+  solver.restart(0, x, keep_step);
   const auto before = solver.statistics().steps;
   for (int i = 0; i < 10; ++i) {
     const double t = i / 16.0, h = 1 / 16.0;

@@ -100,7 +100,7 @@ TEST_CASE("Backward differences for another step are those of the same polynomia
       for (int j = 0; j <= k; ++j) CHECK(d[j][0] == expected[j][0]);
       vector1 x;
       for (const rational& s : {rational(-5, 2), rational(-1), rational(-1, 3), rational(0), rational(1)}) {
-        d.interpolate(k, s, x);
+        d.interpolate(k, rational(s + 1), vector1(d[0] - d[1]), x);
         CHECK(x[0] == p(t + s * h * r));
       }
       d.predict(k, x);

@@ -80,7 +80,7 @@ double growth(double z) {
   const auto f = [&](double, const scalar<double>& x) { return scalar<double>(z * x[0]); };
   Method<decltype(f), scalar<double>> solver(f, 0.0, scalar<double>(1.0), {.absolute = 1e30, .relative = 1e30});
   solver.integrate(1e3);
-  solver.restart(0, scalar<double>(1.0));
+  solver.restart(0, scalar<double>(1.0), keep_step);
   const auto before = solver.statistics().steps;
   solver.integrate(1);
   REQUIRE(solver.statistics().steps == before + 1);

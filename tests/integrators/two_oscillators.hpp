@@ -33,7 +33,7 @@ template <template <class, class> class Method, class F>
 auto one_step_solver(const F& f, const state<real50>& x0) {
   Method<F, state<real50>> solver(f, real50(0), x0, {.absolute = 1e30, .relative = 1e30});
   solver.integrate(100);
-  solver.restart(0, x0);
+  solver.restart(0, x0, keep_step);
   return solver;
 }
 /// The largest error of the oscillator within one step of length h, of both components.

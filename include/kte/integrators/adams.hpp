@@ -18,10 +18,10 @@ namespace kte {
 /// of the history of slopes, see `adams_differences`. (4) is the difference to the corrector of order k. The same with
 /// k - 1 and k + 1, for which e_{k-1} = e_k + beta_{k-1} phi_{k-1}, tells the errors of the neighbours of the order;
 /// that with the longest next step is taken. Between the ends of a step, the integral of the polynomial through its
-/// k + 1 slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the start, so that
+/// k + 1 slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the end, so that
 /// state and slope are continuous:
 ///
-///   x(t + theta h) = x1 - int P + (1 - theta)^2 (1 + 2 theta) h g_k (f(t + h, x1) - f(t + h, p))      (5)
+///   x(t + theta h) = x + int P - theta^2 (3 - 2 theta) h g_k (f(t + h, x1) - f(t + h, p))             (5)
 ///
 /// The method for smooth right-hand sides that are expensive, and for tight tolerances: few evaluations, but more
 /// arithmetic of its own than one-step methods. An `integrate` goes on with the history of the last one where time,
@@ -70,8 +70,7 @@ class adams : public integrator<adams<F, X>, F, X> {
       this->evaluate(S(this->time_ + h), this->next_, change_);
       return change_;
     };
-    steps_.choose_first(this->time_, t_end, tolerances_, slope_, this->x_, slope_after,
-                        [&](const std::string& why) { this->fail(why); });
+    steps_.choose_first(this->time_, t_end, tolerances_, slope_, this->x_, slope_after, this->failing());
     past_.start(this->time_, slope_);
     order_ = 1;
     this->previous_time_ = this->time_;  // the polynomial of the last step is gone
@@ -82,7 +81,7 @@ class adams : public integrator<adams<F, X>, F, X> {
     failures_ = 0;
     this->accept(steps_.take(
         this->time_, t_end, tolerances_, this->statistics_.rejected, [&](const S& end) { return try_step(end); },
-        [&](const std::string& why) { this->fail(why); }));
+        this->failing()));
   }
   detail::attempt<S> try_step(const S& end) {
     using std::abs;
@@ -134,9 +133,9 @@ class adams : public integrator<adams<F, X>, F, X> {
   }
 
   void dense(const S& theta, X& x) const {
-    const S r = S(1) - theta, t = this->time_ - r * h_;
-    past_.interpolate(t, interpolated_, x);
-    x = this->x_ - (r * h_) * x + (r * r * (1 + 2 * theta)) * gap_;  // (5)
+    const S s = theta * h_;
+    past_.interpolate(s, interpolated_, x);
+    x = this->previous_ + s * x - (theta * theta * (3 - 2 * theta)) * gap_;  // (5)
   }
 
   tolerances<S> tolerances_;

@@ -78,6 +78,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
   }
 
   void advance(const S& t_end) {
+    time_of_history_ = std::numeric_limits<S>::quiet_NaN();  // of none, until there is a step
     this->take_step(steps_, t_end, [&](const S& end) { return try_step(end); });
     time_of_history_ = this->time_;
     if (this->time_ == t_end) this->slope_now();  // the next `start` compares
@@ -112,7 +113,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
     this->order_ = next.order;
     return length * next.factor;
   }
-  void dense(const S& theta, X& x) const { this->differences_.interpolate(order_of_last_, S(theta - 1), x); }
+  void dense(const S& theta, X& x) const { this->differences_.interpolate(order_of_last_, theta, this->previous_, x); }
 
   detail::step_choice<S> steps_{2};
   S time_of_history_{0};

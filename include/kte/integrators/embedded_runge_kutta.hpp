@@ -49,7 +49,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   void start(const S& t_end) {
     steps_.start();
     this->evaluate(this->time_, this->x_, slope_at_end());
-    if (!steps_.started()) choose_first_step(t_end);
+    if (this->is_new_) choose_first_step(t_end);
   }
 
   void advance(const S& t_end) {
@@ -58,7 +58,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     this->previous_time_ = this->time_;  // the stages of the last step are gone
     this->accept(steps_.take(
         this->time_, t_end, tolerances_, this->statistics_.rejected, [&](const S& end) { return try_step(end); },
-        [&](const std::string& why) { this->fail(why); }));
+        this->failing()));
   }
 
   /// The last slope is the first one.
@@ -102,7 +102,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     if constexpr (extension::stages != 0) {
       const auto slope = [&](const S& t, const auto& at, rate& k) { this->slope_within(t, at, k); };
       if (!extension_.make(this->previous_time_, h, k_, slope)) [[unlikely]]
-        this->fail("the right-hand side is not a finite number between the ends of the last step");
+        this->fail("the right-hand side is not a finite number between the ends of the last step" + this->reason());
       this->displaced(cubic + extension_.polynomial(theta, weight), x);
     } else if constexpr (requires { Tableau::dense; }) {
       this->displaced(cubic + weight * detail::combination<Tableau::dense>(k_), x);
@@ -118,8 +118,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
       this->slope(S(this->time_ + h), k_.front());
       return k_.front();
     };
-    steps_.choose_first(this->time_, t_end, tolerances_, f0, this->magnitudes(this->x_), slope_after,
-                        [&](const std::string& why) { this->fail(why); });
+    steps_.choose_first(this->time_, t_end, tolerances_, f0, this->magnitudes(this->x_), slope_after, this->failing());
   }
 
   tolerances<S> tolerances_;

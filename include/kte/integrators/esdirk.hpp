@@ -69,7 +69,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
     this->check_finite_slope(slope_);
     this->forget_jacobian();
     last_h_ = S(0);
-    if (!steps_.started()) this->choose_first_step(steps_, t_end, slope_, sum_);
+    if (this->is_new_) this->choose_first_step(steps_, t_end, slope_, sum_);
   }
   /// Whether the solution goes on from the last step: the direction of time is the same, and `slope_` is f, which
   /// `stage_slope_` is now, but for the rest of Newton's iterations as W^-1 sees it.

@@ -57,7 +57,7 @@ class fixed_step : public integrator<Method, F, X> {
     const S end = grid_[++index_];
     static_cast<Method&>(*this).try_step(end);
     if (!this->next_is_finite()) [[unlikely]]
-      this->fail("the next state is not a finite number");
+      this->fail("the next state is not a finite number" + this->reason());
     this->accept(end);
   }
 

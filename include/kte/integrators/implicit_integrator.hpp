@@ -45,20 +45,19 @@ class implicit_integrator : public integrator<Method, F, X> {
       return trial;
     };
     steps.choose_first(this->time_, t_end, tolerances_, slope, this->magnitudes(this->x_), slope_after,
-                       [&](const std::string& why) { this->fail(why); });
+                       this->failing());
   }
   /// Tries steps towards t_end until one is accepted; try_step(end): a `detail::attempt` that leaves its state in
   /// `next_`.
   template <class Try>
   void take_step(detail::step_choice<S>& steps, const S& t_end, const Try& try_step) {
     this->previous_time_ = this->time_;  // the stages of the last step are gone
-    this->accept(steps.take(this->time_, t_end, tolerances_, this->statistics_.rejected, try_step,
-                            [&](const std::string& why) { this->fail(why); }));
+    this->accept(steps.take(this->time_, t_end, tolerances_, this->statistics_.rejected, try_step, this->failing()));
   }
   /// Throws where f is not a number at the present time and state.
   void check_finite_slope(const rate& slope) const {
     if (!((slope - slope).array() == S(0)).all()) [[unlikely]]
-      this->fail("the right-hand side is not a finite number");
+      this->fail("the right-hand side is not a finite number" + this->reason());
   }
   /// J at the present time and state, where f is `slope`. Overwrites `next_`.
   void differentiate(const rate& slope) {
@@ -118,7 +117,7 @@ class implicit_integrator : public integrator<Method, F, X> {
   }
   void check_finite(const matrix& m) const {
     if (!((m - m).array() == S(0)).all()) [[unlikely]]
-      this->fail("the Jacobian has a number that is not finite");
+      this->fail("the Jacobian has a number that is not finite" + this->reason());
   }
 
   matrix matrix_;

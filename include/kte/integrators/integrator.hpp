@@ -6,6 +6,10 @@
 
 namespace kte {
 
+/// See `integrator::restart`.
+struct keep_step_t {};
+inline constexpr keep_step_t keep_step{};
+
 /// What all integrators of x' = f(t, x) share: time and state, observers, samples, the last step.
 ///
 /// X: the state, an Eigen column vector of fixed or dynamic size, of any real scalar S. F: called as f(t, x), returns
@@ -15,7 +19,9 @@ namespace kte {
 ///
 /// A method derives from this with itself as `Method` and has three functions:
 ///
-///   start(t_end)      called once before the steps of an `integrate`; f may have changed since the last one
+///   start(t_end)      called once before the steps of an `integrate`; f may have changed since the last one; where
+///                     `is_new_`, nothing is known of how long steps should be: at first, after `restart`, after a
+///                     step that has failed
 ///   advance(t_end)    one step towards t_end and not beyond: leaves the new state in `next_` and calls `accept`
 ///   dense(theta, x)   the state x at the fraction 0 < theta < 1 of the last step
 ///
@@ -69,9 +75,19 @@ class integrator : public moving_state<F, X> {
   /// One step at a time, for loops of one's own: `begin` once, then `step` until `time()` is t_end, for the same t_end.
   void begin(const S& t_end) {
     detail::check_finite(t_end, "end time");
+    is_new_ = is_new_ || in_step_;
+    in_step_ = false;
+    this->forget_reason();
     if (t_end != time_) method().start(t_end);
   }
-  void step(const S& t_end) { method().advance(t_end); }
+  void step(const S& t_end) {
+    if (in_step_) [[unlikely]]
+      begin(t_end);  // anew: the last step has failed
+    in_step_ = true;
+    this->forget_reason();
+    method().advance(t_end);
+    in_step_ = is_new_ = false;
+  }
 
   /// The state at a time of the last step; exact at its ends. Throws `bad_argument` for other times.
   X interpolate(const S& t) const {
@@ -95,9 +111,17 @@ class integrator : public moving_state<F, X> {
     }
   }
 
-  /// Goes on from another time and state, for instance after an impact. Throws `bad_argument` unless they are finite.
+  /// Goes on from another time and state; how long steps should be is found out anew. Throws `bad_argument` unless they
+  /// are finite.
   template <class V>
   void restart(const S& t, const Eigen::MatrixBase<V>& x) {
+    restart(t, x, keep_step);
+    is_new_ = true;
+  }
+  /// The same, but begins with a step as long as the last one: where the motion is as fast as before, for instance
+  /// after an impact. `solver.restart(t, x, kte::keep_step)`.
+  template <class V>
+  void restart(const S& t, const Eigen::MatrixBase<V>& x, keep_step_t) {
     detail::check_finite(t, "start time");
     if (x.size() == 0) detail::raise<bad_argument>("kte: the start state is empty");
     for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(S(x[i]), "start state");
@@ -123,12 +147,17 @@ class integrator : public moving_state<F, X> {
     detail::raise<integration_failure>("kte: integration stopped at t = " + detail::number(static_cast<double>(time_)) +
                                        ": " + why);
   }
+  /// For those who choose steps: `fail`, and of numbers that are not finite also the reason.
+  auto failing() const {
+    return [this](const std::string& why, bool not_finite) { fail(not_finite ? why + this->reason() : why); };
+  }
 
   using base::next_;
   using base::previous_;
   using base::statistics_;
   using base::x_;
   S time_{}, previous_time_{};
+  bool is_new_ = true;
 
  private:
   Method& method() { return static_cast<Method&>(*this); }
@@ -136,6 +165,8 @@ class integrator : public moving_state<F, X> {
   bool in_last_step(const S& t) const {
     return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
   }
+
+  bool in_step_ = false;  ///< also after a step that has failed
 };
 
 }  // namespace kte

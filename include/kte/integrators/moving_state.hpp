@@ -4,6 +4,9 @@
 #include <kte/integrators/time_grid.hpp>
 
 #include <array>
+#include <limits>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace kte {
@@ -64,10 +67,11 @@ class moving_state {
   /// All zero.
   rate no_rate() const { return rate::Zero(rates()); }
 
-  /// x_dot = f(t, x).
+  /// x_dot = f(t, x); no number where f cannot be computed.
   void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
-    if constexpr (is_called) x_dot = f_(t, x);
+    if (!computes([&] { x_dot = f_(t, x); }, x)) [[unlikely]]
+      x_dot = rate::Constant(rates(), std::numeric_limits<S>::quiet_NaN());
     if (x_dot.size() != rates()) [[unlikely]]
       detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
                                   " numbers for a state of " + std::to_string(x.size()));
@@ -130,12 +134,42 @@ class moving_state {
   /// Whether `next_` has finite numbers only.
   bool next_is_finite() const { return ((next_ - next_).array() == S(0)).all(); }
 
+  /// Calls body(), which depends on the state x. False where it throws that it cannot be computed there, which a
+  /// shorter step may cure: `bad_argument` or `singular_mass_matrix`, whose text is kept as the reason.
+  template <class Body>
+  bool computes(const Body& body, const X& x) const {
+#if defined(__cpp_exceptions)
+    try {
+      body();
+      return true;
+    } catch (const bad_argument& e) {
+      keep_reason(e, x);
+    } catch (const singular_mass_matrix& e) {
+      keep_reason(e, x);
+    }
+    return false;
+#else
+    body();
+    return true;
+#endif
+  }
+  void forget_reason() { reason_.clear(); }
+  /// What to add to a message about numbers that are not finite: why, or nothing.
+  std::string reason() const { return reason_.empty() ? std::string() : ": " + reason_; }
+
   X x_, previous_;
   mutable X next_;
   mutable step_statistics statistics_;
 
  private:
+  /// For a state that is no number itself, the reason is that of the state.
+  [[gnu::cold, gnu::noinline]] void keep_reason(const error& e, const X& x) const {
+    const std::string_view text = e.what(), name = "kte: ";
+    if (((x - x).array() == S(0)).all()) reason_ = text.substr(text.starts_with(name) ? name.size() : 0);
+  }
+
   mutable std::remove_const_t<F> f_;
+  mutable std::string reason_;                 ///< of the last state in this step at which f could not be computed
   [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
   [[no_unique_address]] mutable if_on_group<rate> within_;
   [[no_unique_address]] mutable if_on_group<std::array<rate, 2>> sizes_;

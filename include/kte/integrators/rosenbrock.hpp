@@ -60,7 +60,7 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
     steps_.start();
     this->evaluate(this->time_, this->x_, slope_);
     slope_is_known_ = true;
-    if (!steps_.started()) this->choose_first_step(steps_, t_end, slope_, last_slope_);
+    if (this->is_new_) this->choose_first_step(steps_, t_end, slope_, last_slope_);
   }
 
   void advance(const S& t_end) {

@@ -51,19 +51,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
-  /// The same for integrators: NaN where `computeStateRate` throws `bad_argument`, so that they try a shorter step, or
-  /// say when it was. (Without exceptions, that ends the program.)
-  rate operator()(const S& t, const state& x) const {
-#if defined(__cpp_exceptions)
-    try {
-      return computeStateRate(t, x);
-    } catch (const bad_argument&) {
-      return rate::Constant(std::numeric_limits<S>::quiet_NaN());
-    }
-#else
-    return computeStateRate(t, x);
-#endif
-  }
+  /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
+  rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
   /// The forces at x that accelerations answer: M a, of gravity, elements and inputs, less centrifugal ones; N and Nm.
   joint_vector<S, size::v> forces_at(const state& x) const {
     const S *q = x.data(), *v = q + size::q;

@@ -42,16 +42,8 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     rates_of_internals();
     return rate_;
   }
-  /// The same for integrators: NaN where numbers are not finite, so that they try a shorter step, or say when it was.
-  const rate& operator()(double t, const state& x) const {
-    check_state(x);
-    try {
-      return computeStateRate(t, x);
-    } catch (const bad_argument&) {
-      rate_.setConstant(std::numeric_limits<double>::quiet_NaN());
-      return rate_;
-    }
-  }
+  /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
+  const rate& operator()(double t, const state& x) { return computeStateRate(t, x); }
 
   using base::input;
   /// The value of an input; throws `unknown_name`.

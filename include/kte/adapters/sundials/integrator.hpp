@@ -85,12 +85,12 @@ class integrator : public kte::integrator<Method, F, X> {
   }
   /// Throws `bad_argument` for a setting that SUNDIALS refuses.
   void require(int flag) const {
-    if (flag < 0) kte::detail::raise<bad_argument>("kte: " + reason(flag));
+    if (flag < 0) kte::detail::raise<bad_argument>("kte: " + reason_of(flag));
   }
   /// Throws what a user function has thrown, and `integration_failure` for a flag that means that.
   void check(int flag) const {
     relay_.rethrow();
-    if (flag < 0) this->fail((finite_ ? "" : std::string(endless) + "; ") + reason(flag));
+    if (flag < 0) this->fail((finite_ ? "" : std::string(endless) + this->base::reason() + "; ") + reason_of(flag));
   }
 
   /// Tells SUNDIALS the present time and state.
@@ -130,9 +130,9 @@ class integrator : public kte::integrator<Method, F, X> {
     count();
     check(flag);
     if (!this->next_is_finite()) [[unlikely]]
-      this->fail("the next state is not a finite number");
+      this->fail("the next state is not a finite number" + this->reason());
     if (reached != t_end && is_lost(reached)) [[unlikely]]
-      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : endless);
+      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : endless + this->reason());
     this->accept(reached);
     fresh_ = false;
   }
@@ -156,7 +156,7 @@ class integrator : public kte::integrator<Method, F, X> {
     this->accept(t_end);
     this->previous_time_ = t_end;
   }
-  std::string reason(int flag) const {
+  std::string reason_of(int flag) const {
     const std::unique_ptr<char, detail::freed_by<std::free>> name(Method::flag_name(flag));
     return name.get() + (relay_.message().empty() ? "" : ": " + relay_.message());
   }

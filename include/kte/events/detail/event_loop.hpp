@@ -2,11 +2,14 @@
 
 #include <kte/events/detail/event_record.hpp>
 #include <kte/events/detail/event_watch.hpp>
+#include <kte/events/detail/way_back.hpp>
+#include <kte/integrators/integrator.hpp>
 
 namespace kte::detail {
 
 /// Integrates with events: takes a step, searches its dense output for crossings, handles them in the order of time. An
-/// event that acts ends the step there and restarts the solver.
+/// event that acts ends the step there and restarts the solver. Where a function of an event throws, or the observer
+/// before an event, the solver stands before what could not be handled, and finds it again.
 template <class Solver, class List, class Observer>
 class event_loop {
   using watch = event_watch<Solver, List>;
@@ -24,40 +27,64 @@ class event_loop {
         t_end_(t_end),
         goal_(t_end),
         last_action_(solver.time()),
-        x_(solver.state()) {}
+        safe_time_(solver.time()),
+        x_(solver.state()),
+        safe_(x_) {}
 
   event_report<X> run() {
     solver_.begin(goal_);
     observer_.start(solver_.time(), solver_.state());
     while (!record_.stopped() && solver_.time() != t_end_) {
       if (solver_.time() == goal_) go_for(t_end_);
-      begin_ = solver_.time();
-      solver_.step(goal_);
-      watch_.search(begin_);
-      if (!one_is_stuck() && !handle_crossings()) end_step();
+      take_step();
     }
     return std::move(record_.report());
   }
 
  private:
+  using return_path = way_back<Solver, S, X>;
+
+  void take_step() {
+    begin_ = solver_.time();
+    keep(begin_, solver_.state());
+    return_path back(solver_, safe_time_, safe_);
+    solver_.step(goal_);
+    watch_.search(begin_);
+    if (!one_is_stuck(back) && !handle_crossings(back)) end_step(back);
+    back.arrived();
+  }
+  /// All until t has been handled.
+  void keep(const S& t, const X& x) {
+    safe_time_ = t;
+    safe_ = x;
+  }
+  /// To the state x_, which is as fast as before.
+  void restart(const S& t) {
+    if constexpr (requires { solver_.restart(t, x_, keep_step); }) {
+      solver_.restart(t, x_, keep_step);
+    } else {
+      solver_.restart(t, x_);
+    }
+  }
   void go_for(const S& t) {
     goal_ = t;
     solver_.begin(t);
   }
-  void end_step() {
+  void end_step(return_path& back) {
     watch_.for_each(
         [&](auto& e, status& s, std::size_t k) { s.renew(watch_.value(e, k, solver_.time(), solver_.state())); });
+    back.arrived();
     observer_.step(solver_);
   }
 
   /// Says whether the step has ended before its end.
-  bool handle_crossings() {
+  bool handle_crossings(return_path& back) {
     for (bool first = true; watch_.find_next(); first = false) {
       bool acts = false;
       watch_.for_each([&](auto& e, status& s, std::size_t) { acts = acts || (s.happens && e.acts()); });
       if (acts && first && is_early()) return take_shorter_step();
       solver_.interpolate(watch_.next(), x_);
-      if (acts) return act();
+      if (acts) return act(back);
       watch_.for_each([&](auto& e, status& s, std::size_t k) {
         if (!s.happens) return;
         record_.before(k, watch_.next(), x_);
@@ -65,9 +92,10 @@ class event_loop {
         watch_.pass(e, s, k);
       });
       if (record_.stopped()) {
-        solver_.restart(watch_.next(), x_);
+        restart(watch_.next());
         return true;
       }
+      keep(watch_.next(), x_);
     }
     return false;
   }
@@ -79,13 +107,13 @@ class event_loop {
   }
   bool take_shorter_step() {
     solver_.interpolate(begin_, x_);
-    solver_.restart(begin_, x_);
+    restart(begin_);
     go_for(S(begin_ + 2 * (watch_.next() - begin_)));
     return true;
   }
 
   /// Ends the step at the events that happen next, with the state x_.
-  bool act() {
+  bool act(return_path& back) {
     const S t = watch_.next();
     observer_.before(solver_, t, x_);
     bool reset = false;
@@ -99,14 +127,15 @@ class event_loop {
       record_.after(x_, s.rested);
       if (e.is_terminal) record_.stop(stop_reason::terminal, k);
     });
-    solver_.restart(t, x_);
-    if (reset) observer_.after(t, x_);
-    if (record_.stopped()) return true;
+    restart(t);
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
+      if (record_.stopped()) return;
       const S y = watch_.value(e, k, t, x_);
       s.happens ? s.rested ? s.renew_at_rest(y) : s.renew_at_crossing(y) : s.renew_elsewhere(y);
     });
-    go_on_after(t);
+    back.arrived();
+    if (reset) observer_.after(t, x_);
+    if (!record_.stopped()) go_on_after(t);
     return true;
   }
   template <class E>
@@ -133,7 +162,7 @@ class event_loop {
   }
 
   /// Where a reset did not send g back, there is rest, from the start of the step on.
-  bool one_is_stuck() {
+  bool one_is_stuck(return_path& back) {
     bool any = false;
     watch_.for_each([&](auto&, status& s, std::size_t) { any = any || s.stuck; });
     if (!any) return false;
@@ -141,14 +170,15 @@ class event_loop {
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
       if (s.stuck) come_to_rest(e, s, k);
     });
-    solver_.restart(begin_, x_);
+    restart(begin_);
     if (record_.stopped()) return true;
-    observer_.after(begin_, x_);
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
       const S y = watch_.value(e, k, begin_, x_);
       s.reached = s.side;
       s.stuck ? s.renew_at_rest(y) : s.renew_elsewhere(y);
     });
+    back.arrived();
+    observer_.after(begin_, x_);
     go_for(goal_);
     return true;
   }
@@ -172,8 +202,8 @@ class event_loop {
   Observer observer_;
   watch watch_;
   event_record<X, List> record_;
-  S t_end_, goal_, begin_{}, last_action_, pace_{0};
-  X x_;
+  S t_end_, goal_, begin_{}, last_action_, pace_{0}, safe_time_;
+  X x_, safe_;
 };
 
 }  // namespace kte::detail

@@ -34,8 +34,8 @@ class watched_events {
   S value(E& e, std::size_t k, const S& t, const X& x) const {
     const S y = e.function(t, x);
     if (!is_finite(y)) [[unlikely]]
-      raise<integration_failure>("kte: integration stopped at t = " + number(static_cast<double>(t)) +
-                                 ": the function of event " + std::to_string(k) + " is not a finite number");
+      raise<integration_failure>("kte: integration stopped before t = " + number(static_cast<double>(t)) +
+                                 ": the function of event " + std::to_string(k) + " is not a finite number there");
     return y;
   }
 

@@ -21,7 +21,8 @@ namespace kte::detail {
 ///
 ///   phi'_0 = f,   phi'_{j+1} = phi'_j - beta_j phi_j                                                (5)
 ///
-/// The integrals (4), with d_j = t - t_{j-1}, and those times beta_j, with d_j = t_0 - t_j, are c_{j,0} of
+/// The integrals (4), with d_j = t - t_{j-1}, and those times beta_j, with d_j = t_0 - t_j, from t - h to t, are
+/// c_{j,0} of
 ///
 ///   c_{0,q} = 1 / (q + 1),   c_{j,q} = ((t - t_{j-1}) c_{j-1,q} - h c_{j-1,q+1}) / d_j               (6)
 ///
@@ -55,7 +56,8 @@ class adams_differences {
   /// Prepares a step to t: (2) and (4), for predictions with k slopes.
   void aim(const S& t, int k) {
     const int last = k + 1 < known_ ? k + 1 : known_;
-    integrals(t, last, g_, [&](int j) { return S(t - times_[at(j - 1)]); });
+    const auto since = [&](int j) { return S(t - times_[at(j)]); };
+    integrals(since(0), last, g_, since, [&](int j) { return since(j - 1); });
     beta_[0] = S(1);
     for (int j = 1; j < known_; ++j)
       beta_[at(j)] = beta_[at(j - 1)] * S((t - times_[at(j - 1)]) / (times_[0] - times_[at(j)]));
@@ -82,10 +84,12 @@ class adams_differences {
     times_[0] = t;
     known_ = kept + 1;
   }
-  /// mean = int P / (t - t_0) for a time t within the history, from k slopes: (3).
-  void interpolate(const S& t, int k, X& mean) const {
+  /// mean = int P / s over a time s from the start t_1 of the last step, from k slopes. Exact as s goes to 0.
+  void interpolate(const S& s, int k, X& mean) const {
     coefficients products{};
-    integrals(t, k - 1, products, [&](int j) { return S(times_[0] - times_[at(j)]); });
+    integrals(
+        s, k - 1, products, [&](int j) { return S(s + (times_[1] - times_[at(j)])); },
+        [&](int j) { return S(times_[0] - times_[at(j)]); });
     mean = products[at(k - 1)] * phi_[at(k - 1)];
     for (int j = k - 2; j >= 0; --j) mean += products[at(j)] * phi_[at(j)];
   }
@@ -94,15 +98,14 @@ class adams_differences {
   using coefficients = std::array<S, most + 1>;
   static std::size_t at(int j) { return static_cast<std::size_t>(j); }
 
-  /// (6) for j = 0 ... last.
-  template <class Divisor>
-  void integrals(const S& t, int last, coefficients& out, const Divisor& divisor) const {
+  /// (6) for j = 0 ... last. since(j): t - t_j.
+  template <class Since, class Divisor>
+  void integrals(const S& h, int last, coefficients& out, const Since& since, const Divisor& divisor) const {
     coefficients c{};
     for (int q = 0; q <= last; ++q) c[at(q)] = 1 / S(q + 1);
     out[0] = S(1);
-    const S h = t - times_[0];
     for (int j = 1; j <= last; ++j) {
-      const S one = 1 / divisor(j), a = (t - times_[at(j - 1)]) * one, b = h * one;
+      const S one = 1 / divisor(j), a = since(j - 1) * one, b = h * one;
       for (int q = 0; q <= last - j; ++q) c[at(q)] = a * c[at(q)] - b * c[at(q + 1)];
       out[at(j)] = c[0];
     }

@@ -43,13 +43,13 @@ class backward_differences {
     out = columns_.col(0);
     for (int j = 1; j <= k; ++j) out += columns_.col(j);
   }
-  /// (2).
-  template <class X>
-  void interpolate(int k, const S& s, X& out) const {
-    S b(1);
-    out = columns_.col(0);
-    for (int j = 1; j <= k; ++j) {
-      b *= (s + S(j - 1)) / S(j);
+  /// (2) at s = theta - 1, from x_{n-1}: exact as theta goes to 0.
+  template <class X, class Before>
+  void interpolate(int k, const S& theta, const Before& before, X& out) const {
+    S b = theta;
+    out = before + theta * columns_.col(1);
+    for (int j = 2; j <= k; ++j) {
+      b *= (theta + S(j == 2 ? -1 : j - 2)) / S(j);
       out += b * columns_.col(j);
     }
   }

@@ -27,28 +27,27 @@ class step_choice {
 
   /// A new `integrate`.
   void start() { tries_ = 0; }
-  /// Whether a step has been chosen.
-  bool started() const { return step_ != S(0); }
   /// The length that is proposed for the next step.
   const S& proposed() const { return step_; }
   /// The same with the sign of the way from t to t_end.
   S proposed(const S& t, const S& t_end) const { return t_end < t ? S(-step_) : step_; }
 
   /// Chooses the first step from t to t_end. f0: slope at t; sizes: of the state; slope_after(h): slope after an Euler
-  /// step h; fail(why): does not return.
+  /// step h; fail(why, whether numbers are not finite): does not return.
   template <class R, class X, class Slope, class Fail>
   void choose_first(const S& t, const S& t_end, const tolerances<S>& tol, const R& f0, const X& sizes,
                     const Slope& slope_after, const Fail& fail) {
     using std::abs;
     const S d0 = error_norm(tol, sizes, sizes, sizes), d1 = error_norm(tol, f0, sizes, sizes);
     if (!is_finite(d1)) [[unlikely]]
-      fail("the right-hand side is not a finite number");
+      fail("the right-hand side is not a finite number", true);
     const S span = abs(S(t_end - t)), least = 4 * least_step(t, span);
     const S trial = trial_step(d0, d1), h0 = span < trial ? span : trial < least ? least : trial;
     const S h = t_end < t ? S(-h0) : h0;
     const S d2 = error_norm(tol, (slope_after(h) - f0) / h, sizes, sizes);
     const S first = first_step(h0, d1, d2, order_of_error_);
     step_ = first < least ? least : first;
+    control_ = step_controller<S>(order_of_error_);
   }
 
   /// Tries steps from t towards t_end until one is accepted, and says where it ends. try_step(end): an `attempt`;
@@ -63,9 +62,9 @@ class step_choice {
       const bool last = rest <= S(1.01) * step_;  // no tiny last step: stretched by 1/100, or the rest halved
       const S h = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
       if (!last && h < least) [[unlikely]]
-        fail(too_short(h, tried));
+        fail(too_short(h, tried), !is_finite(tried.error));
       if (tries_++ == tol.max_steps) [[unlikely]]
-        fail("max_steps = " + std::to_string(tol.max_steps) + " steps are used up");
+        fail("max_steps = " + std::to_string(tol.max_steps) + " steps are used up", false);
       const S end = last ? t_end : t_end < t ? S(t - h) : S(t + h);
       tried = try_step(end);
       if (tried.error <= S(1)) {
@@ -98,7 +97,7 @@ class step_choice {
   int order_of_error_;
   step_controller<S> control_;
   S keep_below_;
-  S step_{0};  ///< length proposed for the next step; 0: none yet
+  S step_{0};  ///< length proposed for the next step
   long long tries_ = 0;
 };
 

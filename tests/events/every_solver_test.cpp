@@ -1,0 +1,196 @@
+#include <kte/events/events.hpp>
+#include <kte/integrators/adams.hpp>
+#include <kte/integrators/bdf.hpp>
+#include <kte/integrators/bogacki_shampine23.hpp>
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/fehlberg45.hpp>
+#include <kte/integrators/kennedy_carpenter34.hpp>
+#include <kte/integrators/prince_dormand87.hpp>
+#include <kte/integrators/rodas.hpp>
+#include <kte/integrators/rosenbrock23.hpp>
+#include <kte/integrators/tr_bdf2.hpp>
+#include <kte/integrators/trapezoidal.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+#include "catch.hpp"
+
+// What holds for every solver that chooses its steps: after a failure it works again, and events start and end well.
+// One right-hand side and one list of events for all, so that each solver is compiled once.
+
+using namespace kte;
+using kte::test::contains_text;
+using kte::test::within;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double half_swing = 3.14159265358979323846 / 10;
+
+/// A block of 1 kg on a spring of 100 N/m, with dry friction of 2 N, released at 1.03 m: it turns every pi / 10 s, each
+/// time 0.04 m nearer. Things may be wrong from a time on.
+struct block {
+  enum trouble { none, not_a_number, refusal, singular, bad_reset, bad_event };
+  trouble now = none;
+  double from = 0.5;
+  int direction = -1;
+};
+using state = Eigen::Vector2d;
+const state released(1.03, 0);
+struct slides {
+  const block* b;
+  state operator()(double t, const state& x) const {
+    if (t > b->from && b->now == block::not_a_number) return {nan, nan};
+    if (t > b->from && b->now == block::refusal) throw bad_argument("kte: quaternion 'body' has length 0");
+    if (t > b->from && b->now == block::singular) throw singular_mass_matrix("kte: coordinate 'q2' moves no mass");
+    return {x[1], -100 * x[0] - 2 * b->direction};
+  }
+};
+/// Until the first turn.
+state sliding(double t) { return {0.02 + 1.01 * std::cos(10 * t), -10.1 * std::sin(10 * t)}; }
+
+auto turns_of(block& b) {
+  return events(event([&b](double t, const state& x) {
+                  return b.now == block::bad_event && t > 0.2 ? nan : x[1];
+                }).reset([&b](double t, state& x) {
+    if (b.now == block::bad_reset) throw std::domain_error("no reset");
+    x[1] = 0;
+    b.direction = t < 1.5 * half_swing ? 1 : -1;
+  }));
+}
+template <class Solver>
+auto turns(Solver& solver, block& b) {
+  b.direction = -1;
+  return integrate(solver, 0.7, turns_of(b));
+}
+/// An error within a step of size tol of the weights 1 + 1.03 and 1 + 10 makes the turn less than tol / 5 late.
+template <class Solver>
+void check_turns(Solver& solver, block& b, double tol) {
+  const auto report = turns(solver, b);
+  const double margin = static_cast<double>(solver.statistics().steps) * tol;
+  CHECK(report.events.size() == 2);
+  for (std::size_t i = 0; i < report.events.size(); ++i)
+    CHECK(report.events[i].time == within(static_cast<double>(i + 1) * half_swing, margin));
+}
+
+/// Zero at the start is no event, also not by the rounding of the dense output, nor after a reset to zero.
+template <template <class, class> class Method>
+void check_starts(double finest) {
+  for (int i = 0; i < 200; ++i) {
+    const double tol = std::pow(10.0, -2 + (std::log10(finest) + 2) * i / 199);
+    CAPTURE(tol);
+    block b;
+    Method<slides, state> solver(slides{&b}, 0.0, released, {.absolute = tol, .relative = tol});
+    check_turns(solver, b, tol);
+  }
+}
+
+/// After a failure, repaired, a solver goes on as any other, from where it is and from elsewhere.
+template <template <class, class> class Method>
+void check_repair() {
+  const double tol = 1e-6;
+  block b;
+  Method<slides, state> solver(slides{&b}, 0.0, released, {.absolute = tol, .relative = tol});
+  auto whole = solver;
+  whole.integrate(1);
+  const auto steps = whole.statistics().steps;
+  const auto error = [&] { return (solver.state() - sliding(solver.time())).norm(); };
+  const auto fails = [&](block::trouble now, const std::string& why) {
+    b.now = now;
+    CHECK_THROWS_WITH(solver.integrate(1), contains_text("kte: integration stopped at t = 0.49999") &&
+                                               contains_text("not a finite number") && contains_text(why));
+    CHECK_THROWS_AS(solver.integrate(1), integration_failure);
+    b.now = block::none;
+  };
+  const auto works = [&](double t_end) {
+    const auto before = solver.statistics().steps;
+    solver.integrate(t_end);
+    CHECK(solver.statistics().steps < before + 2 * steps);
+    CHECK(error() < 100 * static_cast<double>(steps) * tol);  // positions to speeds: 10, weights up to 11
+  };
+  fails(block::not_a_number, "however short the step");
+  CHECK(error() < 100 * static_cast<double>(steps) * tol);
+  works(1);
+  solver.restart(0, released);
+  fails(block::refusal, "however short the step: quaternion 'body' has length 0");
+  solver.restart(0, released);
+  works(1);
+  solver.restart(0, released);
+  fails(block::singular, "however short the step: coordinate 'q2' moves no mass");
+  solver.begin(1);
+  solver.step(1);  // by single steps, also without `begin`
+  while (solver.time() != 1) solver.step(1);
+  CHECK(error() < 100 * static_cast<double>(steps) * tol);
+  solver.restart(0, released);
+  solver.integrate(1e-12);
+  solver.restart(1e6, released);  // steps of 1e-12 are lost here
+  solver.integrate(1e6 + 0.1);
+  CHECK((solver.state() - sliding(0.1)).norm() < 100 * static_cast<double>(steps) * tol);
+}
+
+/// Where a function of an event throws, the solver stands before the event, and finds it again.
+template <template <class, class> class Method>
+void check_events_that_throw() {
+  const double tol = 1e-6;
+  block b;
+  Method<slides, state> solver(slides{&b}, 0.0, released, {.absolute = tol, .relative = tol});
+  b.now = block::bad_reset;
+  CHECK_THROWS_AS(turns(solver, b), std::domain_error);
+  CHECK(solver.time() < half_swing);
+  CHECK((solver.state() - sliding(solver.time())).norm() < 100 * static_cast<double>(solver.statistics().steps) * tol);
+  b.now = block::none;
+  auto other = solver;
+  check_turns(solver, b, tol);
+  other.restart(0, released);
+  b.now = block::bad_event;
+  CHECK_THROWS_WITH(turns(other, b), contains_text("stopped before t = 0.") &&
+                                         contains_text("the function of event 0 is not a finite number there"));
+  CHECK(other.time() < 0.2);
+  b.now = block::none;
+  check_turns(other, b, tol);
+}
+
+}  // namespace
+
+TEST_CASE("Zero at the start is no event, for every solver and tolerance") {
+  SECTION("bogacki_shampine23") { check_starts<bogacki_shampine23>(1e-6); }
+  SECTION("fehlberg45") { check_starts<fehlberg45>(1e-9); }
+  SECTION("dormand_prince45") { check_starts<dormand_prince45>(1e-9); }
+  SECTION("prince_dormand87") { check_starts<prince_dormand87>(1e-12); }
+  SECTION("adams") { check_starts<adams>(1e-12); }
+  SECTION("bdf") { check_starts<bdf>(1e-8); }
+  SECTION("rosenbrock23") { check_starts<rosenbrock23>(1e-5); }
+  SECTION("rodas") { check_starts<rodas>(1e-7); }
+  SECTION("tr_bdf2") { check_starts<tr_bdf2>(1e-5); }
+  SECTION("trapezoidal") { check_starts<trapezoidal>(1e-5); }
+  SECTION("kennedy_carpenter34") { check_starts<kennedy_carpenter34>(1e-7); }
+}
+
+TEST_CASE("After a failure every solver chooses its steps anew, and says why it failed") {
+  SECTION("bogacki_shampine23") { check_repair<bogacki_shampine23>(); }
+  SECTION("fehlberg45") { check_repair<fehlberg45>(); }
+  SECTION("dormand_prince45") { check_repair<dormand_prince45>(); }
+  SECTION("prince_dormand87") { check_repair<prince_dormand87>(); }
+  SECTION("adams") { check_repair<adams>(); }
+  SECTION("bdf") { check_repair<bdf>(); }
+  SECTION("rosenbrock23") { check_repair<rosenbrock23>(); }
+  SECTION("rodas") { check_repair<rodas>(); }
+  SECTION("tr_bdf2") { check_repair<tr_bdf2>(); }
+  SECTION("trapezoidal") { check_repair<trapezoidal>(); }
+  SECTION("kennedy_carpenter34") { check_repair<kennedy_carpenter34>(); }
+}
+
+TEST_CASE("Where an event throws, every solver stands before it and finds it again") {
+  SECTION("bogacki_shampine23") { check_events_that_throw<bogacki_shampine23>(); }
+  SECTION("fehlberg45") { check_events_that_throw<fehlberg45>(); }
+  SECTION("dormand_prince45") { check_events_that_throw<dormand_prince45>(); }
+  SECTION("prince_dormand87") { check_events_that_throw<prince_dormand87>(); }
+  SECTION("adams") { check_events_that_throw<adams>(); }
+  SECTION("bdf") { check_events_that_throw<bdf>(); }
+  SECTION("rosenbrock23") { check_events_that_throw<rosenbrock23>(); }
+  SECTION("rodas") { check_events_that_throw<rodas>(); }
+  SECTION("tr_bdf2") { check_events_that_throw<tr_bdf2>(); }
+  SECTION("trapezoidal") { check_events_that_throw<trapezoidal>(); }
+  SECTION("kennedy_carpenter34") { check_events_that_throw<kennedy_carpenter34>(); }
+}
