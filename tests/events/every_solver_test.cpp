@@ -35,6 +35,8 @@ struct block {
   trouble now = none;
   double from = 0.5;
   int direction = -1;
+  bool by_sign =
+      false;  ///< the direction is that of the speed: f jumps where it starts; differences for a Jacobian do too
 };
 using state = Eigen::Vector2d;
 const state released(1.03, 0);
@@ -44,7 +46,8 @@ struct slides {
     if (t > b->from && b->now == block::not_a_number) return {nan, nan};
     if (t > b->from && b->now == block::refusal) throw bad_argument("kte: quaternion 'body' has length 0");
     if (t > b->from && b->now == block::singular) throw singular_mass_matrix("kte: coordinate 'q2' moves no mass");
-    return {x[1], -100 * x[0] - 2 * b->direction};
+    const int direction = !b->by_sign ? b->direction : x[1] > 0 ? 1 : x[1] < 0 ? -1 : 0;
+    return {x[1], -100 * x[0] - 2 * direction};
   }
 };
 /// Until the first turn.
@@ -69,18 +72,18 @@ template <class Solver>
 void check_turns(Solver& solver, block& b, double tol) {
   const auto report = turns(solver, b);
   const double margin = static_cast<double>(solver.statistics().steps) * tol;
-  CHECK(report.events.size() == 2);
+  REQUIRE(report.events.size() == 2);
   for (std::size_t i = 0; i < report.events.size(); ++i)
     CHECK(report.events[i].time == within(static_cast<double>(i + 1) * half_swing, margin));
 }
 
 /// Zero at the start is no event, also not by the rounding of the dense output, nor after a reset to zero.
 template <template <class, class> class Method>
-void check_starts(double finest) {
+void check_starts(double finest, bool by_sign = false) {
   for (int i = 0; i < 200; ++i) {
     const double tol = std::pow(10.0, -2 + (std::log10(finest) + 2) * i / 199);
     CAPTURE(tol);
-    block b;
+    block b{.by_sign = by_sign};
     Method<slides, state> solver(slides{&b}, 0.0, released, {.absolute = tol, .relative = tol});
     check_turns(solver, b, tol);
   }
@@ -154,11 +157,11 @@ void check_events_that_throw() {
 }  // namespace
 
 TEST_CASE("Zero at the start is no event, for every solver and tolerance") {
-  SECTION("bogacki_shampine23") { check_starts<bogacki_shampine23>(1e-6); }
-  SECTION("fehlberg45") { check_starts<fehlberg45>(1e-9); }
-  SECTION("dormand_prince45") { check_starts<dormand_prince45>(1e-9); }
-  SECTION("prince_dormand87") { check_starts<prince_dormand87>(1e-12); }
-  SECTION("adams") { check_starts<adams>(1e-12); }
+  SECTION("bogacki_shampine23") { check_starts<bogacki_shampine23>(1e-6, true); }
+  SECTION("fehlberg45") { check_starts<fehlberg45>(1e-9, true); }
+  SECTION("dormand_prince45") { check_starts<dormand_prince45>(1e-9, true); }
+  SECTION("prince_dormand87") { check_starts<prince_dormand87>(1e-9, true); }
+  SECTION("adams") { check_starts<adams>(1e-12, true); }
   SECTION("bdf") { check_starts<bdf>(1e-8); }
   SECTION("rosenbrock23") { check_starts<rosenbrock23>(1e-5); }
   SECTION("rodas") { check_starts<rodas>(1e-7); }
