@@ -46,7 +46,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   using typename base::S;
   static constexpr int max_order = 12;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
+  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
   template <class V>
   adams(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
@@ -60,7 +60,7 @@ class adams : public integrator<adams<F, X>, F, X> {
 
  private:
   void start(const S& t_end) {
-    steps_.start();
+    steps_.start(tolerances_, this->rates());
     const bool forward = this->time_ < t_end, restarted = this->previous_time_ == this->time_;
     this->evaluate(this->time_, this->x_, slope_);
     if (!restarted && forward == forward_ && slope_ == past_.newest()) return;
@@ -80,8 +80,8 @@ class adams : public integrator<adams<F, X>, F, X> {
     this->previous_time_ = this->time_;  // the polynomial of the last step goes
     failures_ = 0;
     this->accept(steps_.take(
-        this->time_, t_end, tolerances_, this->statistics_.rejected, [&](const S& end) { return try_step(end); },
-        this->failing()));
+        this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
+        this->statistics_.rejected, [&](const S& end) { return try_step(end); }, this->failing()));
   }
   detail::attempt<S> try_step(const S& end) {
     using std::abs;

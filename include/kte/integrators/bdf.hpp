@@ -43,8 +43,8 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances, settings. Throws `bad_argument` for tolerances that are not
-  /// positive, for an order that there is not, and for a start that is not finite.
+  /// f(t, x), start time (s), start state, tolerances, settings. Throws `bad_argument` for tolerances that make
+  /// no sense, for an order that there is not, and for a start that is not finite.
   template <class V>
   bdf(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {},
       const bdf_settings& settings = {})
@@ -60,7 +60,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
 
  private:
   void start(const S& t_end) {
-    steps_.start();
+    steps_.start(this->tolerances_, this->rates());
     this->evaluate(this->time_, this->x_, this->change_);
     if (continues(t_end)) return;
     this->previous_time_ = this->time_;  // nothing left to interpolate

@@ -36,7 +36,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
+  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
   template <class V>
   embedded_runge_kutta(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
@@ -47,7 +47,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
  private:
   void start(const S& t_end) {
-    steps_.start();
+    steps_.start(tolerances_, this->rates());
     this->evaluate(this->time_, this->x_, slope_at_end());
     if (this->is_new_) choose_first_step(t_end);
   }
@@ -57,8 +57,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     extension_.forget();
     this->previous_time_ = this->time_;  // the stages of the last step are gone
     this->accept(steps_.take(
-        this->time_, t_end, tolerances_, this->statistics_.rejected, [&](const S& end) { return try_step(end); },
-        this->failing()));
+        this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
+        this->statistics_.rejected, [&](const S& end) { return try_step(end); }, this->failing()));
   }
 
   /// The last slope is the first one.

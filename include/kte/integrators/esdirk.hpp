@@ -51,7 +51,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
+  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
   template <class V>
   esdirk(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
@@ -62,7 +62,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
 
  private:
   void start(const S& t_end) {
-    steps_.start();
+    steps_.start(this->tolerances_, this->rates());
     this->evaluate(this->time_, this->x_, this->stage_slope_);
     if (goes_on(t_end)) return;
     slope_.swap(this->stage_slope_);

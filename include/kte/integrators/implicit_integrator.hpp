@@ -12,7 +12,8 @@ namespace kte {
 ///   J_ij = d f_i / d x_j,   W = I - c J                (1)
 ///
 /// J is f.jacobian(t, x, J) where f has that: J a square matrix of the right size, filled by f. Otherwise by
-/// differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|, absolute_j / relative_j), one evaluation a column.
+/// differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|, absolute_j / relative_j), but sqrt(eps) where
+/// that is 0, one evaluation a column.
 /// Where states have rotations, of the rate of the displacement by the displacement, at 0.
 template <class Method, class F, class X>
 class implicit_integrator : public integrator<Method, F, X> {
@@ -52,7 +53,9 @@ class implicit_integrator : public integrator<Method, F, X> {
   template <class Try>
   void take_step(detail::step_choice<S>& steps, const S& t_end, const Try& try_step) {
     this->previous_time_ = this->time_;  // the stages of the last step are gone
-    this->accept(steps.take(this->time_, t_end, tolerances_, this->statistics_.rejected, try_step, this->failing()));
+    this->accept(steps.take(
+        this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
+        this->statistics_.rejected, try_step, this->failing()));
   }
   /// Throws where f is not a number at the present time and state.
   void check_finite_slope(const rate& slope) const {
@@ -63,7 +66,7 @@ class implicit_integrator : public integrator<Method, F, X> {
   void differentiate(const rate& slope) {
     ++this->statistics_.jacobians;
     if constexpr (requires { this->system().jacobian(this->time_, this->x_, jacobian_); }) {
-      this->system().jacobian(this->time_, this->x_, jacobian_);
+      compute([&] { this->system().jacobian(this->time_, this->x_, jacobian_); });
     } else {
       using std::abs;
       using std::sqrt;
@@ -71,8 +74,8 @@ class implicit_integrator : public integrator<Method, F, X> {
       rate& d = probe_;
       d.setZero();
       for (Eigen::Index j = 0; j < this->rates(); ++j) {
-        const S x = abs(sizes[j]), least = tolerances_.absolute[j] / tolerances_.relative[j];
-        d[j] = root_of_epsilon() * (x < least ? least : x);
+        const S x = abs(sizes[j]), least = least_size(j);
+        d[j] = root_of_epsilon() * (x < least ? least : x == S(0) ? S(1) : x);
         this->displace(d);
         this->slope(this->time_, shifted_);
         jacobian_.col(j) = (shifted_ - slope) / d[j];
@@ -85,7 +88,7 @@ class implicit_integrator : public integrator<Method, F, X> {
   /// small part of the step h. Overwrites `next_`.
   void differentiate_in_time(const rate& slope, const S& h, rate& out) {
     if constexpr (requires { this->system().time_derivative(this->time_, this->x_, out); }) {
-      this->system().time_derivative(this->time_, this->x_, out);
+      compute([&] { this->system().time_derivative(this->time_, this->x_, out); });
     } else {
       using std::abs;
       const S moved = this->time_ + root_of_epsilon() * (h + (h < S(0) ? -abs(this->time_) : abs(this->time_)));
@@ -111,9 +114,20 @@ class implicit_integrator : public integrator<Method, F, X> {
   matrix jacobian_;
 
  private:
+  /// Of a component, below which its size does not matter; without a relative tolerance, by which differences are as
+  /// large as the absolute one.
+  S least_size(Eigen::Index j) const {
+    const S &a = tolerances_.absolute[j], &r = tolerances_.relative[j];
+    return a / (r == S(0) ? root_of_epsilon() : r);
+  }
   static S root_of_epsilon() {
     using std::sqrt;
     return sqrt(std::numeric_limits<S>::epsilon());
+  }
+  template <class Body>
+  void compute(const Body& body) const {
+    if (!this->computes(body, this->x_)) [[unlikely]]
+      this->fail("the Jacobian cannot be computed" + this->reason());
   }
   void check_finite(const matrix& m) const {
     if (!((m - m).array() == S(0)).all()) [[unlikely]]

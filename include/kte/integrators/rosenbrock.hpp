@@ -43,7 +43,7 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
   using typename base::rate;
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
+  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
   template <class V>
   rosenbrock(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
@@ -57,7 +57,7 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
 
  private:
   void start(const S& t_end) {
-    steps_.start();
+    steps_.start(this->tolerances_, this->rates());
     this->evaluate(this->time_, this->x_, slope_);
     slope_is_known_ = true;
     if (this->is_new_) this->choose_first_step(steps_, t_end, slope_, last_slope_);

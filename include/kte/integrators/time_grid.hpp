@@ -36,6 +36,12 @@ void check_positive(const S& x, const char* name) {
     raise<bad_argument>(std::string("kte: ") + name + " must be finite and positive, got " +
                         number(static_cast<double>(x)));
 }
+template <class S>
+void check_not_negative(const S& x, const char* name) {
+  if (!(x >= S(0) && is_finite(x))) [[unlikely]]
+    raise<bad_argument>(std::string("kte: ") + name + " must be finite and not negative, got " +
+                        number(static_cast<double>(x)));
+}
 
 }  // namespace detail
 

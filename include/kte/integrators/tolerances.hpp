@@ -8,7 +8,7 @@
 
 namespace kte {
 
-/// A positive number for all components of a state, or one for each: `1e-6`, or an Eigen vector.
+/// A number for all components of a state, or one for each: `1e-6`, or an Eigen vector.
 template <class S>
 class per_component {
  public:
@@ -20,14 +20,14 @@ class per_component {
 
   const S& operator[](Eigen::Index i) const { return each_.size() == 0 ? all_ : each_[i]; }
 
-  /// Throws `bad_argument` for a number that is not positive, and for another count of numbers than n.
+  /// Throws `bad_argument` for a number that is negative or not finite, and for another count of numbers than n.
   void check(Eigen::Index n, const char* name) const {
-    if (each_.size() == 0) return detail::check_positive(all_, name);
+    if (each_.size() == 0) return detail::check_not_negative(all_, name);
     if (each_.size() != n)
       detail::raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(each_.size()) +
                                   " numbers, for " + std::to_string(n) + " components");
     for (Eigen::Index i = 0; i < n; ++i)
-      detail::check_positive(each_[i], (std::string(name) + " of component " + std::to_string(i)).c_str());
+      detail::check_not_negative(each_[i], (std::string(name) + " of component " + std::to_string(i)).c_str());
   }
 
  private:
@@ -35,20 +35,55 @@ class per_component {
   Eigen::Matrix<S, Eigen::Dynamic, 1> each_;
 };
 
-/// How exact an integrator that chooses its own steps shall be. Where states have rotations, components are those of
-/// rates (`rate_of`).
+/// How exact an integrator that chooses its own steps shall be: each step to w_i in component i,
+///
+///   w_i = absolute_i + relative_i |x_i|            (1)
+///
+/// One of the two may be 0. What arithmetic cannot reach is refused, w_i < 4 eps |x_i|: every step rounds by eps/2.
+/// Where states have rotations, components are those of rates (`rate_of`).
 template <class S>
 struct tolerances {
-  per_component<S> absolute = S(1e-6);  ///< in units of the state; positive
-  per_component<S> relative = S(1e-6);  ///< as a fraction of the state; positive
+  per_component<S> absolute = S(1e-6);  ///< in units of the state; not negative
+  per_component<S> relative = S(1e-6);  ///< as a fraction of the state; not negative
   long long max_steps = 1000000;        ///< of one `integrate`, with those rejected
 
   /// Throws `bad_argument` for settings that make no sense for n components.
   void check(Eigen::Index n) const {
     absolute.check(n, "absolute tolerance");
     relative.check(n, "relative tolerance");
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!(absolute[i] + relative[i] > S(0)))
+        detail::raise<bad_argument>("kte: absolute and relative tolerance are both 0, of component " +
+                                    std::to_string(i));
+      else if (absolute[i] == S(0) && relative[i] < least_relative())
+        detail::raise<bad_argument>("kte: relative tolerance " + detail::number(static_cast<double>(relative[i])) +
+                                    " of component " + std::to_string(i) + " is out of reach of the arithmetic: " +
+                                    detail::number(static_cast<double>(least_relative())) + " or more");
     if (max_steps < 1) detail::raise<bad_argument>("kte: max_steps must be positive, got " + std::to_string(max_steps));
   }
+  /// Whether (1) is within reach for all states.
+  bool are_within_reach(Eigen::Index n) const {
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (relative[i] < least_relative()) return false;
+    return true;
+  }
+  /// What is out of reach for states of these sizes, in words; nothing if all is within reach.
+  template <class X>
+  std::string out_of_reach(const X& sizes) const {
+    using std::abs;
+    for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+      const S x = abs(S(sizes[i])), w = absolute[i] + relative[i] * x;
+      if (w < least_relative() * x)
+        return "the tolerance " + detail::number(static_cast<double>(w)) + " of component " + std::to_string(i) +
+               ", which is " + detail::number(static_cast<double>(sizes[i])) +
+               ", is out of reach of the arithmetic: " + detail::number(static_cast<double>(least_relative() * x)) +
+               " or more";
+    }
+    return {};
+  }
+
+ private:
+  static S least_relative() { return 4 * std::numeric_limits<S>::epsilon(); }
 };
 
 }  // namespace kte

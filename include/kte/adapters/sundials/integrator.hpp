@@ -73,7 +73,11 @@ class integrator : public kte::integrator<Method, F, X> {
     const tolerances<S>& tol = me.tolerances_;
     const auto x = detail::numbers<X>(y);
     auto out = detail::numbers<X>(w);
-    for (Eigen::Index i = 0; i < x.size(); ++i) out[i] = 1 / (tol.absolute[i] + tol.relative[i] * std::abs(x[i]));
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const S size = tol.absolute[i] + tol.relative[i] * std::abs(x[i]);
+      if (!(size > 0)) return -1;  // SUNDIALS knows no error of 0
+      out[i] = 1 / size;
+    }
     return 0;
   }
   /// What a user function tells SUNDIALS of its result: a number that is not finite may be cured by a shorter step.

@@ -25,8 +25,11 @@ class step_choice {
   explicit step_choice(int order_of_error, const S& keep_below = S(1))
       : order_of_error_(order_of_error), control_(order_of_error), keep_below_(keep_below) {}
 
-  /// A new `integrate`.
-  void start() { tries_ = 0; }
+  /// A new `integrate`, of n components.
+  void start(const tolerances<S>& tol, Eigen::Index n) {
+    tries_ = 0;
+    within_reach_ = tol.are_within_reach(n);
+  }
   /// The length that is proposed for the next step.
   const S& proposed() const { return step_; }
   /// The same with the sign of the way from t to t_end.
@@ -38,6 +41,7 @@ class step_choice {
   void choose_first(const S& t, const S& t_end, const tolerances<S>& tol, const R& f0, const X& sizes,
                     const Slope& slope_after, const Fail& fail) {
     using std::abs;
+    check_reach(tol, sizes, fail);
     const S d0 = error_norm(tol, sizes, sizes, sizes), d1 = error_norm(tol, f0, sizes, sizes);
     if (!is_finite(d1)) [[unlikely]]
       fail("the right-hand side is not a finite number", true);
@@ -50,12 +54,14 @@ class step_choice {
     control_ = step_controller<S>(order_of_error_);
   }
 
-  /// Tries steps from t towards t_end until one is accepted, and says where it ends. try_step(end): an `attempt`;
-  /// rejected: counts those; fail(why): does not return.
-  template <class Try, class Fail>
-  S take(const S& t, const S& t_end, const tolerances<S>& tol, long long& rejected, const Try& try_step,
-         const Fail& fail) {
+  /// Tries steps from t towards t_end until one is accepted, and says where it ends. sizes(): of the state at t;
+  /// try_step(end): an `attempt`; rejected: counts those; fail as above.
+  template <class Sizes, class Try, class Fail>
+  S take(const S& t, const S& t_end, const tolerances<S>& tol, const Sizes& sizes, long long& rejected,
+         const Try& try_step, const Fail& fail) {
     using std::abs;
+    if (!within_reach_) [[unlikely]]
+      check_reach(tol, sizes(), fail);
     const S rest = abs(S(t_end - t)), least = least_step(t, rest);
     attempt<S> tried{S(0)};
     for (bool again = false;; again = true) {
@@ -77,6 +83,10 @@ class step_choice {
   }
 
  private:
+  template <class X, class Fail>
+  [[gnu::noinline]] void check_reach(const tolerances<S>& tol, const X& sizes, const Fail& fail) const {
+    if (const std::string why = tol.out_of_reach(sizes); !why.empty()) fail(why, false);
+  }
   /// The step after an accepted one of length h, whose error asks for a change by `factor`.
   S after(const S& h, const S& factor) const {
     const S next = h * (S(1) < factor && factor < keep_below_ ? S(1) : factor);
@@ -99,6 +109,7 @@ class step_choice {
   S keep_below_;
   S step_{0};  ///< length proposed for the next step
   long long tries_ = 0;
+  bool within_reach_ = true;  ///< the tolerances, for all states
 };
 
 }  // namespace kte::detail

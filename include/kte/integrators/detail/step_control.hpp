@@ -12,6 +12,8 @@ namespace detail {
 ///
 ///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute_i + relative_i max(|x0_i|, |x1_i|)      (1)
 ///
+/// without those that are and stay 0 where the absolute tolerance is 0.
+///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, II.4, (4.10), (4.11).
 template <class S, class E, class X>
 S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
@@ -20,7 +22,8 @@ S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
   S sum(0);
   for (Eigen::Index i = 0; i < e.size(); ++i) {
     const S a = abs(x0[i]), b = abs(x1[i]);
-    const S r = e.coeff(i) / (tol.absolute[i] + tol.relative[i] * (a < b ? b : a));
+    const S w = tol.absolute[i] + tol.relative[i] * (a < b ? b : a);
+    const S r = w == S(0) ? S(0) : S(e.coeff(i) / w);
     sum += r * r;
   }
   return sqrt(S(sum / S(static_cast<double>(e.size()))));
