@@ -1,5 +1,6 @@
 #include <kte/integrators/detail/backward_differences.hpp>
 #include <kte/integrators/detail/bdf_coefficients.hpp>
+#include <kte/integrators/detail/bdf_order.hpp>
 #include <kte/integrators/detail/newton_progress.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -107,6 +108,17 @@ TEST_CASE("Backward differences for another step are those of the same polynomia
       CHECK(x[0] == p(t + h * r));
     }
   }
+}
+
+TEST_CASE("BDF: the next order is that of the longest step") {
+  const auto next = [](int k, double lower, double same, double higher) {
+    return detail::choose_order<double>(k, 5, [&](int q) { return q < k ? lower : q == k ? same : higher; });
+  };
+  CHECK(next(3, 1e-6, 1e-1, 1e-1).order == 2);
+  CHECK(next(3, 1e-1, 1e-6, 1e-1).order == 3);
+  CHECK(next(3, 1e-1, 1e-1, 1e-8).order == 4);
+  CHECK(next(5, 1.0, 0.1, 0.0).order == 5);  // there is none above
+  CHECK(next(1, 0.0, 0.1, 1.0).order == 1);
 }
 
 TEST_CASE("Newton iterations end when little enough is left, or when that is hopeless") {

@@ -99,6 +99,7 @@ TEST_CASE("BDF: fast oscillations that decay slowly are followed or damped, not 
       };
       bdf solver(f, 0.0, Eigen::Vector2d(1, 1));
       solver.integrate(20);
+      if (w >= 1000 && damping == 0.0) CHECK(solver.order() <= 2);  // others are unstable on the imaginary axis
       UNSCOPED_INFO(w << ' ' << damping);
       CHECK(solver.state()[0] == within(std::cos(20.0), 1e-4));
       CHECK(solver.statistics().steps < 6000);  // 320 periods of w = 100 are seen

@@ -1,6 +1,7 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
+#include <kte/models/vector_form.hpp>
 #include <kte/static.hpp>
 
 #include "catch.hpp"
@@ -17,6 +18,8 @@ constexpr struct joint_ final : frame_2D_key<"joint">   {} joint;
 constexpr struct tip_   final : frame_2D_key<"tip">     {} tip;
 constexpr struct motor_ final : input_key<"motor">      {} motor;
 constexpr struct hairs_ final : internal_key<"bristles"> {} bristles;
+constexpr struct r_     final : coord_key<"r">          {} r;
+constexpr struct more_  final : internal_key<"more">    {} more;
 constexpr struct body_  final : pose_3D_key<"body">     {} body;
 constexpr struct world_ final : frame_3D_key<"world">   {} world;
 constexpr struct trunk_ final : frame_3D_key<"trunk">   {} trunk;
@@ -29,6 +32,9 @@ constexpr lugre_parameters friction{
     .sigma0 = 1e5, .sigma1 = 300, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 0.001};
 constexpr auto rubbing = chain(prismatic_joint_2D(q, base, tip, axis::x), inertia_2D(tip, point_mass(2.0)),
                                joint_lugre_gen(q, bristles, friction), driving_actuator_gen(q, motor));
+constexpr auto rubbing_twice =
+    chain(prismatic_joint_2D(q, base, joint, axis::x), prismatic_joint_2D(r, joint, tip, axis::y),
+          inertia_2D(tip, point_mass(2.0)), joint_lugre_gen(q, bristles, friction), joint_lugre_gen(r, more, friction));
 
 const auto free_body =
     chain(free_joint_3D(body, world, trunk), inertia_3D(trunk, rigid_body<>{1.0, {}, {1.0, 0.0, 0.0, 2.0, 0.0, 3.0}}));
@@ -81,6 +87,44 @@ TEST_CASE("A free body integrates on its group", "[long]") {
   CHECK(x.segment<4>(3).norm() == within_relative(1, 1e-15));
   CHECK(x[0] == within_relative(10, 1e-9));  // in the direction it was thrown
   CHECK(std::abs(x[1]) + std::abs(x[2]) < 1e-8);
+}
+
+TEST_CASE("Internal states follow velocities in the order of their elements, also in the vector form") {
+  const manipulator_dynamics_model model(rubbing_twice);
+  const auto x = model.make_x(Eigen::Vector2d(0.1, 0.2), Eigen::Vector2d(0.3, -0.4), Eigen::Vector2d(1e-6, -2e-6));
+  REQUIRE(x.size() == 6);
+  CHECK(x.tail<4>() == Eigen::Vector4d(0.3, -0.4, 1e-6, -2e-6));
+  CHECK(model.internals_of(x) == Eigen::Vector2d(1e-6, -2e-6));
+  const auto rates = model(0.0, x);
+  CHECK(rates[4] > 0);
+  CHECK(rates[5] < 0);
+  CHECK(vector_form(std::cref(model))(0.0, x) == rates);  // coordinates are numbers: the same
+}
+
+TEST_CASE("A failure of the integration says why the model could not be computed") {
+  const auto reason = [](const auto& model, const auto& x) {
+    try {
+      model.computeStateRate(0.0, x);
+    } catch (const kte::error& e) {
+      return std::string(e.what()).substr(5);  // "kte: "
+    }
+    return std::string("no reason");
+  };
+  const manipulator_dynamics_model free(free_body);
+  const decltype(free)::state flat = decltype(free)::state::Zero();  // a quaternion of length 0
+  dormand_prince45 turns(std::cref(free), 0.0, flat);
+  CHECK_THROWS_WITH(turns.integrate(1),
+                    contains_text("kte: integration stopped at t = 0: ") && contains_text(": " + reason(free, flat)));
+  const manipulator_dynamics_model light(chain(revolute_joint_2D(q, base, joint),
+                                               rigid_link_2D(joint, tip, along_x(0.5)),
+                                               inertia_2D(tip, point_mass(0.0)), driving_actuator_gen(q, motor))
+                                             .gravity(along_y(-9.81)));
+  const auto x = light.make_x(std::array{0.0}, std::array{1.0});
+  CHECK_THROWS_AS(light.computeStateRate(0.0, x), singular_mass_matrix);
+  runge_kutta4 solver(std::cref(light), 2.0, x, 0.1);
+  CHECK_THROWS_WITH(solver.integrate(3),
+                    contains_text("kte: integration stopped at t = 2: ") && contains_text("mass matrix is singular"));
+  CHECK(solver.state() == x);
 }
 
 TEST_CASE("A motion that blows up is a failure of the integration, with its time") {
