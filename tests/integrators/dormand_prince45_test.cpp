@@ -62,12 +62,12 @@ TEST_CASE("Dormand-Prince: the error follows the tolerance, at a modest price") 
     const auto bound = [&](double t, double steps) { return steps * tolerance * (10 + 10 * t / 2); };
     CHECK(error10 < bound(10, steps10));
     CHECK(error50 < bound(50, static_cast<double>(solver.statistics().steps)));
-    return solver.statistics().evaluations;
+    return static_cast<double>(solver.statistics().evaluations);
   };
-  const auto evaluations = solve(1e-6);
+  const double evaluations = solve(1e-6);
   CHECK(evaluations < 5000);
-  CHECK(solve(1e-9) == within_relative(static_cast<double>(evaluations) * std::pow(1e3, 0.2), 0.2));
-  CHECK(solve(1e-12) == within_relative(static_cast<double>(evaluations) * std::pow(1e6, 0.2), 0.2));
+  CHECK(solve(1e-9) == within_relative(evaluations * std::pow(1e3, 0.2), 0.2));
+  CHECK(solve(1e-12) == within_relative(evaluations * std::pow(1e6, 0.2), 0.2));
 }
 
 TEST_CASE("Dormand-Prince: a step costs six evaluations") {
