@@ -286,7 +286,7 @@ TEST_CASE("Where a function of an event is not a number, or settings make no sen
   auto other = in_long_steps();
   CHECK_THROWS_WITH(integrate(other, 4.0, events(to_nan)), contains_text("start state must be finite, got "));
   CHECK(other.time() == 3);  // the start of the step, before the event
-  CHECK(other.state()[0] == 3);
+  CHECK(other.state()[0] == within(3, 8 * eps));
 }
 
 TEST_CASE("Where a function of an event throws, only what has not been handled happens again") {

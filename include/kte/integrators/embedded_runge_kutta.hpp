@@ -113,6 +113,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
   void choose_first_step(const S& t_end) {
     const rate& f0 = slope_at_end();
+    this->check_finite_slope(f0);  // before the state is displaced, which it may not be fit for
     const auto slope_after = [&](const S& h) -> const rate& {
       this->displace(h * f0);
       this->slope(S(this->time_ + h), k_.front());

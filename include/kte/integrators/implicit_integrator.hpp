@@ -40,6 +40,7 @@ class implicit_integrator : public integrator<Method, F, X> {
 
   /// Chooses the first step towards t_end by an Euler step with `slope`; the slope after it is left in `trial`.
   void choose_first_step(detail::step_choice<S>& steps, const S& t_end, const rate& slope, rate& trial) {
+    this->check_finite_slope(slope);  // before the state is displaced, which it may not be fit for
     const auto slope_after = [&](const S& h) -> const rate& {
       this->displace(h * slope);
       this->slope(S(this->time_ + h), trial);
@@ -56,11 +57,6 @@ class implicit_integrator : public integrator<Method, F, X> {
     this->accept(steps.take(
         this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
         this->statistics_.rejected, try_step, this->failing()));
-  }
-  /// Throws where f is not a number at the present time and state.
-  void check_finite_slope(const rate& slope) const {
-    if (!((slope - slope).array() == S(0)).all()) [[unlikely]]
-      this->fail("the right-hand side is not a finite number" + this->reason());
   }
   /// J at the present time and state, where f is `slope`. Overwrites `next_`.
   void differentiate(const rate& slope) {

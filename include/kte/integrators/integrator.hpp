@@ -147,6 +147,11 @@ class integrator : public moving_state<F, X> {
     detail::raise<integration_failure>("kte: integration stopped at t = " + detail::number(static_cast<double>(time_)) +
                                        ": " + why);
   }
+  /// Throws where f is not a number at the present time and state.
+  void check_finite_slope(const rate& slope) const {
+    if (!((slope - slope).array() == S(0)).all()) [[unlikely]]
+      fail("the right-hand side is not a finite number" + this->reason());
+  }
   /// For those who choose steps: `fail`, and of numbers that are not finite also the reason.
   auto failing() const {
     return [this](const std::string& why, bool not_finite) { fail(not_finite ? why + this->reason() : why); };
