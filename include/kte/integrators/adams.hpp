@@ -67,7 +67,7 @@ class adams : public integrator<adams<F, X>, F, X> {
     forward_ = forward;
     const auto slope_after = [&](const S& h) -> const X& {
       this->displace(h * slope_);
-      this->evaluate(S(this->time_ + h), this->next_, change_);
+      this->evaluate_if_possible(S(this->time_ + h), this->next_, change_);
       return change_;
     };
     steps_.choose_first(this->time_, t_end, tolerances_, slope_, this->x_, slope_after, this->failing());
@@ -81,7 +81,8 @@ class adams : public integrator<adams<F, X>, F, X> {
     failures_ = 0;
     this->accept(steps_.take(
         this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
-        this->statistics_.rejected, [&](const S& end) { return try_step(end); }, this->failing()));
+        this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
+        this->failing()));
   }
   detail::attempt<S> try_step(const S& end) {
     using std::abs;

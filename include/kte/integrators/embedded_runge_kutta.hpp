@@ -58,7 +58,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     this->previous_time_ = this->time_;  // the stages of the last step are gone
     this->accept(steps_.take(
         this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
-        this->statistics_.rejected, [&](const S& end) { return try_step(end); }, this->failing()));
+        this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
+        this->failing()));
   }
 
   /// The last slope is the first one.
@@ -101,7 +102,9 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     const S rt = (S(1) - theta) * theta, weight = rt * rt * h;
     if constexpr (extension::stages != 0) {
       const auto slope = [&](const S& t, const auto& at, rate& k) { this->slope_within(t, at, k); };
-      if (!extension_.make(this->previous_time_, h, k_, slope)) [[unlikely]]
+      bool made = false;
+      if (!this->computes([&] { made = extension_.make(this->previous_time_, h, k_, slope); }, this->next_) || !made)
+          [[unlikely]]
         this->fail("the right-hand side is not a finite number between the ends of the last step" + this->reason());
       this->displaced(cubic + extension_.polynomial(theta, weight), x);
     } else if constexpr (requires { Tableau::dense; }) {
@@ -116,7 +119,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     this->check_finite_slope(f0);  // before the state is displaced, which it may not be fit for
     const auto slope_after = [&](const S& h) -> const rate& {
       this->displace(h * f0);
-      this->slope(S(this->time_ + h), k_.front());
+      this->evaluate_if_possible(S(this->time_ + h), this->next_, k_.front());
+      this->pull_back(k_.front());
       return k_.front();
     };
     steps_.choose_first(this->time_, t_end, tolerances_, f0, this->magnitudes(this->x_), slope_after, this->failing());

@@ -55,8 +55,8 @@ class fixed_step : public integrator<Method, F, X> {
   void advance(const S&) {
     this->previous_time_ = this->time_;  // what was kept of the last step goes
     const S end = grid_[++index_];
-    static_cast<Method&>(*this).try_step(end);
-    if (!this->next_is_finite()) [[unlikely]]
+    const bool computed = this->computes([&] { static_cast<Method&>(*this).try_step(end); }, this->next_);
+    if (!computed || !this->next_is_finite()) [[unlikely]]
       this->fail("the next state is not a finite number" + this->reason());
     this->accept(end);
   }

@@ -43,7 +43,8 @@ class implicit_integrator : public integrator<Method, F, X> {
     this->check_finite_slope(slope);  // before the state is displaced, which it may not be fit for
     const auto slope_after = [&](const S& h) -> const rate& {
       this->displace(h * slope);
-      this->slope(S(this->time_ + h), trial);
+      this->evaluate_if_possible(S(this->time_ + h), this->next_, trial);
+      this->pull_back(trial);
       return trial;
     };
     steps.choose_first(this->time_, t_end, tolerances_, slope, this->magnitudes(this->x_), slope_after,
@@ -56,13 +57,14 @@ class implicit_integrator : public integrator<Method, F, X> {
     this->previous_time_ = this->time_;  // the stages of the last step are gone
     this->accept(steps.take(
         this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
-        this->statistics_.rejected, try_step, this->failing()));
+        this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
+        this->failing()));
   }
   /// J at the present time and state, where f is `slope`. Overwrites `next_`.
   void differentiate(const rate& slope) {
     ++this->statistics_.jacobians;
     if constexpr (requires { this->system().jacobian(this->time_, this->x_, jacobian_); }) {
-      compute([&] { this->system().jacobian(this->time_, this->x_, jacobian_); });
+      this->system().jacobian(this->time_, this->x_, jacobian_);
     } else {
       using std::abs;
       using std::sqrt;
@@ -84,11 +86,11 @@ class implicit_integrator : public integrator<Method, F, X> {
   /// small part of the step h. Overwrites `next_`.
   void differentiate_in_time(const rate& slope, const S& h, rate& out) {
     if constexpr (requires { this->system().time_derivative(this->time_, this->x_, out); }) {
-      compute([&] { this->system().time_derivative(this->time_, this->x_, out); });
+      this->system().time_derivative(this->time_, this->x_, out);
     } else {
       using std::abs;
       const S moved = this->time_ + root_of_epsilon() * (h + (h < S(0) ? -abs(this->time_) : abs(this->time_)));
-      this->evaluate(moved, this->x_, shifted_);
+      this->evaluate_if_possible(moved, this->x_, shifted_);
       out = (shifted_ - slope) / S(moved - this->time_);
     }
   }
@@ -120,14 +122,9 @@ class implicit_integrator : public integrator<Method, F, X> {
     using std::sqrt;
     return sqrt(std::numeric_limits<S>::epsilon());
   }
-  template <class Body>
-  void compute(const Body& body) const {
-    if (!this->computes(body, this->x_)) [[unlikely]]
-      this->fail("the Jacobian cannot be computed" + this->reason());
-  }
   void check_finite(const matrix& m) const {
     if (!((m - m).array() == S(0)).all()) [[unlikely]]
-      this->fail("the Jacobian has a number that is not finite" + this->reason());
+      this->fail("the Jacobian has a number that is not finite");
   }
 
   matrix matrix_;

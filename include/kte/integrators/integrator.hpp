@@ -77,15 +77,13 @@ class integrator : public moving_state<F, X> {
     detail::check_finite(t_end, "end time");
     is_new_ = is_new_ || in_step_;
     in_step_ = false;
-    this->forget_reason();
-    if (t_end != time_) method().start(t_end);
+    if (t_end != time_) no_number_is_failure([&] { method().start(t_end); });
   }
   void step(const S& t_end) {
     if (in_step_) [[unlikely]]
       begin(t_end);  // anew: the last step has failed
     in_step_ = true;
-    this->forget_reason();
-    method().advance(t_end);
+    no_number_is_failure([&] { method().advance(t_end); });
     in_step_ = is_new_ = false;
   }
 
@@ -150,7 +148,14 @@ class integrator : public moving_state<F, X> {
   /// Throws where f is not a number at the present time and state.
   void check_finite_slope(const rate& slope) const {
     if (!((slope - slope).array() == S(0)).all()) [[unlikely]]
-      fail("the right-hand side is not a finite number" + this->reason());
+      fail("the right-hand side is not a finite number");
+  }
+  /// Tries a step: try_step() gives a `detail::attempt`, here one without a new state where f cannot be computed.
+  template <class Try>
+  auto attempted(const Try& try_step) const {
+    decltype(try_step()) tried{std::numeric_limits<S>::quiet_NaN()};
+    this->computes([&] { tried = try_step(); }, this->next_);
+    return tried;
   }
   /// For those who choose steps: `fail`, and of numbers that are not finite also the reason.
   auto failing() const {
@@ -166,6 +171,14 @@ class integrator : public moving_state<F, X> {
 
  private:
   Method& method() { return static_cast<Method&>(*this); }
+
+  /// Where body() cannot be computed, the integration fails, with the reason.
+  template <class Body>
+  void no_number_is_failure(const Body& body) {
+    this->forget_reason();
+    if (!this->computes(body, x_)) [[unlikely]]
+      fail("f cannot be computed" + this->reason());
+  }
 
   bool in_last_step(const S& t) const {
     return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;

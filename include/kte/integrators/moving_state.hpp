@@ -67,11 +67,10 @@ class moving_state {
   /// All zero.
   rate no_rate() const { return rate::Zero(rates()); }
 
-  /// x_dot = f(t, x); no number where f cannot be computed.
+  /// x_dot = f(t, x). What f throws comes through.
   void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
-    if (!computes([&] { x_dot = f_(t, x); }, x)) [[unlikely]]
-      x_dot = rate::Constant(rates(), std::numeric_limits<S>::quiet_NaN());
+    x_dot = f_(t, x);
     if (x_dot.size() != rates()) [[unlikely]]
       detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
                                   " numbers for a state of " + std::to_string(x.size()));
@@ -90,6 +89,11 @@ class moving_state {
   void slope(const S& t, rate& k) {
     evaluate(t, next_, k);
     pull_back(k);
+  }
+  /// `evaluate` for trials: no number where f cannot be computed.
+  void evaluate_if_possible(const S& t, const X& x, rate& x_dot) const {
+    if (!computes([&] { evaluate(t, x, x_dot); }, x))
+      x_dot = rate::Constant(rates(), std::numeric_limits<S>::quiet_NaN());
   }
   /// The rate of the state at `next_` becomes that of the displacement.
   void pull_back(rate& k) const {
@@ -134,10 +138,10 @@ class moving_state {
   /// Whether `next_` has finite numbers only.
   bool next_is_finite() const { return ((next_ - next_).array() == S(0)).all(); }
 
-  /// Calls body(), which depends on the state x. False where it throws that it cannot be computed there, which a
-  /// shorter step may cure: `bad_argument` or `singular_mass_matrix`, whose text is kept as the reason.
+  /// Calls body(), which evaluates f. False where that throws that it cannot be computed, which a shorter step may
+  /// cure: `bad_argument` or `singular_mass_matrix`, whose text is kept as the reason if the state x is finite.
   template <class Body>
-  bool computes(const Body& body, const X& x) const {
+  bool computes(const Body& body, [[maybe_unused]] const X& x) const {
 #if defined(__cpp_exceptions)
     try {
       body();
@@ -162,14 +166,13 @@ class moving_state {
   mutable step_statistics statistics_;
 
  private:
-  /// For a state that is no number itself, the reason is that of the state.
   [[gnu::cold, gnu::noinline]] void keep_reason(const error& e, const X& x) const {
     const std::string_view text = e.what(), name = "kte: ";
     if (((x - x).array() == S(0)).all()) reason_ = text.substr(text.starts_with(name) ? name.size() : 0);
   }
 
   mutable std::remove_const_t<F> f_;
-  mutable std::string reason_;                 ///< of the last state in this step at which f could not be computed
+  mutable std::string reason_;                 ///< why f could not be computed in this step
   [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
   [[no_unique_address]] mutable if_on_group<rate> within_;
   [[no_unique_address]] mutable if_on_group<std::array<rate, 2>> sizes_;

@@ -59,18 +59,10 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
 
   void prepare() {
     v_ = this->x_.template tail<n>();
-    compute([&] { p_ = generalized_momenta(chain(), this->x_.data(), v_); });
+    p_ = generalized_momenta(chain(), this->x_.data(), v_);
     lost_q_.setZero(), lost_p_.setZero();
   }
   void try_step(const S& end) {
-    compute([&] { advance_to(end); });
-  }
-  template <class Body>
-  void compute(const Body& body) {
-    if (!this->computes(body, this->x_)) [[unlikely]]
-      this->fail("the next state cannot be computed" + this->reason());
-  }
-  void advance_to(const S& end) {
     const S h = end - this->time_;
     this->next_ = this->x_;
     if constexpr (Order == 2) {
@@ -115,7 +107,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
     });
     if (!converged) [[unlikely]]
       this->fail("the iteration of a step of " + detail::number(static_cast<double>(h)) +
-                 " does not converge: it is too long" + this->reason());
+                 " does not converge: it is too long");
     for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
     d += lost_q_, change += lost_p_;
     displace(start, d, this->next_);

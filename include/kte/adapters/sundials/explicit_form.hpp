@@ -32,7 +32,7 @@ class explicit_form : public integrator<Method, F, X> {
     explicit_form& me = *static_cast<Method*>(self);
     return me.relay_.guard([&] {
       me.argument_ = detail::numbers<X>(y);
-      me.evaluate(t, me.argument_, me.slope_);
+      if (!me.computes([&] { me.evaluate(t, me.argument_, me.slope_); }, me.argument_)) return me.refused();
       detail::numbers<X>(y_dot) = me.slope_;
       return me.judged(me.slope_);
     });

@@ -84,6 +84,9 @@ class integrator : public kte::integrator<Method, F, X> {
   template <class M>
   int judged(const M& result) {
     if (((result - result).array() == S(0)).all()) return 0;
+    return refused();
+  }
+  int refused() {
     finite_ = false;
     return 1;
   }
