@@ -123,6 +123,7 @@ TEST_CASE("Dynamic states, and sizes that do not fit") {
   const auto g = [](double, const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::VectorXd::Zero(3); };
   euler wrong(g, 0.0, Eigen::VectorXd::Ones(5), 0.1);
   CHECK_THROWS_WITH(wrong.integrate(1), contains_text("gave 3 numbers for a state of 5"));
+  CHECK_THROWS_AS(wrong.integrate(1), bad_argument);  // a mistake, of which no shorter step can be tried
   CHECK_THROWS_WITH(euler(f, 0.0, Eigen::VectorXd(), 0.1), contains_text("empty"));
 }
 

@@ -64,7 +64,7 @@ class implicit_integrator : public integrator<Method, F, X> {
   void differentiate(const rate& slope) {
     ++this->statistics_.jacobians;
     if constexpr (requires { this->system().jacobian(this->time_, this->x_, jacobian_); }) {
-      this->system().jacobian(this->time_, this->x_, jacobian_);
+      this->ask([&] { this->system().jacobian(this->time_, this->x_, jacobian_); });
     } else {
       using std::abs;
       using std::sqrt;
@@ -86,7 +86,7 @@ class implicit_integrator : public integrator<Method, F, X> {
   /// small part of the step h. Overwrites `next_`.
   void differentiate_in_time(const rate& slope, const S& h, rate& out) {
     if constexpr (requires { this->system().time_derivative(this->time_, this->x_, out); }) {
-      this->system().time_derivative(this->time_, this->x_, out);
+      this->ask([&] { this->system().time_derivative(this->time_, this->x_, out); });
     } else {
       using std::abs;
       const S moved = this->time_ + root_of_epsilon() * (h + (h < S(0) ? -abs(this->time_) : abs(this->time_)));

@@ -70,7 +70,7 @@ class moving_state {
   /// x_dot = f(t, x). What f throws comes through.
   void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
-    x_dot = f_(t, x);
+    ask([&] { x_dot = f_(t, x); });
     if (x_dot.size() != rates()) [[unlikely]]
       detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
                                   " numbers for a state of " + std::to_string(x.size()));
@@ -138,17 +138,27 @@ class moving_state {
   /// Whether `next_` has finite numbers only.
   bool next_is_finite() const { return ((next_ - next_).array() == S(0)).all(); }
 
-  /// Calls body(), which evaluates f. False where that throws that it cannot be computed, which a shorter step may
-  /// cure: `bad_argument` or `singular_mass_matrix`, whose text is kept as the reason if the state x is finite.
+  /// Calls body(), which is the user's: so that what it throws can be told from what kte throws itself.
+  template <class Body>
+  void ask(const Body& body) const {
+    is_asking_ = true;
+    body();
+    is_asking_ = false;
+  }
+  /// Calls body(), which evaluates f. False where f throws that it cannot be computed, which a shorter step may cure:
+  /// `bad_argument` or `singular_mass_matrix`, whose text is kept as the reason if the state x is finite.
   template <class Body>
   bool computes(const Body& body, [[maybe_unused]] const X& x) const {
 #if defined(__cpp_exceptions)
+    is_asking_ = false;
     try {
       body();
       return true;
     } catch (const bad_argument& e) {
+      if (!is_asking_) throw;
       keep_reason(e, x);
     } catch (const singular_mass_matrix& e) {
+      if (!is_asking_) throw;
       keep_reason(e, x);
     }
     return false;
@@ -172,6 +182,7 @@ class moving_state {
   }
 
   mutable std::remove_const_t<F> f_;
+  mutable bool is_asking_ = false;
   mutable std::string reason_;                 ///< why f could not be computed in this step
   [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
   [[no_unique_address]] mutable if_on_group<rate> within_;

@@ -59,10 +59,13 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
 
   void prepare() {
     v_ = this->x_.template tail<n>();
-    p_ = generalized_momenta(chain(), this->x_.data(), v_);
+    this->ask([&] { p_ = generalized_momenta(chain(), this->x_.data(), v_); });
     lost_q_.setZero(), lost_p_.setZero();
   }
   void try_step(const S& end) {
+    this->ask([&] { advance_to(end); });
+  }
+  void advance_to(const S& end) {
     const S h = end - this->time_;
     this->next_ = this->x_;
     if constexpr (Order == 2) {
