@@ -167,7 +167,7 @@ TEST_CASE("SUNDIALS: Jacobians that throw or are not numbers") {
 TEST_CASE("SUNDIALS: bad settings are rejected with their value") {
   const auto f = [](double, const scalar_state& x) { return scalar_state(-x[0]); };
   const scalar_state one(1.0);
-  for (double bad : {0.0, -1e-6, nan, inf}) {
+  for (double bad : {-1e-6, nan, inf}) {
     CHECK_THROWS_AS(kte::sundials::bdf(f, 0.0, one, {.absolute = bad}), bad_argument);
     CHECK_THROWS_AS(kte::sundials::explicit_runge_kutta(f, 0.0, one, {.relative = bad}), bad_argument);
   }

@@ -177,6 +177,7 @@ class moving_state {
 
  private:
   [[gnu::cold, gnu::noinline]] void keep_reason(const error& e, const X& x) const {
+    is_asking_ = false;
     const std::string_view text = e.what(), name = "kte: ";
     if (((x - x).array() == S(0)).all()) reason_ = text.substr(text.starts_with(name) ? name.size() : 0);
   }
