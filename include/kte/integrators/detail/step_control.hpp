@@ -8,6 +8,21 @@ namespace kte {
 
 namespace detail {
 
+/// `error_norm` where it is not finite: once more, without components whose w_i is 0.
+template <class S, class E, class X>
+[[gnu::cold, gnu::noinline]] S error_norm_without_zeros(const tolerances<S>& tol, const E& e, const X& x0,
+                                                        const X& x1) {
+  using std::abs;
+  using std::sqrt;
+  S sum(0);
+  for (Eigen::Index i = 0; i < e.size(); ++i) {
+    const S a = abs(x0[i]), b = abs(x1[i]), w = tol.absolute[i] + tol.relative[i] * (a < b ? b : a);
+    const S r = w == S(0) ? S(0) : S(e.coeff(i) / w);
+    sum += r * r;
+  }
+  return sqrt(S(sum / S(static_cast<double>(e.size()))));
+}
+
 /// The size of an error e of a step from x0 to x1: at most 1 where it is within the tolerances.
 ///
 ///   |e| = sqrt(1/n sum_i (e_i / w_i)^2),   w_i = absolute_i + relative_i max(|x0_i|, |x1_i|)      (1)
@@ -22,10 +37,11 @@ S error_norm(const tolerances<S>& tol, const E& e, const X& x0, const X& x1) {
   S sum(0);
   for (Eigen::Index i = 0; i < e.size(); ++i) {
     const S a = abs(x0[i]), b = abs(x1[i]);
-    const S w = tol.absolute[i] + tol.relative[i] * (a < b ? b : a);
-    const S r = w == S(0) ? S(0) : S(e.coeff(i) / w);
+    const S r = e.coeff(i) / (tol.absolute[i] + tol.relative[i] * (a < b ? b : a));
     sum += r * r;
   }
+  if (!is_finite(sum)) [[unlikely]]
+    return error_norm_without_zeros(tol, e, x0, x1);
   return sqrt(S(sum / S(static_cast<double>(e.size()))));
 }
 
