@@ -70,7 +70,7 @@ class moving_state {
   /// x_dot = f(t, x). What f throws comes through.
   void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
-    ask([&] { x_dot = f_(t, x); });
+    if constexpr (is_called) ask([&] { x_dot = f_(t, x); });
     if (x_dot.size() != rates()) [[unlikely]]
       detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
                                   " numbers for a state of " + std::to_string(x.size()));

@@ -43,7 +43,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return rate_;
   }
   /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
-  const rate& operator()(double t, const state& x) { return computeStateRate(t, x); }
+  const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
   using base::input;
   /// The value of an input; throws `unknown_name`.
