@@ -240,11 +240,12 @@ TEST_CASE("Zero at the very end is an event, once") {
 TEST_CASE("A terminal event ends the integration there, and does not come again") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(0, 1), {.absolute = 1e-12, .relative = 1e-12});
   const auto unused = event([](double t, const auto&) { return t - 100; });
-  const auto list = events(unused, event(position).terminal());
+  const auto list = events(unused, event(position).named("middle").terminal());
   for (int k = 1; k <= 5; ++k) {
     const auto report = integrate(solver, 50.0, list);
     CHECK(report.reason == stop_reason::terminal);
     CHECK(report.stopped_by == 1);
+    CHECK(report.stopped_by_name == "middle");
     REQUIRE(report.events.size() == 1);
     CHECK(solver.time() == report.events[0].time);
     CHECK(solver.state() == report.events[0].after);

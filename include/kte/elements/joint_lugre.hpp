@@ -26,7 +26,8 @@ namespace core {
 ///
 /// At constant rate f -> -(g(v) sign(v) + sigma2 v); below stiction it is a spring of stiffness sigma0, so that a
 /// resting load creeps back, not on. |z| stays within Fs / sigma0. The system is stiff: its fastest rates are about
-/// sigma0 |v| / g and (sigma1 + sigma2) / mass.
+/// sigma0 |v| / g and (sigma1 + sigma2) / mass. Where it turns round f is continuous, with a kink; no `switching`, as a
+/// joint that sticks turns round ever again.
 ///
 /// Canudas de Wit, Olsson, Astrom and Lischinsky, A new model for control of systems with friction, IEEE Trans.
 /// Automatic Control 40 (1995), (1) to (4).
@@ -44,11 +45,6 @@ struct joint_lugre_gen {
   template <class C, class Z>
   KTE_INLINE constexpr auto doForce(const C& c, const Z& z) const {
     return make_loads(-(p.sigma0 * z + p.sigma1 * rate(c.q_dot, z) + p.sigma2 * c.q_dot));  // (3)
-  }
-  /// Zero where it turns round: |v| has a kink there.
-  template <class C, class Z>
-  KTE_INLINE constexpr auto switching(const C& c, const Z&) const {
-    return c.q_dot;
   }
   constexpr void check(const parameter_check& where) const {
     positive(where, p.sigma0, "sigma0 must be finite and positive");

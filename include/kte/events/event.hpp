@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -31,22 +32,30 @@ struct event {
   bool is_one_sided = false;
   [[no_unique_address]] Reset on_reset = {};
   [[no_unique_address]] Rest on_rest = {};
+  std::string_view name = {};
 
   static constexpr bool has_reset = !std::is_same_v<Reset, detail::no_handler>;
   static constexpr bool has_rest = !std::is_same_v<Rest, detail::no_handler>;
 
   constexpr explicit event(G g, crossing way = crossing::both) : function(std::move(g)), direction(way) {}
-  constexpr event(G g, crossing way, bool terminal, bool one_sided, Reset reset, Rest rest)
+  constexpr event(G g, crossing way, bool terminal, bool one_sided, Reset reset, Rest rest, std::string_view called)
       : function(std::move(g)),
         direction(way),
         is_terminal(terminal),
         is_one_sided(one_sided),
         on_reset(std::move(reset)),
-        on_rest(std::move(rest)) {}
+        on_rest(std::move(rest)),
+        name(called) {}
 
   /// Whether the step ends at it.
   constexpr bool acts() const { return has_reset || is_terminal; }
 
+  /// A name, for reports and errors: a text that lives as long as the event, such as a literal.
+  constexpr event named(std::string_view text) const {
+    event e = *this;
+    e.name = text;
+    return e;
+  }
   /// Integration ends at the event: there `time()` and `state()` of the solver are those of the event.
   constexpr event terminal() const {
     event e = *this;
@@ -57,7 +66,7 @@ struct event {
   /// then integration starts anew.
   template <class H>
   constexpr event<G, H, Rest> reset(H handler) const {
-    return {function, direction, is_terminal, is_one_sided, std::move(handler), on_rest};
+    return {function, direction, is_terminal, is_one_sided, std::move(handler), on_rest, name};
   }
   /// Ends the step at the event and starts anew from the same state: for a right-hand side with a kink there.
   constexpr event<G, detail::change_nothing, Rest> restart() const { return reset(detail::change_nothing{}); }
@@ -73,7 +82,7 @@ struct event {
   /// lets a ball lie on the floor.
   template <class H>
   constexpr event<G, Reset, H> rest(H handler) const {
-    return {function, direction, is_terminal, true, on_reset, std::move(handler)};
+    return {function, direction, is_terminal, true, on_reset, std::move(handler), name};
   }
 };
 

@@ -3,6 +3,7 @@
 #include <kte/events/event.hpp>
 
 #include <cstddef>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct event_occurrence {
   typename X::Scalar time;  ///< the first at which g is found beyond zero
   X before, after;          ///< the same unless the event has a reset
   bool rest = false;        ///< `rest` was called, not `reset`
+  std::string name = {};    ///< as `named` gave it; of events of elements, the element's
 };
 
 enum class stop_reason {
@@ -38,6 +40,14 @@ struct event_report {
   long long count = 0;
   stop_reason reason = stop_reason::end_time;
   std::size_t stopped_by = 0;  ///< which event, unless the reason is the end time
+  std::string stopped_by_name = {};
+
+  /// The first of this name that happened, or null; among those kept.
+  const event_occurrence<X>* find(std::string_view name) const {
+    for (const auto& e : events)
+      if (e.name == name) return &e;
+    return nullptr;
+  }
 };
 
 /// What `events` makes.
@@ -55,10 +65,27 @@ struct event_list {
   }
 };
 
-/// Events to watch; what comes at the same time is handled in this order.
-template <class... G, class... Reset, class... Rest>
-event_list<detail::no_handler, event<G, Reset, Rest>...> events(event<G, Reset, Rest>... e) {
-  static_assert(((!event<G, Reset, Rest>::has_rest || event<G, Reset, Rest>::has_reset) && ...),
+namespace detail {
+/// An event, or as many of one type as there are at run time.
+template <class E>
+struct kind_of_event;
+template <class G, class Reset, class Rest>
+struct kind_of_event<event<G, Reset, Rest>> {
+  static constexpr bool can_rest = !event<G, Reset, Rest>::has_rest || event<G, Reset, Rest>::has_reset;
+  static constexpr bool is_one = true;
+};
+template <class E>
+struct kind_of_event<std::vector<E>> {
+  static constexpr bool can_rest = kind_of_event<E>::can_rest;
+  static constexpr bool is_one = false;
+};
+}  // namespace detail
+
+/// Events to watch, each an `event` or a vector of such; what comes at the same time is handled in this order, and
+/// numbered so.
+template <class... E>
+requires(requires { detail::kind_of_event<E>::is_one; } && ...) event_list<detail::no_handler, E...> events(E... e) {
+  static_assert((detail::kind_of_event<E>::can_rest && ...),
                 "kte: `rest` ends a row of resets: give the event a `reset` too");
   return {{std::move(e)...}, {}, {}};
 }

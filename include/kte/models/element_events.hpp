@@ -9,9 +9,19 @@
 namespace kte {
 
 namespace detail {
+/// An element of a static chain in messages.
+template <class Element>
+struct described;
+template <class Core, class... Keys>
+struct described<element<Core, Keys...>> {
+  static std::string name() {
+    return describe_element(Core::type, Core::ports, std::array<std::string_view, sizeof...(Keys)>{Keys::name...});
+  }
+};
+
 /// `switching` of element I at the state x of a model.
-template <class Model, std::size_t I>
-struct element_switching {
+template <class Model, std::size_t I, class Element>
+struct element_switching : described<Element> {
   const Model* model;
 
   template <class T, class X>
@@ -39,30 +49,32 @@ struct element_switching {
           inputs{}))>;
 };
 
-template <class Model, std::size_t... I>
+template <class Function, class Model>
+auto event_where(const Model& m) {
+  if constexpr (Function::changes) {
+    return std::make_tuple(event(Function{{}, &m}).restart());
+  } else {
+    return std::tuple<>{};
+  }
+}
+template <class... E, class Model, std::size_t... I>
 auto element_events_of(const Model& m, std::index_sequence<I...>) {
-  const auto one = [&m]<std::size_t E>() {
-    if constexpr (element_switching<Model, E>::changes) {
-      return std::make_tuple(event(element_switching<Model, E>{&m}).restart());
-    } else {
-      return std::tuple<>{};
-    }
-  };
-  return std::apply([](const auto&... e) { return events(e...); }, std::tuple_cat(one.template operator()<I>()...));
+  return std::apply([](const auto&... e) { return events(e...); },
+                    std::tuple_cat(event_where<element_switching<Model, I, E>>(m)...));
 }
 }  // namespace detail
 
-/// Events where the laws of the elements of a model change: friction that turns round, a spring that saturates. Each
-/// is located to the tolerance, ends the step there and starts anew, by the law that holds from then on:
+/// Events where the laws of the elements of a model change: a spring that saturates, teeth that touch. Each is located
+/// to the tolerance, ends the step there and starts anew, by the law that holds from then on:
 ///
 ///   kte::integrate(solver, 10.0, kte::element_events(model));
 ///   kte::integrate(solver, 10.0, kte::joined(kte::events(ground), kte::element_events(model)));
 ///
-/// In the order of the elements. The model must outlive them. An element says where by a function `switching` of its
-/// core, of what its ports are connected to, that goes through zero there.
+/// In the order of the elements, with their names. The model must outlive them. An element says where by a function
+/// `switching` of its core, of what its ports are connected to, that goes through zero there.
 template <class Gravity, class... E, class S, class Output>
 auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
-  return detail::element_events_of(model, std::index_sequence_for<E...>{});
+  return detail::element_events_of<E...>(model, std::index_sequence_for<E...>{});
 }
 
 }  // namespace kte

@@ -75,14 +75,12 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     if (output_) return output_(state_at(t, x));
     return x.head(nq() + dofs());
   }
-  /// What goes through zero where the law of an element changes, of number `which` of those whose law does; 1 beyond
-  /// the last. For events: `element_events(model)`.
+  /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
+  /// events: `element_events(model)`.
   double switching(const state& x, std::size_t which) const {
     setJointStates(x, s_);
     doMotion(s_);
-    for (const auto& e : wiring().elements)
-      if (e.element->switches() && which-- == 0) return e.element->switching(s_);
-    return 1;
+    return wiring().elements.at(which).element->switching(s_);
   }
 
   /// The same system with another output, of a state of the chain.
@@ -115,19 +113,31 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
 };
 manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
 
-/// As of a static chain (models/element_events.hpp), an event for each of at most `Most` elements whose law changes.
-/// Throws `bad_argument` where there are more.
-template <std::size_t Most = 16>
-auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
-  std::size_t count = 0;
-  for (const auto& e : model.wiring().elements) count += e.element->switches();
-  if (count > Most)
-    throw bad_argument("kte: " + std::to_string(count) + " elements have laws that change; element_events<" +
-                       std::to_string(Most) + "> has room for fewer");
-  return [&model]<std::size_t... I>(std::index_sequence<I...>) {
-    return events(event([&model](double, const Eigen::VectorXd& x) { return model.switching(x, I); }).restart()...);
+namespace detail {
+/// `switching` of one element of a runtime chain.
+struct runtime_switching {
+  const manipulator_dynamics_model<kte_map_chain>* model;
+  std::size_t element;
+
+  double operator()(double, const Eigen::VectorXd& x) const { return model->switching(x, element); }
+  std::string name() const {
+    const kte_element& e = *model->wiring().elements[element].element;
+    const element_record r = e.record();
+    std::vector<std::string_view> names;
+    for (const auto& c : r.connections) names.emplace_back(c.name);
+    return describe_element(r.type, e.ports(), names);
   }
-  (std::make_index_sequence<Most>{});
+};
+}  // namespace detail
+
+/// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
+inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
+  using one = decltype(event(detail::runtime_switching{}).restart());
+  std::vector<one> all;
+  const auto& elements = model.wiring().elements;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (elements[i].element->switches()) all.push_back(event(detail::runtime_switching{&model, i}).restart());
+  return events(std::move(all));
 }
 
 }  // namespace kte

@@ -87,7 +87,7 @@ class event_loop {
       if (acts) return act(back);
       watch_.for_each([&](auto& e, status& s, std::size_t k) {
         if (!s.happens) return;
-        record_.before(k, watch_.next(), x_);
+        record_.before(k, watch::name_of(e), watch_.next(), x_);
         record_.after(x_, false);
         watch_.pass(e, s, k);
       });
@@ -119,13 +119,13 @@ class event_loop {
     bool reset = false;
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
       if (!s.happens) return;
-      record_.before(k, t, x_);
+      record_.before(k, watch::name_of(e), t, x_);
       if constexpr (std::remove_cvref_t<decltype(e)>::has_reset) {
         reset = true;
         call_reset(e, s, k, t);
       }
       record_.after(x_, s.rested);
-      if (e.is_terminal) record_.stop(stop_reason::terminal, k);
+      if (e.is_terminal) record_.stop(stop_reason::terminal, k, watch::name_of(e));
     });
     restart(t);
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
@@ -142,7 +142,7 @@ class event_loop {
   void call_reset(E& e, status& s, std::size_t k, const S& t) {
     const S least = S(events_.settings.shortest), resolved = S(1e4) * watch_.resolution(t);
     const bool again = s.has_reset && watch::distance(t, s.last_reset) < (least < resolved ? resolved : least);
-    if (again && (s.rested || !E::has_rest)) record_.stop(stop_reason::zeno, k);
+    if (again && (s.rested || !E::has_rest)) record_.stop(stop_reason::zeno, k, watch::name_of(e));
     s.rested = again && E::has_rest && !record_.stopped();
     s.has_reset = true;
     s.last_reset = t;
@@ -185,7 +185,7 @@ class event_loop {
   template <class E>
   void come_to_rest(E& e, status& s, std::size_t k) {
     if constexpr (E::has_rest) {
-      record_.before(k, begin_, x_);
+      record_.before(k, watch::name_of(e), begin_, x_);
       e.on_rest(begin_, x_);
       s.rested = true;
       s.from = 0;
@@ -193,7 +193,7 @@ class event_loop {
       record_.after(x_, true);
       s.next_noise = s.noise;
     } else {
-      record_.stop(stop_reason::zeno, k);
+      record_.stop(stop_reason::zeno, k, watch::name_of(e));
     }
   }
 

@@ -12,11 +12,12 @@ class event_record {
  public:
   using S = typename X::Scalar;
 
-  event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x} {}
+  event_record(List& events, const X& x) : events_(events), latest_{0, S(0), x, x, false, {}} {}
 
   /// An event happens: at first with the state before it,
-  void before(std::size_t k, const S& t, const X& x) {
+  void before(std::size_t k, std::string_view name, const S& t, const X& x) {
     latest_.event = k;
+    latest_.name = name;
     latest_.time = t;
     latest_.before = x;
   }
@@ -29,15 +30,16 @@ class event_record {
     } else {
       events_.sink(std::as_const(latest_));
     }
-    if (++report_.count > events_.settings.most) stop(stop_reason::zeno, latest_.event);
+    if (++report_.count > events_.settings.most) stop(stop_reason::zeno, latest_.event, latest_.name);
   }
 
   /// The first reason counts.
-  void stop(stop_reason why, std::size_t k) {
+  void stop(stop_reason why, std::size_t k, std::string_view name) {
     if (stopped_) return;
     stopped_ = true;
     report_.reason = why;
     report_.stopped_by = k;
+    report_.stopped_by_name = name;
   }
   bool stopped() const { return stopped_; }
   event_report<X>& report() { return report_; }

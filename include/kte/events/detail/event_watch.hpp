@@ -14,7 +14,9 @@ class event_watch : public watched_events<Solver, List> {
   using typename base::status;
 
   event_watch(const Solver& solver, List& events, const S& t_end)
-      : base(solver, events), t_end_(t_end), start_(solver.time()) {}
+      : base(solver, events), t_end_(t_end), start_(solver.time()) {
+    if constexpr (!base::count_is_fixed) values_.resize(this->count());
+  }
 
   /// Searches the step from `begin` to the solver's time.
   void search(const S& begin) {
@@ -138,7 +140,7 @@ class event_watch : public watched_events<Solver, List> {
   }
 
   S t_end_, start_, begin_{}, end_{}, next_{};
-  std::array<typename finder::values, base::count> values_;
+  typename base::template for_each_event<typename finder::values> values_;
 };
 
 }  // namespace kte::detail

@@ -20,14 +20,15 @@ class watched_events {
     const auto& s = events.settings;
     if (s.pieces < 1) raise<bad_argument>("kte: pieces must be positive, got " + std::to_string(s.pieces));
     if (s.depth < 0) raise<bad_argument>("kte: depth must not be negative, got " + std::to_string(s.depth));
+    if constexpr (!count_is_fixed) status_.resize(count());
     for_each([&](auto& e, status& own, std::size_t k) { own.renew(value(e, k, solver.time(), x_)); });
   }
 
   /// Calls f(event, status, k) for all.
   template <class F>
   void for_each(const F& f) {
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (f(std::get<K>(events_.list), status_[K], K), ...); }
-    (std::make_index_sequence<count>{});
+    std::size_t k = 0;
+    std::apply([&](auto&... e) { (visit(e, k, f), ...); }, events_.list);
   }
   /// The g of an event at a time and state.
   template <class E>
@@ -35,12 +36,37 @@ class watched_events {
     const S y = e.function(t, x);
     if (!is_finite(y)) [[unlikely]]
       raise<integration_failure>("kte: integration stopped before t = " + number(static_cast<double>(t)) +
-                                 ": the function of event " + std::to_string(k) + " is not a finite number there");
+                                 ": the function of event " + std::to_string(k) + quoted(name_of(e)) +
+                                 " is not a finite number there");
     return y;
+  }
+  /// As it was `named`, else as its function says.
+  template <class E>
+  static auto name_of(const E& e) {
+    if constexpr (requires { e.function.name(); }) {
+      return e.name.empty() ? e.function.name() : std::string(e.name);
+    } else {
+      return e.name;
+    }
   }
 
  protected:
-  static constexpr std::size_t count = std::tuple_size_v<decltype(List::list)>;
+  static constexpr bool count_is_fixed = []<class... E>(std::type_identity<std::tuple<E...>>) {
+    return (kind_of_event<E>::is_one && ...);
+  }(std::type_identity<decltype(List::list)>{});
+  template <class T>
+  using for_each_event =
+      std::conditional_t<count_is_fixed, std::array<T, std::tuple_size_v<decltype(List::list)>>, std::vector<T>>;
+
+  std::size_t count() {
+    std::size_t n = 0;
+    const auto one = [](auto& e) -> std::size_t {
+      if constexpr (requires { e.size(); }) return e.size();
+      return 1;
+    };
+    std::apply([&](auto&... e) { n = (std::size_t{0} + ... + one(e)); }, events_.list);
+    return n;
+  }
 
   /// The state at a time of the last step.
   const X& state(const S& t) {
@@ -55,9 +81,20 @@ class watched_events {
 
   const Solver& solver_;
   const event_settings& settings() const { return events_.settings; }
-  std::array<status, count> status_;
+  for_each_event<status> status_;
 
  private:
+  template <class E, class F>
+  void visit(E& e, std::size_t& k, const F& f) {
+    f(e, status_[k], k);
+    ++k;
+  }
+  template <class E, class F>
+  void visit(std::vector<E>& some, std::size_t& k, const F& f) {
+    for (E& e : some) visit(e, k, f);
+  }
+  static std::string quoted(std::string_view name) { return name.empty() ? "" : " '" + std::string(name) + "'"; }
+
   List& events_;
   X x_;
 };
