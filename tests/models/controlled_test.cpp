@@ -63,3 +63,56 @@ TEST_CASE("A controlled model follows its law wherever it is asked") {
   auto torque = gyro.with_output([](const auto& s) { return s[motor]; });
   CHECK(torque.computeOutput(0.75, x) == 0.75);
 }
+
+TEST_CASE("A controlled model is a copy, or shares its model by std::ref; its inputs are those of the law") {
+  manipulator_dynamics_model model(gyroscope);
+  const auto law = [](double t, const auto&) { return std::array{t}; };
+  controlled copied(model, law);
+  controlled shared(std::ref(model), law);
+  const auto x = copied.make_x(q0, v0);
+  model.input(motor) = 7;
+  CHECK(copied(0.25, x) == shared(0.25, x));
+  CHECK(model.input(motor) == 0.25);
+  CHECK(shared.input()[0] == 0.25);
+  copied(0.5, x);
+  CHECK(model.input(motor) == 0.25);
+  CHECK(copied.velocities_of(x) == model.velocities_of(x));
+}
+
+namespace {
+/// An integral of the wheel's speed that brakes it, beside a damper: with w = q_dot, c' = w,
+///   w' = -r (d w + i c),   r = 1/I + 1/I
+constexpr double r = 1 / 0.5 + 1 / 0.5, d = 0.1, i = 0.5;
+const auto brake_by_integral = [](double, const auto& x, const auto& c) { return std::array{-d * x[8] - i * c[0]}; };
+const auto speed = [](double, const auto& x, const auto&) { return std::array{x[8]}; };
+/// c and w after t: the damped oscillator c'' + r d c' + r i c = 0.
+std::array<double, 2> integral_and_speed(double t, double c0, double w0) {
+  const double decay = r * d / 2, w = std::sqrt(r * i - decay * decay);
+  const double b = (w0 + decay * c0) / w, e = std::exp(-decay * t), cs = std::cos(w * t), sn = std::sin(w * t);
+  return {e * (c0 * cs + b * sn), e * ((-decay * c0 + w * b) * cs + (-decay * b - w * c0) * sn)};
+}
+}  // namespace
+
+TEST_CASE("A law may have states of its own, which integrate beside those of the model, on the group") {
+  const auto check = [](auto& pid, double epsilon) {
+    using state = typename std::remove_reference_t<decltype(pid)>::state;
+    static_assert(moves_on_group<std::remove_reference_t<decltype(pid)>, state>);
+    const state x0 = pid.make_x(q0, v0);
+    CHECK(pid.law_states_of(x0)[0] == 0.25);
+    CHECK(pid.internals() == 1);
+    CHECK(pid.velocities_of(x0)[3] == 2);
+    dormand_prince45 solver(std::ref(pid), 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
+    solver.integrate(2);
+    const auto [c, w] = integral_and_speed(2, 0.25, 2);
+    CHECK(pid.law_states_of(solver.state())[0] == test::within_relative(c, epsilon));
+    CHECK(pid.velocities_of(solver.state())[3] == test::within_relative(w, epsilon));
+    CHECK(pid.positions_of(solver.state()).template head<4>().norm() == test::within(1, 1e-14));
+    CHECK(pid.input()[0] == test::within_relative(-d * w - i * c, 1e-9));
+    CHECK(velocities(pid.state_at(2, solver.state()))[3] == solver.state()[8]);
+  };
+  controlled pid(manipulator_dynamics_model(gyroscope), brake_by_integral, speed, std::array{0.25});
+  check(pid, 1e-10);
+  manipulator_dynamics_model shared(to_chain(record_of(gyroscope)));
+  controlled runtime(std::ref(shared), brake_by_integral, speed, Eigen::Matrix<double, 1, 1>(0.25));
+  check(runtime, 1e-10);
+}

@@ -1,57 +1,253 @@
 #pragma once
 
+#include <kte/integrators/motion_space.hpp>
+
+#include <functional>
+#include <span>
 #include <utility>
 
 namespace kte {
 
-/// A model whose inputs follow a law u(t, x), at every evaluation:
+namespace detail {
+/// For laws without states of their own.
+struct no_rates {};
+template <class>
+inline constexpr bool never = false;
+/// The numbers of a std::array, or of an Eigen vector of fixed size, as a vector.
+template <class S, std::size_t N>
+auto column_of(const std::array<S, N>& z) {
+  return Eigen::Map<const Eigen::Matrix<S, static_cast<int>(N), 1>>(z.data());
+}
+template <class V>
+const auto& column_of(const Eigen::MatrixBase<V>& z) {
+  return z.derived();
+}
+template <class V>
+inline constexpr int size_of_column = [] {
+  constexpr int n = std::remove_cvref_t<V>::RowsAtCompileTime;
+  static_assert(n != Eigen::Dynamic,
+                "kte: the states of a law begin at an std::array, or at an Eigen vector of fixed size");
+  return n;
+}();
+}  // namespace detail
+
+/// A model whose inputs follow a law, at every evaluation:
+///
+///   u = law(t, x)                                   (1)
+///   u = law(t, x, c),   c' = law_rates(t, x, c)     (2)
 ///
 ///   kte::controlled arm(model, [&](double t, const auto& x) { return torques(t, x); });
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
-/// It is the model, so integrators know how its states move also where there are rotations. u(t, x) returns as many
-/// numbers as there are inputs, anything with operator[]; else `setInput` throws.
-template <class Model, class Law>
-class controlled : public Model {
- public:
-  controlled(const Model& m, Law u) : Model(m), law_(std::move(u)) {}
+/// with x the state of the model. In (2) the law has states c of its own, such as the integral of a PID controller;
+/// they begin at c0, an std::array or Eigen vector of fixed size, and the state that integrators see is (x, c), c the
+/// last of its internal states:
+///
+///   kte::controlled arm(model, torques, errors, std::array{0.0});
+///
+/// What a law returns has as many numbers as there are inputs, or states c, anything with operator[]; else `setInput`
+/// throws.
+///
+/// The model is copied; `std::ref(model)` shares it, so that its inputs are seen there. Either way the law sets all of
+/// them, at every evaluation: what one sets besides is lost, and cannot be set here. It moves as the model does, also
+/// where there are rotations. Stiff methods take its Jacobian by differences.
+template <class Model, class Law, class Rates = detail::no_rates, int N = 0>
+class controlled {
+  using shared = std::remove_reference_t<decltype(detail::unwrapped(std::declval<Model&>()))>;
+  static_assert(!std::is_const_v<shared>,
+                "kte: a law sets the inputs of its model: pass the model itself, which is copied, or std::ref of one "
+                "that is not const");
+  using model_type = detail::unwrapped_type<Model>;
+  using model_state = typename model_type::state;
+  using model_rate = typename model_type::rate;
+  static constexpr int longer(int n) { return n == Eigen::Dynamic ? n : n + N; }
 
-  template <class T, class X>
-  decltype(auto) operator()(const T& t, const X& x) {
-    follow(t, x);
-    return Model::operator()(t, x);
+ public:
+  using S = typename model_state::Scalar;
+  using state = Eigen::Matrix<S, longer(model_state::RowsAtCompileTime), 1>;
+  using rate = Eigen::Matrix<S, longer(model_rate::RowsAtCompileTime), 1>;
+  using law_state = Eigen::Matrix<S, N, 1>;
+
+  controlled(Model m, Law u) requires(N == 0) : model_(std::move(m)), law_(std::move(u)) {}
+  template <class C>
+  controlled(Model m, Law u, Rates law_rates, const C& c0)
+      : model_(std::move(m)),
+        law_(std::move(u)),
+        law_rates_(std::move(law_rates)),
+        start_(detail::column_of(c0).template cast<S>()),
+        rate_(rate::Zero(rates())) {}
+
+  shared& model() { return detail::unwrapped(model_); }
+  const model_type& model() const { return detail::unwrapped(model_); }
+  decltype(auto) chain() const { return model().chain(); }
+
+  decltype(auto) operator()(const S& t, const state& x) {
+    return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model()(t, own); });
   }
-  template <class T, class X>
-  decltype(auto) computeStateRate(const T& t, const X& x) {
-    follow(t, x);
-    return Model::computeStateRate(t, x);
+  decltype(auto) computeStateRate(const S& t, const state& x) {
+    return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model().computeStateRate(t, own); });
   }
-  template <class T, class X>
-  decltype(auto) state_at(const T& t, const X& x) {
-    follow(t, x);
-    return Model::state_at(t, x);
+  decltype(auto) state_at(const S& t, const state& x) {
+    set_inputs(t, x);
+    return model().state_at(t, own_part(x));
   }
-  template <class T, class X>
-  auto computeOutput(const T& t, const X& x) {
-    follow(t, x);
-    return Model::computeOutput(t, x);
+  auto computeOutput(const S& t, const state& x) {
+    set_inputs(t, x);
+    return model().computeOutput(t, own_part(x));
   }
+  /// The same law on a copy of the model with another output.
   template <class F>
   auto with_output(const F& f) const {
-    auto m = Model::with_output(f);
-    return controlled<decltype(m), Law>(m, law_);
+    auto m = model().with_output(f);
+    using other = controlled<decltype(m), Law, Rates, N>;
+    if constexpr (N == 0) {
+      return other(std::move(m), law_);
+    } else {
+      return other(std::move(m), law_, law_rates_, start_);
+    }
+  }
+
+  /// The inputs that the law gave last.
+  const auto& input() const { return model().input(); }
+  template <class T>
+  void input(const T&) const {
+    static_assert(detail::never<T>,
+                  "kte: the law of a controlled model sets its inputs at every evaluation: set nothing here, but let "
+                  "the law follow what you want to change");
+  }
+  template <class U>
+  void setInput(const U& u) const {
+    input(u);
   }
   /// Knows no time: a variational integrator would pass the law by.
-  template <class X>
-  void forces_at(const X&) const = delete;
+  template <class V>
+  void forces_at(const V&) const = delete;
 
- private:
-  template <class T, class X>
-  void follow(const T& t, const X& x) {
-    this->setInput(law_(t, x));
+  // ---- states: (q, v, z, c)
+  int rates() const { return model().rates() + N; }
+  int velocity_count() const { return model().velocity_count(); }
+  int internals() const { return model().internals() + N; }
+  auto freedoms() const { return model().freedoms(); }
+
+  /// Of the model at q, v, with z = 0 or as given, and of the law at its start.
+  template <class... QVZ>
+  state make_x(const QVZ&... qvz) const {
+    return with_law(model().make_x(qvz...), start_);
+  }
+  /// A state of the model with one of the law.
+  state with_law(const model_state& x, const law_state& c) const {
+    state both(x.size() + N);
+    both.head(x.size()) = x;
+    both.template tail<N>() = c;
+    return both;
+  }
+  auto positions_of(const state& x) const { return x.head(Eigen::fix<size_of<0>>(at_velocities(x))); }
+  auto velocities_of(const state& x) const {
+    return x.segment(at_velocities(x), Eigen::fix<size_of<1>>(velocity_count()));
+  }
+  /// z of the model, and c.
+  auto internals_of(const state& x) const { return x.tail(Eigen::fix<longer(size_of<2>)>(internals())); }
+  /// c.
+  auto law_states_of(const state& x) const { return x.template tail<N>(); }
+  template <class ChainState>
+  state getJointStates(const ChainState& s) const {
+    return with_law(model().getJointStates(s), start_);
+  }
+  template <class ChainState>
+  void setJointStates(const state& x, ChainState& s) const {
+    model().setJointStates(own_part(x), s);
   }
 
+  // ---- motion on the group, as the model's
+  static constexpr bool on_group = moves_on_group<model_type, model_state>;
+  void displace(const state& x, const rate& d, state& out) const requires(on_group) {
+    out.resize(x.size());
+    model().displace(own_part(x), own_rate(d), moved_);
+    out.head(moved_.size()) = moved_;
+    out.template tail<N>() = x.template tail<N>() + d.template tail<N>();
+  }
+  void pull_back(const rate& d, rate& r) const requires(on_group) {
+    changed_ = r.head(own_rate(d).size());
+    model().pull_back(rate_part_, changed_);
+    r.head(changed_.size()) = changed_;
+  }
+  void magnitudes(const state& x, rate& m) const requires(on_group) {
+    changed_.resize(model().rates());
+    model().magnitudes(own_part(x), changed_);
+    m.head(changed_.size()) = changed_;
+    m.template tail<N>() = x.template tail<N>();
+  }
+  void rounding(const state& x, const rate& d, const state& out, rate& rest) const requires(on_group) {
+    changed_.resize(model().rates());
+    moved_ = out.head(own_part(x).size());
+    model().rounding(own_part(x), own_rate(d), moved_, changed_);
+    rest.head(changed_.size()) = changed_;
+    rest.template tail<N>() = d.template tail<N>() - (out.template tail<N>() - x.template tail<N>());
+  }
+
+ private:
+  /// How many numbers q, v and z of the model have.
+  template <int Part>
+  static constexpr int size_of = [] {
+    using m = const model_type&;
+    using x = const model_state&;
+    if constexpr (Part == 0) return decltype(std::declval<m>().positions_of(std::declval<x>()))::RowsAtCompileTime;
+    if constexpr (Part == 1) return decltype(std::declval<m>().velocities_of(std::declval<x>()))::RowsAtCompileTime;
+    if constexpr (Part == 2) return decltype(std::declval<m>().internals_of(std::declval<x>()))::RowsAtCompileTime;
+  }();
+
+  int at_velocities(const state& x) const { return static_cast<int>(x.size()) - velocity_count() - internals(); }
+  const model_state& own_part(const state& x) const {
+    if constexpr (N == 0) {
+      return x;
+    } else {
+      return part_ = x.head(Eigen::fix<model_state::RowsAtCompileTime>(static_cast<int>(x.size()) - N));
+    }
+  }
+  const model_rate& own_rate(const rate& d) const {
+    return rate_part_ = d.head(Eigen::fix<model_rate::RowsAtCompileTime>(model().rates()));
+  }
+
+  void set_inputs(const S& t, const state& x) {
+    if constexpr (N == 0) {
+      model().setInput(law_(t, x));
+    } else {
+      const law_state c = x.template tail<N>();
+      model().setInput(law_(t, own_part(x), c));
+    }
+  }
+  template <class Evaluate>
+  decltype(auto) follow(const S& t, const state& x, const Evaluate& evaluate) {
+    set_inputs(t, x);
+    if constexpr (N == 0) {
+      return evaluate(x);
+    } else {
+      const law_state c = x.template tail<N>();
+      const auto& c_dot = law_rates_(t, own_part(x), c);
+      rate_.head(rate_.size() - N) = evaluate(part_);
+      for (int i = 0; i < N; ++i) rate_[rate_.size() - N + i] = S(c_dot[static_cast<std::size_t>(i)]);
+      return (static_cast<const rate&>(rate_));
+    }
+  }
+
+  Model model_;
   Law law_;
+  [[no_unique_address]] Rates law_rates_{};
+  law_state start_;
+  rate rate_;
+  mutable model_state part_, moved_;
+  mutable model_rate rate_part_, changed_;
 };
+template <class Model, class Law>
+controlled(Model, Law) -> controlled<Model, Law>;
+template <class Model, class Law, class Rates, class C>
+controlled(Model, Law, Rates, const C& c0)
+    -> controlled<Model, Law, Rates, detail::size_of_column<decltype(detail::column_of(c0))>>;
+
+/// Where the laws of the elements of its model change.
+template <class Model, class Law, class Rates, int N>
+auto element_events(controlled<Model, Law, Rates, N>& c) {
+  return element_events(c.model());
+}
 
 }  // namespace kte

@@ -119,7 +119,10 @@ struct runtime_switching {
   const manipulator_dynamics_model<kte_map_chain>* model;
   std::size_t element;
 
-  double operator()(double, const Eigen::VectorXd& x) const { return model->switching(x, element); }
+  double operator()(double, const Eigen::VectorXd& x) const {
+    const Eigen::Index own = model->nq() + model->dofs() + model->internals();
+    return model->switching(x.size() == own ? x : x.head(own).eval(), element);  // without those of a law
+  }
   std::string name() const {
     const kte_element& e = *model->wiring().elements[element].element;
     const element_record r = e.record();
