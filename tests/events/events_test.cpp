@@ -332,3 +332,19 @@ TEST_CASE("Events go to a function instead of a list, and too many stop") {
   CHECK(most.events.size() == 10);
   CHECK(solver.time() == most.events.back().time);
 }
+
+TEST_CASE("An observer stops an integration with events after the event that it sees, or at a sample before it") {
+  dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
+  const auto bounce = events(event(position).named("wall").reset([](double, auto& x) { x[1] = -x[1]; }));
+  const auto until = [](double end) { return [end](double t, const auto&) { return t < end; }; };
+  auto report = solver.integrate(10, bounce, every(0.1), until(1.55));
+  CHECK(report.reason == stop_reason::observer);
+  CHECK(report.count == 1);  // at pi / 2, where it has seen the state before
+  CHECK(solver.state()[1] > 0);
+  solver.restart(0, Eigen::Vector2d(1, 0));
+  report = solver.integrate(10, bounce, at{0.5, 1.5}, until(1.5));
+  CHECK(report.count == 0);
+  CHECK(solver.time() == 1.5);
+  report = solver.integrate(2, bounce);
+  CHECK(report.find("wall")->time == test::within(std::acos(0.0), 1e-5));
+}

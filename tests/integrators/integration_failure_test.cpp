@@ -115,11 +115,36 @@ TEST_CASE("After a rejection the step does not grow at once") {
   CHECK(seen > 0);
 }
 
+TEST_CASE("A failure is data, too") {
+  const auto second_ends = [](double t, const Eigen::Vector2d&) { return Eigen::Vector2d(1, t < 0.5 ? 1.0 : nan); };
+  dormand_prince45 solver(second_ends, 0.0, Eigen::Vector2d(0, 0));
+  const auto failure = [](auto& s) {
+    try {
+      s.integrate(10);
+    } catch (const integration_failure& e) {
+      return e;
+    }
+    return integration_failure("none", 0, failure_reason::other);
+  };
+  const auto e = failure(solver);
+  CHECK(e.reason == failure_reason::not_finite);
+  CHECK(e.time == solver.time());
+  CHECK(e.component == 1);
+  CHECK(e.cause.empty());
+  dormand_prince45 few(oscillator, 0.0, Eigen::Vector2d(1, 0), {.max_steps = 3});
+  CHECK(failure(few).reason == failure_reason::too_many_steps);
+  dormand_prince45 blow_up(square, 0.0, scalar_state(1.0));
+  CHECK(failure(blow_up).reason == failure_reason::step_too_short);
+}
+
 TEST_CASE("Bad settings are rejected with their value") {
   const Eigen::Vector2d x(1, 0);
   for (double bad : {-1e-6, nan, inf}) {
     CHECK_THROWS_AS(dormand_prince45(oscillator, 0.0, x, {.absolute = bad}), bad_argument);
     CHECK_THROWS_AS(dormand_prince45(oscillator, 0.0, x, {.relative = bad}), bad_argument);
+    CHECK_THROWS_AS(dormand_prince45(oscillator, 0.0, x, {.initial_step = bad}), bad_argument);
+    CHECK_THROWS_AS(dormand_prince45(oscillator, 0.0, x, {.smallest_step = bad}), bad_argument);
+    CHECK_THROWS_AS(dormand_prince45(oscillator, 0.0, x, {.largest_step = bad}), bad_argument);
   }
   for (double bad : {0.0, -1e-6, nan, inf}) {
     dormand_prince45 solver(oscillator, 0.0, x);
@@ -127,6 +152,8 @@ TEST_CASE("Bad settings are rejected with their value") {
   }
   CHECK_THROWS_WITH(dormand_prince45(oscillator, 0.0, x, {.relative = -0.25}),
                     contains_text("relative tolerance must be finite and not negative, got -0.25"));
+  CHECK_THROWS_WITH(dormand_prince45(oscillator, 0.0, x, {.initial_step = 0.5, .largest_step = 0.25}),
+                    contains_text("initial step 0.5 is above the largest step 0.25"));
   CHECK_THROWS_WITH(dormand_prince45(oscillator, 0.0, x, {.max_steps = 0}), contains_text("max_steps"));
   CHECK_THROWS_WITH(dormand_prince45(oscillator, nan, x), contains_text("start time must be finite, got nan"));
   CHECK_THROWS_WITH(dormand_prince45(oscillator, 0.0, Eigen::Vector2d(0, inf)), contains_text("start state"));

@@ -1,6 +1,7 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
 
+#include <algorithm>
 #include <vector>
 
 #include "catch.hpp"
@@ -65,6 +66,60 @@ TEST_CASE("Samples leave the steps as they are") {
   sampled.integrate(10, every(0.01), [](double, const auto&) {});
   CHECK(plain.state() == sampled.state());
   CHECK(plain.statistics().evaluations == sampled.statistics().evaluations);
+}
+
+TEST_CASE("Samples at the times of a list, in either direction") {
+  dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0), {.absolute = 1e-9, .relative = 1e-9}), plain = solver;
+  std::vector<double> seen;
+  const auto check = [&](double t, const auto& x) {
+    seen.push_back(t);
+    CHECK(x[0] == test::within(std::cos(t), 1e-7));
+  };
+  const std::vector times{0.0, 0.1, 0.11, 2.5, 2.5, 3.0};
+  CHECK(solver.integrate(3, at(times), check) == stop_reason::end_time);
+  CHECK(seen == times);
+  plain.integrate(3);
+  CHECK(plain.state() == solver.state());
+  seen.clear();
+  solver.integrate(1, at{2.5, 1.5}, check);
+  CHECK(seen == std::vector{2.5, 1.5});
+  CHECK_THROWS_WITH(solver.integrate(2, at{1.5, 1.25}, check),
+                    "kte: output time 1 is 1.25, not between 1.5 and 2: they go in order from the present time to the "
+                    "end time");
+  CHECK_THROWS_AS(solver.integrate(2, at{nan}, check), bad_argument);
+  CHECK(solver.time() == 1);
+}
+
+TEST_CASE("Steps end where they are told, also where the right-hand side jumps there") {
+  double push = 1;  // to 0.7, then -1: each part is exact
+  const auto thrust = [&](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], push); };
+  dormand_prince45 solver(thrust, 0.0, Eigen::Vector2d(0, 0));
+  std::vector<double> ends, samples;
+  solver.integrate(2, through{0.7, 1.2}, [&](double t, const auto&) {
+    ends.push_back(t);
+    if (t == 0.7) push = -1;
+  });
+  for (double t : {0.0, 0.7, 1.2, 2.0}) CHECK(std::count(ends.begin(), ends.end(), t) == 1);
+  CHECK(solver.state()[0] == test::within(0.245 + 0.7 * 1.3 - 0.845, 1e-14));
+  solver.restart(0, Eigen::Vector2d(0, 0));
+  solver.integrate(2, through{0.7}, every(0.5), [&](double t, const auto&) { samples.push_back(t); });
+  CHECK(samples == std::vector{0.0, 0.5, 1.0, 1.5, 2.0});
+  CHECK_THROWS_WITH(solver.integrate(3, through{1.5}), contains_text("stop time 0 is 1.5, not between 2 and 3"));
+}
+
+TEST_CASE("An observer may stop the integration, where it says so") {
+  dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
+  const auto down_to = [](double least) {
+    return [least](double, const auto& x) { return x[0] > least ? go_on : stop; };
+  };
+  CHECK(solver.integrate(10, down_to(0.5)) == stop_reason::observer);
+  CHECK(solver.state()[0] <= 0.5);
+  CHECK(solver.time() < 10);
+  solver.restart(0, Eigen::Vector2d(1, 0));
+  CHECK(solver.integrate(10, every(0.01), down_to(0.25)) == stop_reason::observer);
+  CHECK(solver.time() == 132 * 0.01);  // acos(0.25) = 1.3181
+  CHECK(solver.state()[0] == test::within(std::cos(1.32), 1e-5));
+  CHECK(kte::integrate(solver, 1.5, every(0.01), down_to(-1)) == stop_reason::end_time);
 }
 
 TEST_CASE("The dense output is continuous, with its slope, at the ends of steps") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/events/event.hpp>
+#include <kte/integrators/observers.hpp>
 
 #include <cstddef>
 #include <string>
@@ -25,12 +26,6 @@ struct event_occurrence {
   X before, after;          ///< the same unless the event has a reset
   bool rest = false;        ///< `rest` was called, not `reset`
   std::string name = {};    ///< as `named` gave it; of events of elements, the element's
-};
-
-enum class stop_reason {
-  end_time,
-  terminal,  ///< at a terminal event
-  zeno       ///< resets came ever closer, or one could not be separated from the next, or too many events
 };
 
 /// What `integrate` with events gives back.

@@ -105,7 +105,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
       bool made = false;
       if (!this->computes([&] { made = extension_.make(this->previous_time_, h, k_, slope); }, this->next_) || !made)
           [[unlikely]]
-        this->fail("the right-hand side is not a finite number between the ends of the last step" + this->reason());
+        this->fail("the right-hand side is not a finite number between the ends of the last step",
+                   failure_reason::not_finite);
       this->displaced(cubic + extension_.polynomial(theta, weight), x);
     } else if constexpr (requires { Tableau::dense; }) {
       this->displaced(cubic + weight * detail::combination<Tableau::dense>(k_), x);

@@ -102,7 +102,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
   detail::attempt<S> try_step(const S& end) {
     const S h = end - this->time_, none = std::numeric_limits<S>::quiet_NaN();
     if (!this->jacobian_is_known()) renew_jacobian(h);
-    const char* obstacle = solve_stages(h, end);
+    detail::obstacle obstacle = solve_stages(h, end);
     if (obstacle && !this->jacobian_is_new()) {
       renew_jacobian(h);
       obstacle = solve_stages(h, end);
@@ -125,9 +125,9 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
       base::renew_jacobian(sum_);
     }
   }
-  const char* solve_stages(const S& h, const S& end) {
+  detail::obstacle solve_stages(const S& h, const S& end) {
     const S c = table_.gamma * h;
-    const char* obstacle = this->prepare_stages(c);
+    detail::obstacle obstacle = this->prepare_stages(c);
     for (std::size_t i = 1; i < stages && !obstacle; ++i) {
       combine(table_.a[i], i);
       guess_slope(i, h);

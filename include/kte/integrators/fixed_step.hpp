@@ -57,7 +57,7 @@ class fixed_step : public integrator<Method, F, X> {
     const S end = grid_[++index_];
     const bool computed = this->computes([&] { static_cast<Method&>(*this).try_step(end); }, this->next_);
     if (!computed || !this->next_is_finite()) [[unlikely]]
-      this->fail("the next state is not a finite number" + this->reason());
+      this->fail("the next state is not a finite number", failure_reason::not_finite);
     this->accept(end);
   }
 

@@ -124,7 +124,7 @@ class implicit_integrator : public integrator<Method, F, X> {
   }
   void check_finite(const matrix& m) const {
     if (!((m - m).array() == S(0)).all()) [[unlikely]]
-      this->fail("the Jacobian has a number that is not finite");
+      this->fail("the Jacobian has a number that is not finite", failure_reason::not_finite);
   }
 
   matrix matrix_;

@@ -51,8 +51,9 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
       return size == S(0) ? change : S(change / size);
     });
     if (!converged) [[unlikely]]
-      this->fail("the iteration of a step of " + detail::number(static_cast<double>(h)) +
-                 " does not converge: it is too long");
+      this->fail(
+          "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
+          failure_reason::no_convergence);
     this->displace_at_last(h * k_);  // (1)
   }
   void dense(const S& theta, X& x) const { this->displaced((theta * (this->time_ - this->previous_time_)) * k_, x); }

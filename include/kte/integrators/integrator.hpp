@@ -1,10 +1,20 @@
 #pragma once
 
+#include <kte/integrators/detail/followers.hpp>
 #include <kte/integrators/moving_state.hpp>
 
 #include <cmath>
 
 namespace kte {
+
+template <class Sink, class... E>
+struct event_list;
+namespace detail {
+template <class Solver, class Sink, class... E, class... Observed>
+auto integrate_with_events(Solver&, const typename Solver::S&, event_list<Sink, E...>, Observed&&...);
+template <class Observer, class S, class X>
+concept observes = follower<std::remove_reference_t<Observer>> || std::invocable<Observer, const S&, const X&>;
+}  // namespace detail
 
 /// See `integrator::restart`.
 struct keep_step_t {};
@@ -42,34 +52,43 @@ class integrator : public moving_state<F, X> {
 
   /// Integrates to t_end, forward or backward; afterwards `time() == t_end`. Throws `integration_failure` that says
   /// where and why it stopped, `bad_argument` for a t_end that is not finite.
-  void integrate(const S& t_end) {
-    integrate(t_end, [](const S&, const X&) {});
-  }
-  /// The same; calls observer(t, x) at the start and after every step.
-  template <std::invocable<const S&, const X&> Observer>
-  void integrate(const S& t_end, Observer&& observer) {
-    begin(t_end);
-    observer(time_, x_);
-    while (time_ != t_end) {
-      step(t_end);
-      observer(time_, x_);
-    }
+  stop_reason integrate(const S& t_end) { return travel(t_end, detail::no_stops{}, detail::no_observer{}); }
+  /// The same; calls observer(t, x) at the start and after every step. Where it returns `kte::stop`, of type bool, the
+  /// integration ends there: at its time and state.
+  template <detail::observes<S, X> Observer>
+  stop_reason integrate(const S& t_end, Observer&& observer) {
+    return travel(t_end, detail::no_stops{}, detail::follower_of(method(), t_end, observer));
   }
   /// The same; calls observer(t, x) at the times of a `time_grid`: t0, t0 + h, t0 + 2h, ..., t_end, with t0 the time at
   /// the call. The steps are as without samples; those between step ends are interpolated.
-  template <class T, std::invocable<const S&, const X&> Observer>
-  void integrate(const S& t_end, const every<T>& spacing, Observer&& observer) {
-    begin(t_end);
-    const time_grid<S> samples(time_, t_end, S(spacing.spacing), "spacing of samples");
-    X x = x_;
-    observer(time_, x_);
-    for (long long i = 1; time_ != t_end;) {
-      step(t_end);
-      for (; i <= samples.intervals() && in_last_step(samples[i]); ++i) {
-        interpolate(samples[i], x);
-        observer(samples[i], x);
-      }
-    }
+  template <class T, detail::observes<S, X> Observer>
+  stop_reason integrate(const S& t_end, const every<T>& spacing, Observer&& observer) {
+    return travel(t_end, detail::no_stops{}, detail::follower_of(method(), t_end, spacing, observer));
+  }
+  /// The same at the times of a list.
+  template <class T, detail::observes<S, X> Observer>
+  stop_reason integrate(const S& t_end, const at<T>& times, Observer&& observer) {
+    return travel(t_end, detail::no_stops{}, detail::follower_of(method(), t_end, times, observer));
+  }
+  /// All of the above with steps that end exactly at these times, where f may jump:
+  ///
+  ///   solver.integrate(10.0, kte::through{1.0, 2.5}, kte::every(0.01), observer)
+  template <class T, class... Observed>
+  stop_reason integrate(const S& t_end, const through<T>& stops, Observed&&... observed) {
+    return travel(t_end, stops, detail::follower_of(method(), t_end, observed...));
+  }
+  /// Integrates to t_end, or to a terminal event, whose time and state are those of the solver then; observers as
+  /// above, called also at events that act: with the state before and, where there is a reset, again with the state
+  /// after it. A sample at the very time of such an event is these two. Events that do not act leave the steps as they
+  /// are. Gives an `event_report` (kte/events/events.hpp):
+  ///
+  ///   auto ground = kte::event(height, kte::crossing::falling).reset(bounce).rest(lie);
+  ///   auto report = solver.integrate(10.0, kte::events(ground, wall), kte::every(0.01), observer);
+  ///
+  /// Throws also `integration_failure` for a function of an event that is not a finite number.
+  template <class Sink, class... E, class... Observed>
+  auto integrate(const S& t_end, event_list<Sink, E...> events, Observed&&... observed) {
+    return detail::integrate_with_events(method(), t_end, std::move(events), observed...);
   }
 
   /// One step at a time, for loops of one's own: `begin` once, then `step` until `time()` is t_end, for the same t_end.
@@ -141,14 +160,21 @@ class integrator : public moving_state<F, X> {
     x_.swap(next_);
     ++statistics_.steps;
   }
-  [[noreturn, gnu::cold, gnu::noinline]] void fail(const std::string& why) const {
-    detail::raise<integration_failure>("kte: integration stopped at t = " + detail::number(static_cast<double>(time_)) +
-                                       ": " + why);
+  /// Where the reason is that numbers are not finite, the text goes on with why, if that is known.
+  [[noreturn, gnu::cold, gnu::noinline]] void fail(const std::string& why, failure_reason reason) const {
+    const auto t = static_cast<double>(time_);
+    const bool not_finite = reason == failure_reason::not_finite;
+    long long component = -1;
+    for (Eigen::Index i = next_.size(); not_finite && i-- > 0;)
+      if (!detail::is_finite(S(next_[i]))) component = i;
+    detail::raise<integration_failure>(
+        "kte: integration stopped at t = " + detail::number(t) + ": " + why + (not_finite ? this->reason() : ""), t,
+        reason, not_finite ? this->cause() : "", component);
   }
   /// Throws where f is not a number at the present time and state.
   void check_finite_slope(const rate& slope) const {
     if (!((slope - slope).array() == S(0)).all()) [[unlikely]]
-      fail("the right-hand side is not a finite number");
+      fail("the right-hand side is not a finite number", failure_reason::not_finite);
   }
   /// Tries a step: try_step() gives a `detail::attempt`, here one without a new state where f cannot be computed.
   template <class Try>
@@ -157,9 +183,9 @@ class integrator : public moving_state<F, X> {
     this->computes([&] { tried = try_step(); }, this->next_);
     return tried;
   }
-  /// For those who choose steps: `fail`, and of numbers that are not finite also the reason.
+  /// For those who choose steps.
   auto failing() const {
-    return [this](const std::string& why, bool not_finite) { fail(not_finite ? why + this->reason() : why); };
+    return [this](const std::string& why, failure_reason reason) { fail(why, reason); };
   }
 
   using base::next_;
@@ -177,7 +203,32 @@ class integrator : public moving_state<F, X> {
   void no_number_is_failure(const Body& body) {
     this->forget_reason();
     if (!this->computes(body, x_)) [[unlikely]]
-      fail("f cannot be computed" + this->reason());
+      fail("f cannot be computed", failure_reason::not_finite);
+  }
+  template <class Stops, class Follower>
+  stop_reason travel(const S& t_end, const Stops& stops, Follower&& follower) {
+    detail::check_finite(t_end, "end time");
+    stops.template check<S>(time_, t_end, "stop time");
+    S goal = time_;
+    std::size_t passed = 0;
+    const auto begin_next = [&] {
+      goal = t_end;
+      if constexpr (!std::is_same_v<Stops, detail::no_stops>) {
+        while (passed < stops.count() && S(stops[passed]) == time_) ++passed;
+        if (passed < stops.count()) goal = S(stops[passed++]);
+      }
+      begin(goal);
+    };
+    begin_next();
+    if (!follower.start(method())) return stop_reason::observer;
+    while (time_ != t_end) {
+      if (time_ == goal) begin_next();
+      step(goal);
+      if (follower.step(method())) continue;
+      follower.settle(method());
+      return stop_reason::observer;
+    }
+    return stop_reason::end_time;
   }
 
   bool in_last_step(const S& t) const {
@@ -186,5 +237,11 @@ class integrator : public moving_state<F, X> {
 
   bool in_step_ = false;  ///< also after a step that has failed
 };
+
+/// `solver.integrate(t_end, ...)`.
+template <class Method, class F, class X, class... How>
+auto integrate(integrator<Method, F, X>& solver, const std::type_identity_t<typename X::Scalar>& t_end, How&&... how) {
+  return static_cast<Method&>(solver).integrate(t_end, std::forward<How>(how)...);
+}
 
 }  // namespace kte

@@ -169,6 +169,7 @@ class moving_state {
   }
   void forget_reason() { reason_.clear(); }
   /// What to add to a message about numbers that are not finite: why, or nothing.
+  const std::string& cause() const { return reason_; }
   std::string reason() const { return reason_.empty() ? std::string() : ": " + reason_; }
 
   X x_, previous_;

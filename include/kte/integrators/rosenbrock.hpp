@@ -77,7 +77,8 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
   /// (1) to (4) for the step to `end`.
   detail::attempt<S> try_step(const S& end) {
     const S h = end - this->time_, none = std::numeric_limits<S>::quiet_NaN();
-    if (!this->factorize(table_.gamma * h)) return {none, "the matrix I - gamma h J is singular"};
+    if (!this->factorize(table_.gamma * h))
+      return {none, {"the matrix I - gamma h J is singular", failure_reason::singular_matrix}};
     for (std::size_t i = 0; i < stages; ++i) stage(i, h, end);
     combine(table_.m);
     this->displace(sum_);  // (3)

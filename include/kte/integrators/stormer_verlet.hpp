@@ -72,8 +72,9 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
       return size == S(0) ? change : S(change / size);
     });
     if (!converged) [[unlikely]]
-      this->fail("the iteration of a step of " + detail::number(static_cast<double>(h)) +
-                 " does not converge: it is too long");
+      this->fail(
+          "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
+          failure_reason::no_convergence);
   }
   void dense(const S& theta, X& x) const {
     this->displaced(detail::hermite_cubic(theta, S(this->time_ - this->previous_time_), d_, k0_, k1_), x);

@@ -46,9 +46,21 @@ struct tolerances {
   per_component<S> absolute = S(1e-6);  ///< in units of the state; not negative
   per_component<S> relative = S(1e-6);  ///< as a fraction of the state; not negative
   long long max_steps = 1000000;        ///< of one `integrate`, with those rejected
+  S initial_step = S(0);                ///< s, where steps begin: at first and after `restart`. 0: by the first slopes
+  /// s; a tolerance that needs a shorter step fails. The last step to an end may be shorter
+  S smallest_step = S(0);
+  S largest_step = S(0);  ///< s; 0: none
 
   /// Throws `bad_argument` for settings that make no sense for n components.
   void check(Eigen::Index n) const {
+    check_step(initial_step, "initial step");
+    check_step(smallest_step, "smallest step");
+    check_step(largest_step, "largest step");
+    if (largest_step != S(0)) {
+      check_order(smallest_step, "smallest step", largest_step, "largest step");
+      check_order(initial_step, "initial step", largest_step, "largest step");
+    }
+    if (initial_step != S(0)) check_order(smallest_step, "smallest step", initial_step, "initial step");
     absolute.check(n, "absolute tolerance");
     relative.check(n, "relative tolerance");
     for (Eigen::Index i = 0; i < n; ++i)
@@ -84,6 +96,14 @@ struct tolerances {
 
  private:
   static S least_relative() { return 4 * std::numeric_limits<S>::epsilon(); }
+  static void check_step(const S& h, const char* name) {
+    if (h != S(0)) detail::check_positive(h, name);
+  }
+  static void check_order(const S& less, const char* name, const S& more, const char* name_of_more) {
+    if (more < less) [[unlikely]]
+      detail::raise<bad_argument>(std::string("kte: ") + name + " " + detail::number(static_cast<double>(less)) +
+                                  " is above the " + name_of_more + " " + detail::number(static_cast<double>(more)));
+  }
 };
 
 }  // namespace kte

@@ -109,8 +109,9 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
       return size == S(0) ? by : S(by / size);
     });
     if (!converged) [[unlikely]]
-      this->fail("the iteration of a step of " + detail::number(static_cast<double>(h)) +
-                 " does not converge: it is too long");
+      this->fail(
+          "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
+          failure_reason::no_convergence);
     for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
     d += lost_q_, change += lost_p_;
     displace(start, d, this->next_);

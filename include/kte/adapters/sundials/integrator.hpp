@@ -97,7 +97,9 @@ class integrator : public kte::integrator<Method, F, X> {
   /// Throws what a user function has thrown, and `integration_failure` for a flag that means that.
   void check(int flag) const {
     relay_.rethrow();
-    if (flag < 0) this->fail((finite_ ? "" : std::string(endless) + this->base::reason() + "; ") + reason_of(flag));
+    if (flag < 0)
+      this->fail((finite_ ? "" : std::string(endless) + this->base::reason() + "; ") + reason_of(flag),
+                 failure_reason::other);
   }
 
   /// Tells SUNDIALS the present time and state.
@@ -128,7 +130,8 @@ class integrator : public kte::integrator<Method, F, X> {
     if (fresh_ && is_lost(t_end)) return skip_to(t_end);
     if (fresh_) restart_solver();
     if (tries_ >= tolerances_.max_steps) [[unlikely]]
-      this->fail("max_steps = " + std::to_string(tolerances_.max_steps) + " steps are used up");
+      this->fail("max_steps = " + std::to_string(tolerances_.max_steps) + " steps are used up",
+                 failure_reason::too_many_steps);
     fresh_ = true;  // until the step is done: after a failure nothing of SUNDIALS is trusted
     prepare();
     S reached = this->time_;
@@ -137,9 +140,10 @@ class integrator : public kte::integrator<Method, F, X> {
     count();
     check(flag);
     if (!this->next_is_finite()) [[unlikely]]
-      this->fail("the next state is not a finite number" + this->reason());
+      this->fail("the next state is not a finite number", failure_reason::not_finite);
     if (reached != t_end && is_lost(reached)) [[unlikely]]
-      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : endless + this->reason());
+      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : endless,
+                 finite_ ? failure_reason::step_too_short : failure_reason::not_finite);
     this->accept(reached);
     fresh_ = false;
   }

@@ -21,7 +21,7 @@ class event_loop {
   event_loop(Solver& solver, const S& t_end, List& events, Observer observer)
       : solver_(solver),
         events_(events),
-        observer_(std::move(observer)),
+        observer_(static_cast<Observer&&>(observer)),
         watch_(solver, events, t_end),
         record_(events, solver.state()),
         t_end_(t_end),
@@ -33,7 +33,7 @@ class event_loop {
 
   event_report<X> run() {
     solver_.begin(goal_);
-    observer_.start(solver_.time(), solver_.state());
+    obey(observer_.start(solver_));
     while (!record_.stopped() && solver_.time() != t_end_) {
       if (solver_.time() == goal_) go_for(t_end_);
       take_step();
@@ -74,7 +74,13 @@ class event_loop {
     watch_.for_each(
         [&](auto& e, status& s, std::size_t k) { s.renew(watch_.value(e, k, solver_.time(), solver_.state())); });
     back.arrived();
-    observer_.step(solver_);
+    if (observer_.step(solver_)) return;
+    obey(kte::stop);
+    observer_.settle(solver_);
+  }
+  /// What an observer has said.
+  void obey(bool goes_on) {
+    if (!goes_on) record_.stop(stop_reason::observer, 0, {});
   }
 
   /// Says whether the step has ended before its end.
@@ -115,7 +121,8 @@ class event_loop {
   /// Ends the step at the events that happen next, with the state x_.
   bool act(return_path& back) {
     const S t = watch_.next();
-    observer_.before(solver_, t, x_);
+    const bool goes_on = observer_.before(solver_, t, x_);
+    if (!goes_on && observer_.settle(solver_)) return back.arrived(), obey(goes_on), true;
     bool reset = false;
     watch_.for_each([&](auto& e, status& s, std::size_t k) {
       if (!s.happens) return;
@@ -134,7 +141,8 @@ class event_loop {
       s.happens ? s.rested ? s.renew_at_rest(y) : s.renew_at_crossing(y) : s.renew_elsewhere(y);
     });
     back.arrived();
-    if (reset) observer_.after(t, x_);
+    obey(goes_on);
+    if (reset) obey(observer_.after(solver_, t, x_));
     if (!record_.stopped()) go_on_after(t);
     return true;
   }
@@ -178,7 +186,7 @@ class event_loop {
       s.stuck ? s.renew_at_rest(y) : s.renew_elsewhere(y);
     });
     back.arrived();
-    observer_.after(begin_, x_);
+    obey(observer_.after(solver_, begin_, x_));
     go_for(goal_);
     return true;
   }

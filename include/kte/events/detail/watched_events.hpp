@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/events/detail/event_observers.hpp>
 #include <kte/events/detail/event_status.hpp>
 #include <kte/events/event_list.hpp>
 
@@ -36,8 +35,9 @@ class watched_events {
     const S y = e.function(t, x);
     if (!is_finite(y)) [[unlikely]]
       raise<integration_failure>("kte: integration stopped before t = " + number(static_cast<double>(t)) +
-                                 ": the function of event " + std::to_string(k) + quoted(name_of(e)) +
-                                 " is not a finite number there");
+                                     ": the function of event " + std::to_string(k) + quoted(name_of(e)) +
+                                     " is not a finite number there",
+                                 static_cast<double>(t), failure_reason::event_function, std::string(name_of(e)));
     return y;
   }
   /// As it was `named`, else as its function says.

@@ -78,8 +78,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
       progress = newton_.judge(size(change_));
     }
     if (progress == detail::newton::hopeless)
-      obstacle_ = this->next_is_finite() ? "Newton's iterations do not converge"
-                                         : "the next state or its derivative is not a finite number";
+      obstacle_ = this->next_is_finite() ? detail::diverging : detail::not_finite;
     return progress == detail::newton::converged;
   }
   /// The error of the step that is solved.
@@ -98,8 +97,8 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   rate slope_, change_;                                                ///< f now, if it is known; D of (1)
   S h_{0};                                                             ///< with its sign
   int order_ = 1;
-  int equal_steps_ = 0;             ///< how many steps were of this order and length
-  const char* obstacle_ = nullptr;  ///< why (1) could not be solved
+  int equal_steps_ = 0;        ///< how many steps were of this order and length
+  detail::obstacle obstacle_;  ///< why (1) could not be solved
   bool slope_is_known_ = false, jacobian_is_known_ = false;
   bool jacobian_is_new_ = false;  ///< J is that of the present state
 
@@ -109,7 +108,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     newton_.forget();
     c_ = c;
     matrix_is_known_ = this->factorize(c);
-    if (!matrix_is_known_) obstacle_ = "the matrix of Newton's iterations is singular";
+    if (!matrix_is_known_) obstacle_ = detail::singular;
     return matrix_is_known_;
   }
   /// Of an error of the step to `next_`. Tenfold: errors of steps sum up, and that in the end shall be about the

@@ -51,17 +51,17 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
     matrix_c_ = S(0);
   }
 
-  /// Makes W ready for stages with c; what is in the way, or null.
-  const char* prepare_stages(const S& c) {
+  /// Makes W ready for stages with c; what is in the way, or nothing.
+  detail::obstacle prepare_stages(const S& c) {
     using std::abs;
-    if (abs(S(c - matrix_c_)) <= abs(matrix_c_) / 100) return nullptr;
+    if (abs(S(c - matrix_c_)) <= abs(matrix_c_) / 100) return {};
     newton_.forget();
     matrix_c_ = this->factorize(c) ? c : S(0);
-    return matrix_c_ == S(0) ? "the matrix of Newton's iterations is singular" : nullptr;
+    return matrix_c_ == S(0) ? detail::singular : detail::obstacle{};
   }
-  /// Solves (1) at the time t, from a guess of k; what is in the way, or null. Leaves k, d_, and the slope as a rate of
-  /// the state in `stage_slope_`.
-  const char* solve_stage(const S& t, const S& c, const rate& b, rate& k) {
+  /// Solves (1) at the time t, from a guess of k; what is in the way, or nothing. Leaves k, d_, and the slope as a rate
+  /// of the state in `stage_slope_`.
+  detail::obstacle solve_stage(const S& t, const S& c, const rate& b, rate& k) {
     d_ = b + c * k;
     newton_.begin(newton_tolerance_, size(std::numeric_limits<S>::epsilon() * this->magnitudes(this->x_)));
     for (bool first = true;; first = false) {
@@ -82,10 +82,9 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
           residual_ = (correction_ - residual_) / c;
           k += residual_;  // (3)
           stage_slope_ += residual_;
-          return nullptr;
+          return {};
         case detail::newton::hopeless:
-          return detail::is_finite(corrected) ? "Newton's iterations do not converge"
-                                              : "the next state or its derivative is not a finite number";
+          return detail::is_finite(corrected) ? detail::diverging : detail::not_finite;
       }
     }
   }

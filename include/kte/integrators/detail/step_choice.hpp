@@ -8,11 +8,21 @@
 
 namespace kte::detail {
 
+/// What is in the way of a step; of none, the text is null.
+struct obstacle {
+  const char* text = nullptr;
+  failure_reason reason = failure_reason::not_finite;
+  explicit operator bool() const { return text != nullptr; }
+};
+inline constexpr obstacle not_finite{"the next state or its derivative is not a finite number"};
+inline constexpr obstacle diverging{"Newton's iterations do not converge", failure_reason::no_convergence};
+inline constexpr obstacle singular{"the matrix of Newton's iterations is singular", failure_reason::singular_matrix};
+
 /// What came of trying a step.
 template <class S>
 struct attempt {
   S error;  ///< its norm; at most 1: accepted. Not finite: there is no new state, because of the obstacle
-  const char* obstacle = "the next state or its derivative is not a finite number";
+  detail::obstacle obstacle = not_finite;
   S next{0};  ///< length of the next step, or try, that the method proposes; 0: by the error
 };
 
@@ -36,7 +46,7 @@ class step_choice {
   S proposed(const S& t, const S& t_end) const { return t_end < t ? S(-step_) : step_; }
 
   /// Chooses the first step from t to t_end. f0: slope at t; sizes: of the state; slope_after(h): slope after an Euler
-  /// step h; fail(why, whether numbers are not finite): does not return.
+  /// step h; fail(why, reason): does not return.
   template <class R, class X, class Slope, class Fail>
   void choose_first(const S& t, const S& t_end, const tolerances<S>& tol, const R& f0, const X& sizes,
                     const Slope& slope_after, const Fail& fail) {
@@ -44,13 +54,18 @@ class step_choice {
     check_reach(tol, sizes, fail);
     const S d0 = error_norm(tol, sizes, sizes, sizes), d1 = error_norm(tol, f0, sizes, sizes);
     if (!is_finite(d1)) [[unlikely]]
-      fail("the right-hand side is not a finite number", true);
+      fail("the right-hand side is not a finite number", failure_reason::not_finite);
+    if (tol.initial_step != S(0)) {
+      step_ = tol.initial_step;
+      control_ = step_controller<S>(order_of_error_);
+      return;
+    }
     const S span = abs(S(t_end - t)), least = 4 * least_step(t, span);
     const S trial = trial_step(d0, d1), h0 = span < trial ? span : trial < least ? least : trial;
     const S h = t_end < t ? S(-h0) : h0;
     const S d2 = error_norm(tol, (slope_after(h) - f0) / h, sizes, sizes);
     const S first = first_step(h0, d1, d2, order_of_error_);
-    step_ = first < least ? least : first;
+    step_ = within(first < least ? least : first, tol);
     control_ = step_controller<S>(order_of_error_);
   }
 
@@ -65,16 +80,16 @@ class step_choice {
     const S rest = abs(S(t_end - t)), least = least_step(t, rest);
     attempt<S> tried{S(0)};
     for (bool again = false;; again = true) {
-      const bool last = rest <= S(1.01) * step_;  // no tiny last step: stretched by 1/100, or the rest halved
+      const bool last = rest <= stretched(tol);  // no tiny last step: stretched by 1/100, or the rest halved
       const S h = last ? rest : rest < 2 * step_ ? S(rest / 2) : step_;
-      if (!last && h < least) [[unlikely]]
-        fail(too_short(h, tried), !is_finite(tried.error));
+      if (!last && (h < least || step_ < tol.smallest_step)) [[unlikely]]
+        fail(too_short(step_ < tol.smallest_step ? step_ : h, tol.smallest_step, tried), reason_of(tried));
       if (tries_++ == tol.max_steps) [[unlikely]]
-        fail("max_steps = " + std::to_string(tol.max_steps) + " steps are used up", false);
+        fail("max_steps = " + std::to_string(tol.max_steps) + " steps are used up", failure_reason::too_many_steps);
       const S end = last ? t_end : t_end < t ? S(t - h) : S(t + h);
       tried = try_step(end);
       if (tried.error <= S(1)) {
-        step_ = tried.next != S(0) ? tried.next : after(h, control_.accepted(tried.error, again));
+        step_ = within(tried.next != S(0) ? tried.next : after(h, control_.accepted(tried.error, again)), tol);
         return end;
       }
       ++rejected;
@@ -85,7 +100,17 @@ class step_choice {
  private:
   template <class X, class Fail>
   [[gnu::noinline]] void check_reach(const tolerances<S>& tol, const X& sizes, const Fail& fail) const {
-    if (const std::string why = tol.out_of_reach(sizes); !why.empty()) fail(why, false);
+    if (const std::string why = tol.out_of_reach(sizes); !why.empty()) fail(why, failure_reason::out_of_reach);
+  }
+  /// Not shorter and not longer than is wished.
+  static S within(const S& h, const tolerances<S>& tol) {
+    return h < tol.smallest_step                              ? tol.smallest_step
+           : tol.largest_step != S(0) && tol.largest_step < h ? tol.largest_step
+                                                              : h;
+  }
+  S stretched(const tolerances<S>& tol) const {
+    const S h = S(1.01) * step_;
+    return tol.largest_step != S(0) && tol.largest_step < h ? tol.largest_step : h;
   }
   /// The step after an accepted one of length h, whose error asks for a change by `factor`.
   S after(const S& h, const S& factor) const {
@@ -98,10 +123,14 @@ class step_choice {
     const S eps = std::numeric_limits<S>::epsilon(), t = abs(time), at_zero = eps * rest;
     return 4 * eps * (t < at_zero ? at_zero : t);
   }
-  [[gnu::cold, gnu::noinline]] static std::string too_short(const S& h, const attempt<S>& tried) {
-    return is_finite(tried.error) ? "the tolerances need a step of " + number(static_cast<double>(h)) +
-                                        ", which is lost in the rounding of t"
-                                  : std::string(tried.obstacle) + ", however short the step";
+  [[gnu::cold, gnu::noinline]] static std::string too_short(const S& h, const S& smallest, const attempt<S>& tried) {
+    if (!is_finite(tried.error)) return std::string(tried.obstacle.text) + ", however short the step";
+    const std::string needed = "the tolerances need a step of " + number(static_cast<double>(h));
+    return h < smallest ? needed + ", below the smallest step " + number(static_cast<double>(smallest))
+                        : needed + ", which is lost in the rounding of t";
+  }
+  static failure_reason reason_of(const attempt<S>& tried) {
+    return is_finite(tried.error) ? failure_reason::step_too_short : tried.obstacle.reason;
   }
 
   int order_of_error_;

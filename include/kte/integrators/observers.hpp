@@ -1,0 +1,126 @@
+#pragma once
+
+#include <kte/integrators/time_grid.hpp>
+
+#include <cstddef>
+#include <initializer_list>
+
+/// What integrations are told besides their end: times, and by observers whether to go on.
+namespace kte {
+
+/// What an observer may return, of type bool, instead of nothing: `return height > 0 ? kte::go_on : kte::stop`.
+inline constexpr bool go_on = true, stop = false;
+
+/// Why an integration came back.
+enum class stop_reason {
+  end_time,
+  terminal,  ///< at a terminal event
+  zeno,      ///< resets came ever closer, or one could not be separated from the next, or too many events
+  observer   ///< an observer said `stop`
+};
+
+namespace detail {
+/// A view of times, of anything with data() and size(), or in braces; these have to live on while it is used.
+template <class T>
+class time_list {
+ public:
+  template <class List>
+  requires requires(const List& l) {
+    { l.data() } -> std::convertible_to<const T*>;
+    l.size();
+  }
+  constexpr explicit time_list(const List& times)
+      : first_(times.data()), count_(static_cast<std::size_t>(times.size())) {}
+  constexpr time_list(std::initializer_list<T> times) : first_(times.begin()), count_(times.size()) {}
+
+  std::size_t count() const { return count_; }
+  const T& operator[](std::size_t i) const { return first_[i]; }
+
+  /// Throws `bad_argument` unless the times are finite, in the order of the way from t to t_end, and on it.
+  template <class S>
+  void check(const S& t, const S& t_end, const char* name) const {
+    S last = t;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const S now = S(first_[i]);
+      const bool follows = t < t_end ? last <= now && now <= t_end : last >= now && now >= t_end;
+      if (!follows) [[unlikely]]
+        raise<bad_argument>(std::string("kte: ") + name + " " + std::to_string(i) + " is " +
+                            number(static_cast<double>(now)) + ", not between " + number(static_cast<double>(last)) +
+                            " and " + number(static_cast<double>(t_end)) +
+                            ": they go in order from the present time to the end time");
+      last = now;
+    }
+  }
+
+ private:
+  const T* first_;
+  std::size_t count_;
+};
+template <class List>
+using number_in = std::remove_cvref_t<decltype(*std::declval<const List&>().data())>;
+}  // namespace detail
+
+/// Asks an integrator for the state at these times, by dense output: `solver.integrate(10, kte::at(times), observer)`,
+/// or `kte::at{0.1, 0.5, 2.0}`. In the order of the way to the end.
+template <class T>
+struct at : detail::time_list<T> {
+  using detail::time_list<T>::time_list;
+};
+template <class List>
+at(const List&) -> at<detail::number_in<List>>;
+template <class T>
+at(std::initializer_list<T>) -> at<T>;
+
+/// Lets steps end exactly at these times: `solver.integrate(10, kte::through(times), ...)`. After each of them f is
+/// taken anew, so an observer of every step may change there what f depends on.
+template <class T>
+struct through : detail::time_list<T> {
+  using detail::time_list<T>::time_list;
+};
+template <class List>
+through(const List&) -> through<detail::number_in<List>>;
+template <class T>
+through(std::initializer_list<T>) -> through<T>;
+
+namespace detail {
+
+/// The times of samples, count() of them. Throw `bad_argument` where they make no sense.
+template <class S>
+class even_samples {
+ public:
+  even_samples(const S& t, const S& t_end, const every<S>& e) : grid_(t, t_end, e.spacing, "spacing of samples") {}
+  long long count() const { return grid_.intervals() + 1; }
+  S operator[](long long i) const { return grid_[i]; }
+
+ private:
+  time_grid<S> grid_;
+};
+template <class S, class T>
+class listed_samples {
+ public:
+  listed_samples(const S& t, const S& t_end, const at<T>& times) : times_(times) {
+    times.check(t, t_end, "output time");
+  }
+  long long count() const { return static_cast<long long>(times_.count()); }
+  S operator[](long long i) const { return S(times_[static_cast<std::size_t>(i)]); }
+
+ private:
+  at<T> times_;
+};
+template <class S, class T>
+auto sample_times(const S& t, const S& t_end, const every<T>& e) {
+  return even_samples<S>(t, t_end, every<S>(S(e.spacing)));
+}
+template <class S, class T>
+auto sample_times(const S& t, const S& t_end, const at<T>& times) {
+  return listed_samples<S, T>(t, t_end, times);
+}
+
+struct no_stops {
+  static constexpr std::size_t count() { return 0; }
+  template <class S>
+  static constexpr void check(const S&, const S&, const char*) {}
+};
+
+}  // namespace detail
+}  // namespace kte
