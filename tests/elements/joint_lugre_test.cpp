@@ -163,3 +163,17 @@ TEST_CASE("LuGre friction at rates of any size", "[elements][joint_lugre]") {
     CHECK(friction.z_dot(moving, number(1e-10)).derivative[0] == (v < 0 ? 1.5 : 0.5));
   }
 }
+
+TEST_CASE("The Jacobian of a model with LuGre friction knows its bristles") {
+  manipulator_dynamics_model model(cart_on_rail);
+  model.input(push) = 1.2;
+  const Eigen::Vector3d x(0.1, 5e-4, 1e-5);
+  const auto j = model.jacobian(0.0, x);
+  for (int i = 0; i < 3; ++i) {
+    Eigen::Vector3d d = Eigen::Vector3d::Zero();
+    d[i] = i == 0 ? 1e-3 : 1e-5 * x[i];
+    const Eigen::Vector3d differences = (model(0.0, x + d) - model(0.0, x - d)) / (2 * d[i]);
+    // 1e-10 of third derivatives, of up to 3 in these units; rounding over 1e-5
+    CHECK((j.col(i) - differences).norm() <= 1e-9 * differences.norm());
+  }
+}

@@ -1,5 +1,6 @@
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/rodas.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/models/vector_form.hpp>
 
@@ -25,4 +26,49 @@ TEST_CASE("The vector form of a model is the same motion, also for methods with 
   CHECK((in_space.state() - on_group.state()).norm() < 1e-8);
   CHECK((at_run_time.state() - in_space.state()).norm() < 1e-8);
   CHECK(std::abs(in_space.state().segment<4>(3).norm() - 1) < 1e-8);
+}
+
+namespace {
+/// J against central differences of the rates of displacements.
+template <class Model, class X>
+void check_jacobian(Model& model, const X& x) {
+  const auto j = model.jacobian(0.0, x);
+  typename Model::rate d = Model::rate::Zero(model.rates());
+  const auto rate_at = [&](Eigen::Index column, double h) {
+    d[column] = h;
+    X moved = x;
+    model.displace(x, d, moved);
+    typename Model::rate r = model(0.0, moved);
+    model.pull_back(d, r);
+    d[column] = 0;
+    return r;
+  };
+  const double h = 1e-5, margin = 1e-8 * j.cwiseAbs().maxCoeff();  // h^2, and rounding over h, of third derivatives
+  for (Eigen::Index i = 0; i < d.size(); ++i)
+    CHECK((j.col(i) - (rate_at(i, h) - rate_at(i, -h)) / (2 * h)).cwiseAbs().maxCoeff() < margin);
+}
+}  // namespace
+
+TEST_CASE("Models know their Jacobian, also where there are rotations; stiff methods save its differences") {
+  random_numbers random(2);
+  const manipulator_dynamics_model model(floating);
+  manipulator_dynamics_model runtime(models::element_by_element(floating));
+  const random_motion_of<double, std::remove_const_t<decltype(floating)>> m(floating, random);
+  const auto x = model.make_x(m.q, m.v);
+  check_jacobian(model, x);
+  check_jacobian(runtime, Eigen::VectorXd(x));
+  kte_map_chain puck_with_arm;
+  puck_with_arm << free_joint_2D("puck", "table", "disc")
+                << inertia_2D("disc", planar_body(2.0, 0.3, vec3{0.1, -0.2, zero}))
+                << revolute_joint_2D("q", "disc", "arm") << inertia_2D("arm", planar_body(0.8, 0.05, along_x(0.25)));
+  puck_with_arm.gravity(weight);
+  manipulator_dynamics_model in_plane(puck_with_arm);
+  check_jacobian(in_plane, in_plane.make_x(std::array{0.3, -0.2, 0.7, 0.4}, std::array{0.5, -1.0, 2.0, 1.5}));
+  manipulator_dynamics_model sprung(models::element_by_element(floating_with_springs));
+  CHECK_THROWS_AS(sprung.jacobian(0, sprung.make_x(m.q, m.v)), bad_argument);
+
+  rodas solver(std::ref(runtime), 0.0, Eigen::VectorXd(x), {.absolute = 1e-6, .relative = 1e-6});
+  solver.integrate(0.1);
+  const auto& s = solver.statistics();
+  CHECK(s.evaluations <= 7 * (s.steps + s.rejected) + 2);  // six stages, df/dt; the first step
 }

@@ -11,10 +11,10 @@ namespace kte {
 ///
 ///   J_ij = d f_i / d x_j,   W = I - c J                (1)
 ///
-/// J is f.jacobian(t, x, J) where f has that: J a square matrix of the right size, filled by f. Otherwise by
-/// differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|, absolute_j / relative_j), but sqrt(eps) where
-/// that is 0, one evaluation a column.
-/// Where states have rotations, of the rate of the displacement by the displacement, at 0.
+/// J is f.jacobian(t, x, J) where f has that, as models have: J a square matrix of the right size, filled by f, which
+/// may return whether it knows J. Otherwise by differences (f(x + d_j) - f(x)) / d_j, d_j = sqrt(eps) max(|x_j|,
+/// absolute_j / relative_j), but sqrt(eps) where that is 0, one evaluation a column. Where states have rotations, of
+/// the rate of the displacement by the displacement, at 0.
 template <class Method, class F, class X>
 class implicit_integrator : public integrator<Method, F, X> {
   using base = integrator<Method, F, X>;
@@ -63,11 +63,8 @@ class implicit_integrator : public integrator<Method, F, X> {
   /// J at the present time and state, where f is `slope`. Overwrites `next_`.
   void differentiate(const rate& slope) {
     ++this->statistics_.jacobians;
-    if constexpr (requires { this->system().jacobian(this->time_, this->x_, jacobian_); }) {
-      this->ask([&] { this->system().jacobian(this->time_, this->x_, jacobian_); });
-    } else {
+    if (!take_jacobian()) {
       using std::abs;
-      using std::sqrt;
       const auto& sizes = this->magnitudes(this->x_);
       rate& d = probe_;
       d.setZero();
@@ -117,6 +114,22 @@ class implicit_integrator : public integrator<Method, F, X> {
   S least_size(Eigen::Index j) const {
     const S &a = tolerances_.absolute[j], &r = tolerances_.relative[j];
     return a / (r == S(0) ? root_of_epsilon() : r);
+  }
+  /// J by f; says whether it knows it.
+  bool take_jacobian() {
+    if constexpr (requires { this->system().jacobian(this->time_, this->x_, jacobian_); }) {
+      bool known = true;
+      this->ask([&] {
+        if constexpr (std::is_same_v<decltype(this->system().jacobian(this->time_, this->x_, jacobian_)), bool>) {
+          known = this->system().jacobian(this->time_, this->x_, jacobian_);
+        } else {
+          this->system().jacobian(this->time_, this->x_, jacobian_);
+        }
+      });
+      return known;
+    } else {
+      return false;
+    }
   }
   static S root_of_epsilon() {
     using std::sqrt;

@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/detail/internal_rates.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/models/detail/rate_derivatives.hpp>
 #include <kte/models/state_rate_function.hpp>
 #include <kte/models/state_space.hpp>
 
@@ -53,6 +54,28 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
+  /// The derivatives of x' by displacements from x, of which numbers are those of x'
+  /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
+  /// as set. Stiff methods take it.
+  using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
+  jacobian_matrix jacobian(const S& t, const state& x) const {
+    jacobian_matrix j;
+    jacobian(t, x, j);
+    return j;
+  }
+  void jacobian(const S&, const state& x, jacobian_matrix& j) const {
+    const S *q = x.data(), *v = q + size::q, *z = v + size::v;
+    const detail::configuration<S, wiring, const S*> at(q);
+    const auto bases = detail::with_signals(detail::base_under_gravity(this->chain()), this->u_.data(), z);
+    const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
+    const joint_vector<S, size::v> a =
+        detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
+    auto of_forces = detail::derivatives_at<S>(this->chain(), at, bases, q, v, a);
+    const auto of_accelerations = detail::inverted(a, of_forces);
+    detail::put_rate_derivatives(this->freedoms(), v, of_accelerations, j);
+    if constexpr (size::z > 0)
+      detail::derive_internals(this->chain(), q, v, z, this->u_.data(), of_accelerations.by_tau, j);
+  }
   /// The forces at x that accelerations answer: M a, of gravity, elements and inputs, less centrifugal ones; N and Nm.
   joint_vector<S, size::v> forces_at(const state& x) const {
     const S *q = x.data(), *v = q + size::q;

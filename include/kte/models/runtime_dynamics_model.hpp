@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/events/events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
@@ -44,6 +45,28 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
   /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
+
+  /// As of a static chain. Says whether it is known: of trees without internal states, whose elements all have
+  /// derivatives (dynamics/runtime_derivatives.hpp); else stiff methods take differences.
+  using jacobian_matrix = Eigen::MatrixXd;
+  bool jacobian(double, const state& x, jacobian_matrix& j) {
+    if (internals() > 0 || !s_.plan.tree || !wiring().has_derivatives) return false;
+    setJointStates(x, s_);
+    const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
+    j.resize(rates(), rates());
+    const Eigen::VectorXd v = velocities_of(x);
+    detail::put_rate_derivatives(freedoms(), v, of_accelerations, j);
+    return true;
+  }
+  /// The same; throws `bad_argument` where it is not known.
+  jacobian_matrix jacobian(double t, const state& x) {
+    jacobian_matrix j;
+    if (!jacobian(t, x, j))
+      throw bad_argument(
+          "kte: the Jacobian of a model of a runtime chain is known of trees without internal states, of elements "
+          "that have derivatives");
+    return j;
+  }
 
   using base::input;
   /// The value of an input; throws `unknown_name`.

@@ -33,6 +33,19 @@ class vector_form {
     for (Eigen::Index i = 1; i <= rest; ++i) x_dot_[x.size() - i] = r[r.size() - i];
     return x_dot_;
   }
+  /// That of the model, where all its coordinates are numbers; says whether that is so, and known.
+  template <class J>
+  bool jacobian(const S& t, const state& x, J& j) requires(std::is_same_v<J, typename model::jacobian_matrix>) {
+    auto& m = detail::unwrapped(f_);
+    for (const detail::freedom& f : m.freedoms())
+      if (f.what != kind::gen) return false;
+    if constexpr (std::is_same_v<decltype(m.jacobian(t, x, j)), bool>) {
+      return m.jacobian(t, x, j);
+    } else {
+      m.jacobian(t, x, j);
+      return true;
+    }
+  }
 
  private:
   F f_;

@@ -8,8 +8,8 @@ namespace kte::sundials {
 ///
 ///   J_ij = d f_i / d x_j          (1)
 ///
-/// is f.jacobian(t, x, J) where f has that: J a square matrix of the right size, filled by f. Otherwise SUNDIALS takes
-/// differences, one evaluation a column.
+/// is f.jacobian(t, x, J) where f has that, returning nothing: J a square matrix of the right size, filled by f.
+/// Otherwise SUNDIALS takes differences, one evaluation a column.
 template <class Method, class F, class X>
 class explicit_form : public integrator<Method, F, X> {
   using base = integrator<Method, F, X>;
@@ -21,7 +21,7 @@ class explicit_form : public integrator<Method, F, X> {
   static constexpr int size = X::RowsAtCompileTime;
   using matrix = Eigen::Matrix<double, size, size>;
   static constexpr bool has_jacobian = requires(kte::detail::unwrapped_type<F> & f, const S& t, const X& x, matrix& j) {
-    f.jacobian(t, x, j);
+    { f.jacobian(t, x, j) } -> std::same_as<void>;
   };
 
   template <class V>
