@@ -19,6 +19,7 @@
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>
 #include <kte/integrators/semi_implicit_euler.hpp>
+#include <kte/integrators/solution.hpp>
 #include <kte/integrators/stormer_verlet.hpp>
 #include <kte/integrators/tr_bdf2.hpp>
 #include <kte/integrators/trapezoidal.hpp>

@@ -8,6 +8,7 @@
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/rodas.hpp>
 #include <kte/integrators/rosenbrock23.hpp>
+#include <kte/integrators/solution.hpp>
 #include <kte/integrators/tr_bdf2.hpp>
 #include <kte/integrators/trapezoidal.hpp>
 
@@ -162,6 +163,28 @@ void check_events_that_throw() {
   check_turns(other, b, tol);
 }
 
+/// A solution is the dense output of all steps, also with events, and of further calls.
+template <template <class, class> class Method>
+void check_solution() {
+  block b;
+  Method<slides, state> solver(slides{&b}, 0.0, released, {.absolute = 1e-7, .relative = 1e-7});
+  auto sampled = solver;
+  solution x(solver);
+  double gap = 0;
+  solver.integrate(0.1, x);
+  solver.integrate(0.7, turns_of(b), x);
+  CHECK(x(0) == released);
+  CHECK(x(0.7) == solver.state());
+  b.direction = -1;
+  const auto compare = [&](double t, const state& at_t) { gap = std::max(gap, (x(t) - at_t).norm()); };
+  sampled.integrate(0.1, every(0.003), compare);
+  sampled.integrate(0.7, turns_of(b), every(0.003), compare);
+  CHECK(gap < 1e-12);  // rounding of numbers up to 10
+  CHECK_THROWS_WITH(x(0.8), contains_text("this solution goes from t = 0 to 0.69999999999999996, not to 0.8"));
+  solver.restart(1, released);
+  CHECK_THROWS_WITH(solver.integrate(2, x), contains_text("goes on at t = 0.69999"));
+}
+
 /// Steps begin as they are told, are not longer than that, and fail where they had to be shorter.
 template <template <class, class> class Method>
 void check_limits() {
@@ -244,4 +267,18 @@ TEST_CASE("Every solver keeps its steps within the limits given") {
   SECTION("tr_bdf2") { check_limits<tr_bdf2>(); }
   SECTION("trapezoidal") { check_limits<trapezoidal>(); }
   SECTION("kennedy_carpenter34") { check_limits<kennedy_carpenter34>(); }
+}
+
+TEST_CASE("A solution is the dense output of every solver, from its start to its end") {
+  SECTION("bogacki_shampine23") { check_solution<bogacki_shampine23>(); }
+  SECTION("fehlberg45") { check_solution<fehlberg45>(); }
+  SECTION("dormand_prince45") { check_solution<dormand_prince45>(); }
+  SECTION("prince_dormand87") { check_solution<prince_dormand87>(); }
+  SECTION("adams") { check_solution<adams>(); }
+  SECTION("bdf") { check_solution<bdf>(); }
+  SECTION("rosenbrock23") { check_solution<rosenbrock23>(); }
+  SECTION("rodas") { check_solution<rodas>(); }
+  SECTION("tr_bdf2") { check_solution<tr_bdf2>(); }
+  SECTION("trapezoidal") { check_solution<trapezoidal>(); }
+  SECTION("kennedy_carpenter34") { check_solution<kennedy_carpenter34>(); }
 }

@@ -1,4 +1,5 @@
 #include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/solution.hpp>
 #include <kte/models/controlled.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/static.hpp>
@@ -102,7 +103,10 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
     CHECK(pid.internals() == 1);
     CHECK(pid.velocities_of(x0)[3] == 2);
     dormand_prince45 solver(std::ref(pid), 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
-    solver.integrate(2);
+    auto sampled = solver;
+    solution whole(solver);
+    solver.integrate(2, whole);
+    sampled.integrate(2, every(0.01), [&](double t, const auto& x) { CHECK((whole(t) - x).norm() < 1e-14); });
     const auto [c, w] = integral_and_speed(2, 0.25, 2);
     CHECK(pid.law_states_of(solver.state())[0] == test::within_relative(c, epsilon));
     CHECK(pid.velocities_of(solver.state())[3] == test::within_relative(w, epsilon));

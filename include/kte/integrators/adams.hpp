@@ -133,6 +133,7 @@ class adams : public integrator<adams<F, X>, F, X> {
     return abs(S(h_ * (past_.g(k) - past_.g(k - 1)))) * detail::error_norm(tolerances_, e, this->x_, this->next_);
   }
 
+  int degree() const { return interpolated_ < 3 ? 3 : interpolated_; }
   void dense(const S& theta, X& x) const {
     const S s = theta * h_;
     past_.interpolate(s, interpolated_, x);

@@ -3,6 +3,8 @@
 #include <kte/integrators/fixed_step.hpp>
 #include <kte/integrators/tableau.hpp>
 
+#include <algorithm>
+
 namespace kte {
 
 /// A predictor and a corrector of Adams with a fixed step h and both evaluations (PECE), of order k. With the slopes
@@ -100,6 +102,9 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
     this->slope(detail::stage_time<S, start_tableau::c[I]>(this->time_, h_, end), k_[I]);
   }
 
+  static constexpr int degree() {
+    return static_cast<int>(std::max({std::size_t{3}, Formula::interpolant.size(), start_tableau::interpolant.size()}));
+  }
   void dense(const S& theta, X& x) const {
     if (multistep_) {
       x = this->previous_ - (theta * theta * (3 - 2 * theta)) * gap_;  // (4)

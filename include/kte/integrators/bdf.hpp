@@ -113,6 +113,7 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
     this->order_ = next.order;
     return length * next.factor;
   }
+  int degree() const { return order_of_last_; }
   void dense(const S& theta, X& x) const { this->differences_.interpolate(order_of_last_, theta, this->previous_, x); }
 
   detail::step_choice<S> steps_{2};

@@ -95,6 +95,14 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     this->pull_back(k_[I]);
   }
 
+  static constexpr int degree() {
+    if constexpr (extension::stages != 0) {
+      return 3 + static_cast<int>(Tableau::extension::dense.size());
+    } else {
+      return requires { Tableau::dense; }
+      ? 4 : 3;
+    }
+  }
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_;
     const auto& d = this->displacement();

@@ -163,6 +163,7 @@ class esdirk : public implicit_stages<esdirk<Tableau, F, X>, F, X> {
       if (w[i] != S(0)) sum_ += w[i] * k_[i];
   }
 
+  static constexpr int degree() { return 3; }
   void dense(const S& theta, X& x) const {
     this->displaced(detail::hermite_cubic(theta, S(this->time_ - this->previous_time_), this->displacement(),
                                           k_.front(), k_.back()),

@@ -47,6 +47,7 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
     this->displace(h * detail::combination<Tableau::a[I]>(k_));  // (1)
     this->slope(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), k_[I]);
   }
+  static constexpr int degree() { return static_cast<int>(Tableau::interpolant.size()); }
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_;
     rate d = this->no_rate();

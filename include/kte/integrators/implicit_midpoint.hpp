@@ -56,6 +56,7 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
           failure_reason::no_convergence);
     this->displace_at_last(h * k_);  // (1)
   }
+  static constexpr int degree() { return 1; }
   void dense(const S& theta, X& x) const { this->displaced((theta * (this->time_ - this->previous_time_)) * k_, x); }
 
   rate k_, fresh_;

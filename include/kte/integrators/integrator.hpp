@@ -34,6 +34,7 @@ inline constexpr keep_step_t keep_step{};
 ///                     step that has failed
 ///   advance(t_end)    one step towards t_end and not beyond: leaves the new state in `next_` and calls `accept`
 ///   dense(theta, x)   the state x at the fraction 0 < theta < 1 of the last step
+///   degree()          of the polynomial in theta that the displacement is there
 ///
 /// They move by displacements from the state at the start of the step: `displace`, `slope` and, in `dense`,
 /// `displaced`. For vectors that is adding.
@@ -49,6 +50,8 @@ class integrator : public moving_state<F, X> {
   /// The state at `time()`. After a failure: the last good one.
   const X& state() const { return x_; }
   const step_statistics& statistics() const { return statistics_; }
+  /// The right-hand side, as it was given.
+  using base::function;
 
   /// Integrates to t_end, forward or backward; afterwards `time() == t_end`. Throws `integration_failure` that says
   /// where and why it stopped, `bad_argument` for a t_end that is not finite.
@@ -125,6 +128,24 @@ class integrator : public moving_state<F, X> {
       x = previous_;
     } else {
       static_cast<const Method&>(*this).dense(S((t - previous_time_) / (time_ - previous_time_)), x);
+    }
+  }
+
+  // ---- the last step, for `solution`
+  const S& previous_time() const { return previous_time_; }
+  const X& previous_state() const { return previous_; }
+  /// Of the polynomial in time that the dense output of the last step is.
+  int dense_degree() const { return static_cast<const Method&>(*this).degree(); }
+  /// The displacement from the start of the last step to the fraction 0 <= theta <= 1 of it.
+  rate displacement_to(const S& theta) const {
+    if (theta == S(0)) return this->no_rate();
+    if (theta == S(1)) return this->displacement();
+    X x = x_;
+    static_cast<const Method&>(*this).dense(theta, x);
+    if constexpr (base::on_group) {
+      return this->displacement_within();
+    } else {
+      return x - previous_;
     }
   }
 

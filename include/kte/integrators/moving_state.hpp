@@ -46,6 +46,7 @@ class moving_state {
                   "kte: this right-hand side changes when it is called: pass std::ref(f), not std::cref(f)");
     static_assert(is_called || detail::changes_when_called<F, S, X>, "kte: a right-hand side is called as f(t, x)");
   }
+  const F& function() const { return f_; }
   /// Anew from x.
   template <class V>
   void place(const Eigen::MatrixBase<V>& x) {
@@ -125,6 +126,8 @@ class moving_state {
       return x_ - previous_;
     }
   }
+  /// The last one that `displaced` was called with.
+  const rate& displacement_within() const requires(on_group) { return within_; }
   /// What relative tolerances are relative to; of `next_` and of another state at the same time.
   const rate& magnitudes(const X& x) const {
     if constexpr (on_group) {

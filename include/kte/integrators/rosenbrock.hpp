@@ -109,6 +109,7 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
       if (w[i] != S(0)) sum_ += w[i] * u_[i];
   }
 
+  int degree() const { return static_cast<int>(table_.dense.size()); }
   void dense(const S& theta, X& x) const {
     sum_.setZero();
     for (std::size_t i = 0; i < stages; ++i) {

@@ -38,6 +38,7 @@ class semi_implicit_euler : public fixed_step<semi_implicit_euler<F, X>, F, X> {
     d_ *= h;
     this->displace_at_last(d_);  // (1)
   }
+  static constexpr int degree() { return 1; }
   void dense(const S& theta, X& x) const { this->displaced(theta * d_, x); }
 
   rate d_;

@@ -76,6 +76,7 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
           "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
           failure_reason::no_convergence);
   }
+  static constexpr int degree() { return 3; }
   void dense(const S& theta, X& x) const {
     this->displaced(detail::hermite_cubic(theta, S(this->time_ - this->previous_time_), d_, k0_, k1_), x);
   }

@@ -67,8 +67,8 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 /// Events where the laws of the elements of a model change: a spring that saturates, teeth that touch. Each is located
 /// to the tolerance, ends the step there and starts anew, by the law that holds from then on:
 ///
-///   kte::integrate(solver, 10.0, kte::element_events(model));
-///   kte::integrate(solver, 10.0, kte::joined(kte::events(ground), kte::element_events(model)));
+///   solver.integrate(10.0, kte::element_events(model));
+///   solver.integrate(10.0, kte::joined(kte::events(ground), kte::element_events(model)));
 ///
 /// In the order of the elements, with their names. The model must outlive them. An element says where by a function
 /// `switching` of its core, of what its ports are connected to, that goes through zero there.

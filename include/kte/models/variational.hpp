@@ -123,6 +123,8 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
     lost_p_ = change - (p_ - p);
   }
 
+  /// With rotations rates are no polynomial, but one of this degree is as close as rounding to a step of this method.
+  static constexpr int degree() { return base::on_group ? 9 : 3; }
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_;
     vector d = vector::Zero(), v1 = this->x_.template tail<n>();
@@ -132,9 +134,10 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
     for_each([&](const auto& f) { detail::pull_back_one<S>(f, d, v1); });
     const vector at = detail::hermite_cubic(theta, h, d, v0, v1);
     vector v = detail::hermite_slope(theta, h, d, v0, v1);
-    displace(this->previous_, at, x);
     for_each([&](const auto& f) { detail::push_forward_one<S>(f, at, v); });
-    x.template tail<n>() = v;
+    rate d_of_both;
+    d_of_both << at, v - v0;
+    this->displaced(d_of_both, x);
   }
 
   const auto& chain() const { return this->system().chain(); }

@@ -147,6 +147,7 @@ class integrator : public kte::integrator<Method, F, X> {
     this->accept(reached);
     fresh_ = false;
   }
+  static constexpr int degree() { return 12; }  // of the highest order
   void dense(const S& theta, X& x) const {
     N_VSetArrayPointer(x.data(), y_.get());
     check(method().dense_at(this->previous_time_ + theta * (this->time_ - this->previous_time_), y_.get()));

@@ -1,0 +1,186 @@
+#pragma once
+
+#include <kte/integrators/integrator.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace kte {
+
+/// All of an integration, as a function of time: the dense output of every step, of every solver, forward or backward,
+/// also with events:
+///
+///   kte::solution x(solver);
+///   solver.integrate(10.0, x);
+///   const auto there = x(3.7);
+///
+/// as exact as the dense output of the solver, but for rounding: of a step it keeps the start and the displacements d
+/// from there at m times, m the degree of the solver's polynomial, which go through the same polynomial:
+///
+///   d(theta) = sum_j w_j d_j / (theta - theta_j) / sum_j w_j / (theta - theta_j)                  (1)
+///   theta_j = (1 - cos(pi j / m)) / 2,   w_j = (-1)^j, half of that for j = 0, m                  (2)
+///
+/// m: 1 to 7 for one-step methods (4 for `dormand_prince45`, 7 for `prince_dormand87`, with its four evaluations more a
+/// step), the order for `bdf`, one more than that for `adams`, at least 3. In memory, for states of n numbers with r
+/// rates: 4 + n + m r numbers a step, on the heap. Looking up takes the logarithm of the number of steps.
+///
+/// Further calls of `integrate` go on with it, where it ended. Berrut and Trefethen, Barycentric Lagrange
+/// Interpolation, SIAM Review 46 (2004), (4.2), (5.4).
+template <class F, class X>
+class solution {
+  static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
+
+ public:
+  using S = typename X::Scalar;
+  using rate = rate_of<F, X>;
+  using follows_steps = void;
+
+  /// Of a solver that is to go on from here.
+  template <class Method>
+  explicit solution(const integrator<Method, F, X>& solver)
+      : motion_(motion_of(solver)),
+        begin_(solver.time()),
+        end_(begin_),
+        last_(solver.state()),
+        from_(last_),
+        d_(solver.displacement_to(S(0))) {}
+
+  const S& begin() const { return begin_; }
+  const S& end() const { return end_; }
+  std::size_t steps() const { return pieces_.size(); }
+
+  /// The state at a time; where an event has changed it, the one after. Throws `bad_argument` out of range.
+  X operator()(const S& t) const {
+    X x = last_;
+    at(t, x);
+    return x;
+  }
+  /// The same into x, without a new vector.
+  void at(const S& t, X& x) const {
+    if (!(is_forward() ? begin_ <= t && t <= end_ : end_ <= t && t <= begin_)) [[unlikely]]
+      detail::raise<bad_argument>("kte: this solution goes from t = " + detail::number(static_cast<double>(begin_)) +
+                                  " to " + detail::number(static_cast<double>(end_)) + ", not to " +
+                                  detail::number(static_cast<double>(t)));
+    if (t == end_) return void(x = last_);
+    const bool forward = is_forward();
+    const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), t, [&](const S& now, const piece& p) {
+      return forward ? now < p.begin : p.begin < now;
+    });
+    evaluate_piece(*(after - 1), t, x);
+  }
+
+  // ---- as an observer (integrators/detail/followers.hpp)
+  template <class Solver>
+  bool start(const Solver& solver) {
+    if (solver.time() != end_)
+      detail::raise<bad_argument>("kte: this solution goes on at t = " + detail::number(static_cast<double>(end_)) +
+                                  ", where it has ended, not at " + detail::number(static_cast<double>(solver.time())));
+    last_ = solver.state();
+    return true;
+  }
+  template <class Solver>
+  bool step(const Solver& solver) {
+    append(solver, solver.time(), solver.state());
+    return true;
+  }
+  template <class Solver>
+  bool before(const Solver& solver, const S& t, const X& x) {
+    append(solver, t, x);
+    return true;
+  }
+  template <class Solver>
+  bool after(const Solver&, const S&, const X& x) {
+    last_ = x;
+    return true;
+  }
+  template <class Solver>
+  bool settle(Solver&) {
+    return false;
+  }
+
+ private:
+  /// A step, or its part up to an event: its numbers are the state at its start, and m displacements.
+  struct piece {
+    S begin, length;
+    std::size_t first;
+    int degree;
+  };
+
+  bool is_forward() const { return pieces_.empty() || pieces_.front().length > S(0); }
+  static S node(int j, int m) {
+    using std::cos;
+    return j == m ? S(1) : S((1 - cos(S(std::numbers::pi_v<long double> * j / m))) / 2);
+  }
+
+  template <class Solver>
+  void append(const Solver& solver, const S& t, const X& x) {
+    if (t == end_) return void(last_ = x);
+    const S length = t - end_, whole = solver.time() - solver.previous_time();
+    if (!pieces_.empty() && (length > S(0)) != is_forward())
+      detail::raise<bad_argument>("kte: a solution does not turn back");
+    const int m = solver.dense_degree();
+    const std::size_t first = numbers_.size();
+    const X& from = solver.previous_state();
+    numbers_.insert(numbers_.end(), from.data(), from.data() + from.size());
+    for (int j = 1; j <= m; ++j) {
+      d_ = solver.displacement_to(S(node(j, m) * (length / whole)));
+      numbers_.insert(numbers_.end(), d_.data(), d_.data() + d_.size());
+    }
+    pieces_.push_back({end_, length, first, m});
+    end_ = t;
+    last_ = x;
+  }
+
+  void evaluate_piece(const piece& p, const S& t, X& x) const {
+    const S theta = (t - p.begin) / p.length;
+    const S* numbers = numbers_.data() + p.first;
+    from_ = Eigen::Map<const X>(numbers, last_.size());
+    numbers += last_.size();
+    d_.setZero();
+    S sum(0);
+    for (int j = 0; j <= p.degree; ++j) {
+      const S away = theta - node(j, p.degree);
+      if (away == S(0)) {
+        if (j == 0) return void(x = from_);
+        d_ = Eigen::Map<const rate>(numbers + (j - 1) * d_.size(), d_.size());
+        return displace(x);
+      }
+      const S half = j == 0 || j == p.degree ? S(1) / S(2) : S(1), w = (j % 2 == 0 ? half : S(-half)) / away;
+      sum += w;
+      if (j > 0) d_ += w * Eigen::Map<const rate>(numbers + (j - 1) * d_.size(), d_.size());
+    }
+    d_ /= sum;  // (1)
+    displace(x);
+  }
+  /// x = from_ (+) d_
+  void displace(X& x) const {
+    if constexpr (on_group) {
+      detail::unwrapped(motion_).displace(from_, d_, x);
+    } else {
+      x = from_ + d_;
+    }
+  }
+  struct nothing {};
+  template <class Method>
+  static auto motion_of(const integrator<Method, F, X>& solver) {
+    if constexpr (on_group) {
+      return solver.function();
+    } else {
+      return nothing{};
+    }
+  }
+
+  [[no_unique_address]] std::conditional_t<on_group, std::remove_const_t<F>, nothing> motion_;
+  S begin_, end_;
+  X last_;
+  std::vector<piece> pieces_;
+  std::vector<S> numbers_;
+  mutable X from_;
+  mutable rate d_;
+};
+template <class Method, class F, class X>
+solution(const integrator<Method, F, X>&) -> solution<F, X>;
+
+}  // namespace kte
