@@ -139,7 +139,6 @@ class integrator : public moving_state<F, X> {
   /// The displacement from the start of the last step to the fraction 0 <= theta <= 1 of it.
   rate displacement_to(const S& theta) const {
     if (theta == S(0)) return this->no_rate();
-    if (theta == S(1)) return this->displacement();
     X x = x_;
     static_cast<const Method&>(*this).dense(theta, x);
     if constexpr (base::on_group) {
