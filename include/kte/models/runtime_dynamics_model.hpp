@@ -49,7 +49,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// As of a static chain. Says whether it is known: of trees without internal states, whose elements all have
   /// derivatives (dynamics/runtime_derivatives.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
-  bool jacobian(double, const state& x, jacobian_matrix& j) {
+  bool jacobian(double, const state& x, jacobian_matrix& j) const {
     if (internals() > 0 || !s_.plan.tree || !wiring().has_derivatives) return false;
     setJointStates(x, s_);
     const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
@@ -59,7 +59,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return true;
   }
   /// The same; throws `bad_argument` where it is not known.
-  jacobian_matrix jacobian(double t, const state& x) {
+  jacobian_matrix jacobian(double t, const state& x) const {
     jacobian_matrix j;
     if (!jacobian(t, x, j))
       throw bad_argument(
