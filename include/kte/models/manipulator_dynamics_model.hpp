@@ -68,10 +68,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = detail::with_signals(detail::base_under_gravity(this->chain()), this->u_.data(), z);
     const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
-    const joint_vector<S, size::v> a =
-        detail::accelerations_under<S>(this->chain(), at, detail::each<S, const S*>{v}, bases, none);
-    auto of_forces = detail::derivatives_at<S>(this->chain(), at, bases, q, v, a);
-    const auto of_accelerations = detail::inverted(a, of_forces);
+    const auto of_accelerations = detail::forward_derivatives_at<S>(this->chain(), at, bases, q, v, none);
     detail::put_rate_derivatives(this->freedoms(), v, of_accelerations, j);
     if constexpr (size::z > 0)
       detail::derive_internals(this->chain(), q, v, z, this->u_.data(), of_accelerations.by_tau, j);
