@@ -1,6 +1,7 @@
 #include <kte/chain/from_record.hpp>
 
 #include "catch.hpp"
+#include "chain/elements_page.hpp"
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
 
@@ -135,4 +136,17 @@ TEST_CASE("the registry refuses what it does not understand") {
                                  return kte::damper_gen(r.name("anchor1"), r.name("anchor2"), 1.0);
                                }),
                   kte::bad_argument);
+}
+
+TEST_CASE("docs/elements.md has every element, every port and every parameter, in their order, and nothing else") {
+  const auto registry = kte::element_registry::standard();
+  const auto page = elements_page::records();
+  std::vector<std::string> described;
+  for (const auto& [type, element] : page) {  // the registry refuses what it lacks and what it does not know
+    INFO(type);
+    described.push_back(type);
+    registry.make(element)->for_each_element(
+        [&e = element](const kte::kte_element& made) { CHECK(made.record() == e); });
+  }
+  CHECK(described == registry.types());
 }
