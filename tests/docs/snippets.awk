@@ -6,12 +6,10 @@
 # page do not see:
 #
 #   <!-- snippet             the lines up to --> stand in front of the next block, in its function
-#   <!-- snippet: outside    they, and the next block, stand in no function
+#   <!-- snippet: outside    they stand in no function; without lines, <!-- snippet: outside -->, the next block does
 #   <!-- snippet: continued  they, and the next block, belong to the function of the block before
 #   <!-- snippet: after      they belong to the block before
 #
-# With no lines, <!-- snippet: outside --> alone says where the next block stands.
-
 function add(text) { body = body text "\n" }
 function here() { add("#line " NR + 1 " \"" page "\"") }
 
@@ -47,8 +45,9 @@ hidden { add_code($0); next }
   if (how == "outside") close_function()
   else if (how == "") open_function(NR)
   else if (how != "continued" && how != "after") { print page ":" NR ": '" how "'?" > "/dev/stderr"; exit 1 }
-  if (how != "after") place = how == "" ? "continued" : how
   hidden = $0 !~ /-->$/
+  if (how == "" || how == "continued") place = "continued"
+  else if (how == "outside") place = hidden ? "" : "outside"
   here()
   next
 }
