@@ -19,6 +19,11 @@ colour(name) = word(colours, place(name))
 mark(name) = int(word(marks, place(name)))
 set grid lc rgb "#dddddd"
 
+# What the error of a problem is of, with its unit.
+error(p) = p eq "iiwa14" ? "error of the tool, m" : p eq "flyball_governor" ? "error of the slider, m" : \
+           p eq "dzhanibekov" ? "error of the rotation matrix" : \
+           strstrt(" hires vdpol orego rober ", " ".p." ") > 0 ? "largest relative error" : "largest error, SI units"
+
 set terminal svg size 1200,520 font "sans-serif,11" background rgb "white"
 set logscale xy
 set format xy "1e%T"
@@ -35,7 +40,7 @@ do for [p in present("NF >= 13", 1)] {
     set lmargin at screen (panel == 1 ? 0.05 : 0.46)
     set rmargin at screen (panel == 1 ? 0.40 : 0.81)
     set xlabel (panel == 1 ? "CPU time, s" : "evaluations")
-    set ylabel (panel == 1 ? "error" : "")
+    if (panel == 1) { set label 1 error(p) at screen 0.01, 0.51 center rotate by 90 } else { unset label 1 }
     if (panel == 1) { unset key } else { set key at screen 0.98, 0.93 right top vertical noenhanced samplen 1.5 spacing 0.95 }
     plot for [m in shown] selected(p, m, panel == 1 ? 5 : 6) using 1:2 \
       with linespoints pt mark(m) ps 0.5 lw 1.3 lc rgb colour(m) title m

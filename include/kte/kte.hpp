@@ -1,6 +1,23 @@
 #pragma once
 
-/// All of kte but files: static chains, runtime chains, dynamics, integrators. Files need `kte/io.hpp`.
+/// What most programs need: static and runtime chains, all elements, and of
+///
+///   algorithms   inverse and forward dynamics, mass matrix, gravity and Coriolis forces, forward kinematics, motion
+///                and Jacobians of frames, energies, centre of mass, centroidal momentum
+///   integrators  euler, midpoint, runge_kutta4, runge_kutta5, bogacki_shampine23, fehlberg45, dormand_prince45
+///
+/// What takes longer to compile, or is needed less often, has headers of its own:
+///
+///   kte/dynamics.hpp              all algorithms: also derivatives, M^-1, hybrid dynamics, generalized momenta
+///   kte/dynamics/batch.hpp        many states at once, in packs
+///   kte/simulation.hpp            chains as systems x' = f(t, x), all integrators, events
+///   kte/io.hpp                    files: models, tables, recorders, progress
+///   kte/chain/registry.hpp        runtime chains from records, which are plain data
+///   kte/chain/from_record.hpp     the same for static chains
+///   kte/adapters/sundials.hpp     solvers of SUNDIALS
+///   kte/adapters/odeint.hpp       chains for Boost.Numeric.Odeint
+///   kte/testing/element_laws.hpp  tests for elements of one's own
+///   kte/static.hpp                the half of this header that static chains need, without exceptions and RTTI
 #include <kte/chain/checks.hpp>
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>

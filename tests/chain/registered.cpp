@@ -2,6 +2,8 @@
 
 #include "chain/gear.hpp"
 
+template kte::element_registry kte::element_registry::standard<void>();
+
 const kte::element_registry& models::registry() {
   static const auto all = [] {
     auto r = kte::element_registry::standard();

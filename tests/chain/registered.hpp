@@ -2,9 +2,12 @@
 
 #include <kte/chain/registry.hpp>
 
+/// Compiled once for all tests, with all elements (chain/registered.cpp).
+extern template kte::element_registry kte::element_registry::standard<void>();
+
 namespace models {
 
-/// All elements of the library and those of tests: compiled once for all tests (chain/registered.cpp).
+/// All elements of the library and those of tests.
 const kte::element_registry& registry();
 
 /// A runtime chain from a record.

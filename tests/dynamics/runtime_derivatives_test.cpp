@@ -166,3 +166,12 @@ TEST_CASE("a given coordinate that is no number", "[mass_matrix_inverse][runtime
   CHECK_THROWS_AS(forward_dynamics(model, r), bad_argument);
   CHECK_THROWS_AS(forward_dynamics(rotors, s), bad_argument);
 }
+
+TEST_CASE("a coordinate that hybrid dynamics has prescribed is free in the next call") {
+  const kte_map_chain c = element_by_element(robots::iiwa14);
+  auto s = c.make_state();
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
+  const Eigen::MatrixXd free = mass_matrix_inverse(c, s, rest);
+  (void)hybrid_dynamics(c, s, rest, rest, rest, {layout(c)[1].name});
+  CHECK(mass_matrix_inverse(c, s, rest) == free);
+}

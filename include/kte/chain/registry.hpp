@@ -122,6 +122,12 @@ class element_registry {
     const bool fresh = factories_.emplace(type, [make](const record_reader& r) { return adapt(make(r)); }).second;
     if (!fresh) throw bad_argument("kte: the registry has a '" + type + "' already");
   }
+  /// The types it knows, in alphabetical order.
+  std::vector<std::string> types() const {
+    std::vector<std::string> all;
+    for (const auto& f : factories_) all.push_back(f.first);
+    return all;
+  }
   /// Throws `bad_file` for an unknown type, a wrong version, missing names or parameters; `bad_parameter` for bad ones.
   std::unique_ptr<kte_map> make(const element_record& r) const {
     const auto f = factories_.find(r.type);

@@ -133,6 +133,7 @@ void invert_articulated(const Elements& e, State& s, Matrix& inverse) {
   using S = typename State::scalar;
   auto& w = s.work;
   for (const auto& [k, i] : s.plan.bases) w.frames.at(k, i) = {};
+  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);  // an earlier call may have left some
   start_articulated(s);
   w.forces.setZero();
   e.template forward<steps::rest>(s);
