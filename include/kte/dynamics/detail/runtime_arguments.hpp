@@ -1,0 +1,97 @@
+#pragma once
+
+#include <kte/chain/kte_map_chain.hpp>
+#include <kte/dynamics/runtime_vectors.hpp>
+
+/// The arguments of the algorithms on runtime chains.
+namespace kte::detail {
+
+/// visit(c) for generalized coordinates that are given from outside, by base_gen.
+template <class State, class Visit>
+void for_each_given_coordinate(State& s, const Visit& visit) {
+  const auto& writers = s.made_for()->writers[static_cast<std::size_t>(kind::gen)];
+  for (std::size_t i = 0; i < writers.size(); ++i)
+    if (s.plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
+}
+
+/// Whether positions can be computed with.
+class position_check {
+ public:
+  void number(double x) { finite_ &= x - x == 0; }
+  template <class C>
+  void coordinate(const C& c) {
+    visit_q(c, [this](double x) { number(x); });
+    if constexpr (requires { c.rotation; }) {
+      const double n = dot(c.rotation, c.rotation);
+      turned_ &= n > 0 && n - n == 0;
+    }
+  }
+  /// Throws `bad_argument` unless all were good.
+  void finish() const {
+    if (!finite_) [[unlikely]]
+      throw bad_argument("kte: a coordinate is no finite number");
+    if (!turned_) [[unlikely]]
+      throw bad_argument("kte: the quaternion of a rotation has length 0");
+  }
+
+ private:
+  bool finite_ = true, turned_ = true;
+};
+
+/// Of a state.
+inline void check_positions(const runtime_state& s) {
+  position_check all;
+  for_each_listed_freedom(s, [&all](const auto& c, const freedom&) { all.coordinate(c); });
+  for_each_given_coordinate(s, [&all](const gen_coord<>& c) { all.number(c.q); });
+  all.finish();
+}
+/// Of a vector, for a state.
+template <indexable Q>
+void check_positions(const runtime_state& s, const Q& q) {
+  check_configuration(s.nq(), s.dofs(), q);
+  position_check all;
+  if (s.nq() == s.dofs()) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<double>(q[i]));
+  } else {
+    for_each_listed_freedom(s, [&](auto c, const freedom& at) {
+      auto i = begin_of<vector_of::q>(at);
+      visit_q(c, [&](double& number) { number = static_cast<double>(q[i++]); });
+      all.coordinate(c);
+    });
+  }
+  for_each_given_coordinate(s, [&all](const gen_coord<>& c) { all.number(c.q); });
+  all.finish();
+}
+
+/// What a call is not given.
+struct not_given {};
+
+template <class X>
+void check_numbers(const runtime_state& s, const X& x, const char* name, const char* what) {
+  if constexpr (!std::is_same_v<X, not_given>) {
+    const auto n = static_cast<std::size_t>(s.dofs());
+    check_size(n, x, name);
+    bool finite = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto number = static_cast<double>(x[i]);
+      finite &= number - number == 0;
+    }
+    if (!finite) [[unlikely]]
+      throw bad_argument(std::string("kte: ") + what + " is no finite number");
+  }
+}
+
+/// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
+template <class Q, class V = not_given, class A = not_given, class Tau = not_given>
+void take(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v = {}, const A& a = {}, const Tau& tau = {}) {
+  c.check(s);
+  check_positions(s, q);
+  check_numbers(s, v, "v", "a velocity");
+  check_numbers(s, a, "a", "an acceleration");
+  check_numbers(s, tau, "tau", "a force");
+  set_positions(s, q);
+  if constexpr (!std::is_same_v<V, not_given>) set_velocities(s, v);
+  if constexpr (!std::is_same_v<A, not_given>) set_accelerations(s, a);
+}
+
+}  // namespace kte::detail
