@@ -5,7 +5,6 @@
 
 #include <boost/hana/at.hpp>
 #include <boost/hana/flatten.hpp>
-#include <boost/hana/fold_left.hpp>
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/unpack.hpp>
 

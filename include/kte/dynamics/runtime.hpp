@@ -36,6 +36,7 @@ inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state&
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, const Q& q) {
+  detail::check_plain_loads(c);
   detail::take(c, s, q);
   detail::mass_of_coordinates(c, s);
   return s.work.mass;

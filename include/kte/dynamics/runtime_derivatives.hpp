@@ -47,6 +47,7 @@ inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtim
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s, const Q& q) {
+  detail::check_plain_loads(c);
   detail::take(c, s, q);
   return mass_matrix_inverse(c, s);
 }
