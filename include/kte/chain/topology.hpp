@@ -45,6 +45,7 @@ class topology {
   bool reads_positions = false;                       ///< some element does
   bool has_derivatives = true;                        ///< all elements do
   bool plain_loads = true;                            ///< all elements have them
+  bool is_stiff = true;                               ///< joints and links alone write frames
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 

@@ -13,16 +13,19 @@ Eigen::VectorXd read_numbers(const runtime_state& s) {
   read_listed_numbers<Which>(s, x);
   return x;
 }
+/// Numbers of x into a coordinate.
+template <vector_of Which, class C, class X>
+void put(C& c, const freedom& at, const X& x) {
+  auto i = begin_of<Which>(at);
+  visit_numbers<Which>(c, [&](double& number) { number = static_cast<double>(x[i++]); });
+}
 template <vector_of Which, indexable X>
 void write_numbers(runtime_state& s, const X& x, const char* name) {
   if constexpr (Which == vector_of::q)
     check_configuration(s.nq(), s.dofs(), x);
   else
     check_size(static_cast<std::size_t>(s.dofs()), x, name);
-  for_each_listed_freedom(s, [&x](auto& c, const freedom& at) {
-    auto i = begin_of<Which>(at);
-    visit_numbers<Which>(c, [&](double& number) { number = static_cast<double>(x[i++]); });
-  });
+  for_each_listed_freedom(s, [&x](auto& c, const freedom& at) { put<Which>(c, at, x); });
 }
 }  // namespace detail
 

@@ -103,9 +103,10 @@ inline void check_plain_loads(const kte_map_chain& c) {
 
 /// The mass matrix, into the working memory.
 inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
-  for (const auto& e : c.wiring().elements)
-    if (e.ports.back().how == access::out && !e.stiff && is_frame(e.ports.back().what))
-      throw bad_argument("kte: the mass matrix needs joints and links, not " + e.element->record().type);
+  if (!c.wiring().is_stiff) [[unlikely]]
+    for (const auto& e : c.wiring().elements)
+      if (e.ports.back().how == access::out && !e.stiff && is_frame(e.ports.back().what))
+        throw bad_argument("kte: the mass matrix needs joints and links, not " + e.element->record().type);
   update_angles(s);
   mass_of_coordinates(runtime_elements{c}, s);
 }

@@ -9,6 +9,7 @@ namespace kte::detail {
 /// visit(c) for generalized coordinates that are given from outside, by base_gen.
 template <class State, class Visit>
 void for_each_given_coordinate(State& s, const Visit& visit) {
+  if (s.plan.coordinates == s.dofs()) return;
   const auto& writers = s.made_for()->writers[static_cast<std::size_t>(kind::gen)];
   for (std::size_t i = 0; i < writers.size(); ++i)
     if (s.plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
@@ -54,8 +55,7 @@ void check_positions(const runtime_state& s, const Q& q) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<double>(q[i]));
   } else {
     for_each_listed_freedom(s, [&](auto c, const freedom& at) {
-      auto i = begin_of<vector_of::q>(at);
-      visit_q(c, [&](double& number) { number = static_cast<double>(q[i++]); });
+      put<vector_of::q>(c, at, q);
       all.coordinate(c);
     });
   }
@@ -89,9 +89,11 @@ void take(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v = {},
   check_numbers(s, v, "v", "a velocity");
   check_numbers(s, a, "a", "an acceleration");
   check_numbers(s, tau, "tau", "a force");
-  set_positions(s, q);
-  if constexpr (!std::is_same_v<V, not_given>) set_velocities(s, v);
-  if constexpr (!std::is_same_v<A, not_given>) set_accelerations(s, a);
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) {
+    put<vector_of::q>(x, at, q);
+    if constexpr (!std::is_same_v<V, not_given>) put<vector_of::v>(x, at, v);
+    if constexpr (!std::is_same_v<A, not_given>) put<vector_of::a>(x, at, a);
+  });
 }
 
 }  // namespace kte::detail
