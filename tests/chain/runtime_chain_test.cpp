@@ -102,13 +102,13 @@ TEST_CASE("gravity stays when chains nest") {
   using namespace kte;
   const vec3<> earth{0.0, -9.81, 0.0}, moon{0.0, -1.62, 0.0};
   const auto fixed = pendulum.gravity(along_y(-9.81));
-  const auto loose = element_by_element(fixed), loaded = to_chain(record_of(fixed));
+  const auto loose = by_own_elements(fixed), loaded = registered(record_of(fixed));
   kte_map_chain weight;
   weight << inertia_2D("tip", point_mass(1.0));
   const auto heavier = [&](const kte_map_chain& c) {
     CHECK(c.gravity() == earth);
     CHECK(record_of(c).gravity == std::vector{0.0, -9.81, 0.0});
-    const auto again = to_chain(record_of(c));
+    const auto again = registered(record_of(c));
     CHECK(again.gravity() == earth);
     auto s = again.make_state();
     CHECK(inverse_dynamics(again, s)[0] == 2 * 9.81 * 0.5);
@@ -125,7 +125,7 @@ TEST_CASE("gravity stays when chains nest") {
   auto twin = weight;
   heavier(kte_map_chain() << loose << twin.gravity(earth));
   heavier(kte_map_chain() << loose << twin.gravity(zero3{}));
-  heavier(to_chain(record_of(pendulum)) << twin.gravity(earth));
+  heavier(registered(record_of(pendulum)) << twin.gravity(earth));
 
   // two that differ
   twin.gravity(moon);
