@@ -98,6 +98,52 @@ TEST_CASE("chains nest and are values") {
   CHECK(record_of(outer).elements.size() == 4);
 }
 
+TEST_CASE("gravity stays when chains nest") {
+  using namespace kte;
+  const vec3<> earth{0.0, -9.81, 0.0}, moon{0.0, -1.62, 0.0};
+  const auto fixed = pendulum.gravity(along_y(-9.81));
+  const auto loose = by_own_elements(fixed), loaded = registered(record_of(fixed));
+  kte_map_chain weight;
+  weight << inertia_2D("tip", point_mass(1.0));
+  const auto heavier = [&](const kte_map_chain& c) {
+    CHECK(c.gravity() == earth);
+    CHECK(record_of(c).gravity == std::vector{0.0, -9.81, 0.0});
+    const auto again = registered(record_of(c));
+    CHECK(again.gravity() == earth);
+    auto s = again.make_state();
+    CHECK(inverse_dynamics(again, s)[0] == 2 * 9.81 * 0.5);
+  };
+  heavier(kte_map_chain() << fixed << weight);  // a static chain in a runtime chain
+  heavier(kte_map_chain() << loose << weight);
+  heavier(kte_map_chain() << loaded << weight);
+  heavier((kte_map_chain() << loose).append(weight.clone()));
+  heavier(kte_map_chain().append(loose.clone()) << weight);
+  heavier(kte_map_chain() << (kte_map_chain() << fixed) << weight);
+  heavier(kte_map_chain(loaded) << weight);
+
+  // two that are the same; zero is none
+  auto twin = weight;
+  heavier(kte_map_chain() << loose << twin.gravity(earth));
+  heavier(kte_map_chain() << loose << twin.gravity(zero3{}));
+  heavier(registered(record_of(pendulum)) << twin.gravity(earth));
+
+  // two that differ
+  twin.gravity(moon);
+  auto c = kte_map_chain() << fixed;
+  CHECK_THROWS_AS(c << twin, bad_wiring);
+  CHECK_THROWS_WITH(c.append(twin.clone()), kte::test::contains_text("different gravities") &&
+                                                kte::test::contains_text("(0, -9.8") &&
+                                                kte::test::contains_text("(0, -1.6"));
+  CHECK(record_of(c) == record_of(loose));
+  heavier(c << weight);
+
+  // what is written on the whole wins, zero too
+  CHECK((kte_map_chain().gravity(moon) << fixed << twin).gravity() == moon);
+  CHECK((kte_map_chain().gravity(zero3{}) << fixed << twin).gravity() == vec3<>{});
+  CHECK((c << inertia_2D("tip", point_mass(1.0))).gravity(moon).gravity() == moon);
+  CHECK((kte_map_chain() << c).gravity() == moon);
+}
+
 TEST_CASE("a state belongs to the chain it was made for") {
   using namespace kte;
   kte_map_chain c;

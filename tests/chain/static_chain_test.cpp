@@ -1,3 +1,6 @@
+#include <cmath>
+#include <limits>
+
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "robots/iiwa14.hpp"
@@ -5,15 +8,15 @@
 using namespace models;
 
 TEST_CASE("the README's pendulum") {
-  auto s = kte::make_state(pendulum);
-  s[base].acceleration = {0.0, 9.81};
+  constexpr auto c = pendulum.gravity(kte::along_y(-9.81));
+  auto s = kte::make_state(c);
   for (const double angle : {0.0, 0.3, -2.0, 3.1}) {
     s[q].q = angle;
     s[q].q_ddot = 0;
-    pendulum.doMotion(s);
-    pendulum.clearForce(s);
-    pendulum.doForce(s);
-    s[q].q_ddot = s[q].f / kte::mass_matrix(pendulum, s)(0, 0);
+    c.doMotion(s);
+    c.clearForce(s);
+    c.doForce(s);
+    s[q].q_ddot = s[q].f / kte::mass_matrix(c, s)(0, 0);
     // q'' = -(g/L) cos q, q from the horizontal. Five roundings at size g/L: 5 eps 20 < 5e-15.
     CHECK(s[q].q_ddot == within(-9.81 / 0.5 * std::cos(angle), 5e-15));
     CHECK(s[tip].position.x == within(0.5 * std::cos(angle), 1e-16));
@@ -78,6 +81,58 @@ TEST_CASE("chains nest, and the order of degrees of freedom is that of first app
   CHECK(M(0, 0) == 6.0);                           // slide first: both masses
   CHECK(M(1, 1) == within_relative(0.09, 4e-16));  // then hip: 1 kg at 0.3 m; three roundings
   CHECK(M(0, 1) == 0.0);                           // a pendulum hanging straight down does not feel up and down
+}
+
+TEST_CASE("a chain has the gravity of the first part that has one") {
+  using namespace kte;
+  constexpr auto arm = pendulum.gravity(along_y(-9.81));
+  constexpr auto more = inertia_2D(tip, point_mass(1.0));
+  constexpr auto heavier = chain(arm, more);
+  STATIC_REQUIRE(std::is_same_v<decltype(heavier.gravity()), decltype(arm.gravity())>);
+  STATIC_REQUIRE(heavier.gravity() == arm.gravity());
+  STATIC_REQUIRE(decltype(heavier)::size == 4);
+  CHECK(make_state(heavier)[base].acceleration == vec2{0.0, 9.81});
+  CHECK(record_of(heavier).gravity == std::vector{0.0, -9.81, 0.0});
+  CHECK(inverse_dynamics(heavier, std::array{0.0}, std::array{0.0}, std::array{0.0})[0] == 2 * 9.81 * 0.5);
+
+  // a part that comes later; two of the same; zero, typed or not, is none
+  constexpr auto loose = chain(more);
+  constexpr auto weightless = loose.gravity(vec3{0.0, 0.0, 0.0});
+  STATIC_REQUIRE(chain(pendulum, loose.gravity(along_y(-9.81))).gravity() == arm.gravity());
+  STATIC_REQUIRE(chain(arm, loose.gravity(along_y(-9.81))).gravity() == arm.gravity());
+  STATIC_REQUIRE(chain(arm, weightless).gravity() == vec3{0.0, -9.81, 0.0});
+  STATIC_REQUIRE(chain(pendulum.gravity(along_y(0.0)), loose.gravity(along_y(-9.81))).gravity() == arm.gravity());
+  STATIC_REQUIRE(chain(arm, loose.gravity(vec3{0.0, -9.81, 0.0})).gravity() == vec3{0.0, -9.81, 0.0});
+  STATIC_REQUIRE(std::is_same_v<decltype(chain(pendulum, loose).gravity()), const zero3&>);
+
+  // what is written on the whole wins
+  STATIC_REQUIRE(heavier.gravity(along_y(-1.62)).gravity() == along_y(-1.62));
+  STATIC_REQUIRE(chain(heavier.gravity(zero3{}), loose).gravity() == zero3{});
+
+  CHECK_THROWS_AS(chain(arm, loose.gravity(along_y(-1.62))), bad_wiring);
+  CHECK_THROWS_WITH(chain(arm, loose.gravity(along_z(1.5))), kte::test::contains_text("different gravities") &&
+                                                                 kte::test::contains_text("(0, -9.8") &&
+                                                                 kte::test::contains_text("(0, 0, 1.5)"));
+}
+
+TEST_CASE("gravity is finite") {
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), -HUGE_VAL}) {
+    CHECK_THROWS_AS(pendulum.gravity(kte::along_y(x)), kte::bad_parameter);
+    CHECK_THROWS_WITH(pendulum.gravity(kte::vec3{0.0, 1.0, x}),
+                      kte::test::contains_text("kte: gravity must be finite"));
+    CHECK_THROWS_AS(kte::kte_map_chain().gravity(kte::along_y(x)), kte::bad_parameter);
+    auto record = record_of(pendulum);
+    record.gravity = {0, 0, x};
+    CHECK_THROWS_AS(registered(record), kte::bad_parameter);
+    CHECK_THROWS_AS(kte::from_record(pendulum.gravity(kte::vec3{0.0, 0.0, 1.0}), record), kte::bad_parameter);
+  }
+}
+
+TEST_CASE("coordinates of a state are numbered from 0 to their number") {
+  auto s = kte::make_state(pendulum);
+  CHECK(&s.coordinate(0) == &s[q]);
+  CHECK_THROWS_WITH(s.coordinate(7), "kte: there is no generalized coordinate 7 in a state that has 1");
+  CHECK_THROWS_AS(s.coordinate(-1), kte::bad_argument);
 }
 
 TEST_CASE("degrees of freedom of a tree: followers, fixed coordinates and inputs are none") {

@@ -135,9 +135,9 @@ TEST_CASE("NaN and quaternions of length 0 are errors, floating", "[floating]") 
     CHECK_THROWS_WITH(mass_matrix(runtime, r, q), contains_text(what));
     CHECK_THROWS_WITH(forward_kinematics(runtime, r, q, "tip"), contains_text(what));
     CHECK_THROWS_WITH(forward_dynamics(runtime, r, q, v, v), contains_text(what));
+    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, q, v, v), contains_text(what));
     if (of_forces.empty()) return;
     CHECK_THROWS_WITH(inverse_dynamics(c, q, v, v), contains_text(of_forces));
-    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, q, v, v), contains_text(of_forces));
   };
   for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (int i = 0; i < 12; ++i) {
@@ -157,8 +157,10 @@ TEST_CASE("NaN and quaternions of length 0 are errors, floating", "[floating]") 
     CHECK_THROWS_AS(inverse_dynamics(c, good, v, bad), bad_argument);
     CHECK_THROWS_WITH(inverse_dynamics(c, good, v, bad), contains_text(no_force + "a[" + std::to_string(i)));
     CHECK_THROWS_WITH(inverse_dynamics(c, good, bad, v), contains_text(no_force + "v[" + std::to_string(i)));
-    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, v, bad), contains_text(no_force + "a[" + std::to_string(i)));
-    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, bad, v), contains_text(no_force + "v[" + std::to_string(i)));
+    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, v, bad),
+                      contains_text("kte: an acceleration is no finite number: a[" + std::to_string(i)));
+    CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, bad, v),
+                      contains_text("kte: a velocity is no finite number: v[" + std::to_string(i)));
     CHECK_THROWS_MATCHES(forward_dynamics(c, good, bad, v), bad_argument, kte::test::says("no finite number"));
     CHECK_THROWS_MATCHES(forward_dynamics(c, good, v, bad), bad_argument, kte::test::says("no finite number"));
     CHECK_THROWS_MATCHES(forward_dynamics(runtime, r, good, bad, v), bad_argument, kte::test::says("no finite number"));

@@ -132,6 +132,7 @@ static_chain<Gravity, E...> from_record(const static_chain<Gravity, E...>& like,
   detail::number_reader reader(r.gravity, place);
   reader(g);
   reader.finish();
+  detail::check_gravity(g);
   return {elements, g};
 }
 

@@ -29,12 +29,14 @@ class kte_map {
   virtual void doForce(runtime_state&) const = 0;
 
   virtual std::unique_ptr<kte_map> clone() const = 0;
+  /// What it was made for, m/s^2: a chain to which it is appended takes it. Zero is none.
+  virtual vec3<> gravity() const { return {}; }
   /// Calls `visit` for every single element in it, in order.
   virtual void for_each_element(const std::function<void(const kte_element&)>& visit) const = 0;
   /// The first part of it that no record can hold, being more than the elements it lists: itself, if it is neither an
   /// element nor a chain.
   virtual const kte_map* unrecorded() const { return this; }
-  /// Connects all its elements to a chain. Throws `bad_wiring`.
+  /// Connects all its elements to a chain; when that goes back after a failure, once more. Throws `bad_wiring`.
   virtual void connect(topology&) = 0;
 
  protected:

@@ -28,6 +28,7 @@ class kte_map_adapter final : public kte_element {
     t.reads_positions |= c.reads_positions;
     t.has_derivatives &= c.has_derivatives;
     t.plain_loads &= c.plain_loads;
+    t.is_stiff &= c.stiff || Core::ports.back().how != access::out || !is_frame(Core::ports.back().what);
     number_ = t.elements.size() - 1;
   }
   element_record record() const override { return record_of(core_, names_); }

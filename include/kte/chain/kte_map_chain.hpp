@@ -4,6 +4,9 @@
 #include <kte/chain/static_chain_map.hpp>
 #include <kte/detail/type_text.hpp>
 
+#include <algorithm>
+#include <span>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -14,19 +17,20 @@ namespace kte {
 ///   kte_map_chain c;
 ///   c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5));
 ///
-/// The same elements, rules and passes as in a static chain. Static chains and other runtime chains are appended as one
-/// element. Elements do not change once they are in; a chain is a value and may be shared between threads, each with a
-/// state of its own.
+/// The same elements, rules and passes as in a static chain. A static chain is appended as one element, of another
+/// runtime chain its elements. Elements do not change once they are in; a chain is a value and may be shared between
+/// threads, each with a state of its own. One that is moved from is empty.
 class kte_map_chain : public kte_map {
  public:
   kte_map_chain() = default;
-  kte_map_chain(const kte_map_chain& o) : kte_map(o), gravity_(o.gravity_) {
-    for (const auto& e : o.elements_) append(e->clone());
-    if (o.topology_) topology_->layout = o.topology_->layout;
+  kte_map_chain(const kte_map_chain& o) : kte_map(o), gravity_(o.gravity_), gravity_is_written_(o.gravity_is_written_) {
+    auto all = o.copies();
+    add(all, {});
+    if (o.use_ == use::whole) topology_.edit().layout = o.topology_->layout;
   }
-  kte_map_chain(kte_map_chain&&) = default;
+  kte_map_chain(kte_map_chain&& o) noexcept { swap(o); }
   kte_map_chain& operator=(kte_map_chain o) noexcept {
-    std::swap(elements_, o.elements_), std::swap(topology_, o.topology_), std::swap(gravity_, o.gravity_);
+    swap(o);
     return *this;
   }
   ~kte_map_chain() override = default;
@@ -41,7 +45,11 @@ class kte_map_chain : public kte_map {
   kte_map_chain& operator<<(const static_chain<Gravity, E...>& c) {
     return append(std::make_unique<static_chain_map<static_chain<Gravity, E...>>>(c));
   }
-  kte_map_chain& operator<<(const kte_map_chain& c) { return append(c.clone()); }
+  kte_map_chain& operator<<(const kte_map_chain& c) {
+    auto all = c.copies();
+    add(all, c.gravity_);
+    return *this;
+  }
   template <class Core, class... Keys>
   kte_map_chain& operator<<(const element<Core, Keys...>&) {
     static_assert(
@@ -51,24 +59,26 @@ class kte_map_chain : public kte_map {
     return *this;
   }
   kte_map_chain& operator<<(detail::refused) { return *this; }
+  /// A runtime chain gives its elements away: what still points to it can only throw `bad_argument`.
   kte_map_chain& append(std::unique_ptr<kte_map> e) {
-    const bool single = dynamic_cast<const kte_element*>(e.get()) != nullptr;
-    if (elements_.size() == elements_.capacity()) elements_.reserve(2 * elements_.size() + 8);
-    if (single && topology_.use_count() == 1) {
-      e->connect(*topology_);
-    } else {  // states keep what they were made for, and a chain that fails half-way leaves nothing behind
-      auto next = std::make_shared<topology>(*topology_);
-      e->connect(*next);
-      topology_ = std::move(next);
+    if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
+    kte_map& part = *e;
+    if (typeid(part) == typeid(kte_map_chain)) {
+      take(static_cast<kte_map_chain&>(part));
+      emptied_.push_back(std::move(e));
+    } else {
+      add({&e, 1}, part.gravity());
     }
-    elements_.push_back(std::move(e));
     return *this;
   }
 
-  /// Gravity in the axes of the bases, m/s^2; a new state starts with bases accelerated against it.
+  /// Gravity in the axes of the bases, m/s^2; a new state starts with bases accelerated against it. Written here it
+  /// holds for the whole, whatever its parts have; else the chain takes that of the first part appended that has one,
+  /// not zero, and refuses another (`bad_wiring`). Throws `bad_parameter` for what is not finite.
   template <class X, class Y, class Z>
   kte_map_chain& gravity(const vec3<X, Y, Z>& g) {
-    gravity_ = as<double>(g);
+    detail::check_gravity(g);
+    gravity_ = as<double>(g), gravity_is_written_ = true;
     return *this;
   }
   template <class Number>
@@ -77,14 +87,14 @@ class kte_map_chain : public kte_map {
                   "kte: gravity is a vector in the axes of the bases, m/s^2: .gravity(kte::along_z(-9.81))");
     return *this;
   }
-  const vec3<>& gravity() const { return gravity_; }
+  vec3<> gravity() const override { return gravity_; }
 
   /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if a force acts on a coordinate that
   /// no element moves by.
   runtime_state make_state() const {
-    topology_->check_complete();
+    const auto& t = wiring();
+    t.check_complete();
     runtime_state s(topology_);
-    const auto& t = *topology_;
     const vec3<> up = vec3<>{} - gravity_;
     for (std::size_t i = 0; i < t.names[1].size(); ++i)
       if (t.writers[1][i] < 0) s.get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
@@ -115,26 +125,89 @@ class kte_map_chain : public kte_map {
       if (const kte_map* part = e->unrecorded()) return part;
     return nullptr;
   }
+  /// For elements that hold a chain: it is then a part, without states of its own.
   void connect(topology& t) override {
     for (const auto& e : elements_) e->connect(t);
-    topology_ = nullptr;
+    topology_ = {}, use_ = use::part;
   }
 
-  const topology& wiring() const { return *topology_; }
+  /// Throws `bad_argument` if it is part of another chain.
+  const topology& wiring() const {
+    if (use_ != use::whole) [[unlikely]]
+      throw bad_argument("kte: this chain has become part of another one, which alone has its wiring and states");
+    return *topology_;
+  }
   /// Degrees of freedom, and numbers of a configuration.
-  int dofs() const { return topology_->nv; }
-  int nq() const { return topology_->nq; }
-  /// Throws `bad_argument` unless the state was made for this chain as it is now. (As part of another chain it has no
-  /// states of its own.)
+  int dofs() const { return wiring().nv; }
+  int nq() const { return wiring().nq; }
+  /// Throws `bad_argument` unless the state was made for this chain as it is now.
   void check(const runtime_state& s) const {
-    if (topology_ && s.made_for()->layout != topology_->layout) [[unlikely]]
+    if (use_ != use::part && s.made_for()->layout != wiring().layout) [[unlikely]]
       throw bad_argument("kte: this state was made for another chain, or before the last element was appended");
   }
 
  private:
-  std::vector<std::unique_ptr<kte_map>> elements_;
-  std::shared_ptr<topology> topology_ = std::make_shared<topology>();
+  using parts = std::vector<std::unique_ptr<kte_map>>;
+  enum class use : unsigned char {
+    whole,
+    part,     ///< its elements are connected to another chain
+    emptied,  ///< its elements are in another chain
+  };
+
+  parts copies() const {
+    parts all;
+    all.reserve(elements_.size());
+    for (const auto& e : elements_) {
+      all.push_back(e->clone());
+      if (!all.back()) throw bad_argument("kte: clone() of a part of this chain gave a null pointer");
+    }
+    return all;
+  }
+  vec3<> with_gravity_of(const vec3<>& part) const {
+    return gravity_is_written_ ? gravity_ : detail::gravity_of_both(gravity_, part);
+  }
+  /// All or none: `all` is then moved from, or the chain is as before.
+  void add(std::span<std::unique_ptr<kte_map>> all, const vec3<>& part) {
+    const auto layout = wiring().layout;
+    const vec3<> g = with_gravity_of(part);
+    if (const std::size_t size = elements_.size() + all.size(); size > elements_.capacity())
+      elements_.reserve(std::max(size, 2 * elements_.capacity()));
+    topology& t = topology_.edit();
+    try {
+      for (const auto& e : all) e->connect(t);
+    } catch (...) {
+      topology before;
+      for (const auto& e : elements_) e->connect(before);
+      t = std::move(before), t.layout = layout;
+      throw;
+    }
+    for (auto& e : all) elements_.push_back(std::move(e));
+    gravity_ = g;
+  }
+  /// All elements of a chain, which is then of no use.
+  void take(kte_map_chain& c) {
+    if (elements_.empty() && c.use_ == use::whole) {
+      (void)wiring();
+      gravity_ = with_gravity_of(c.gravity_);
+      elements_.swap(c.elements_), topology_ = std::move(c.topology_);
+    } else {
+      add(c.elements_, c.gravity_);
+      c.elements_.clear(), c.topology_ = {};
+    }
+    for (auto& e : c.emptied_) emptied_.push_back(std::move(e));
+    c.emptied_.clear(), c.use_ = use::emptied;
+  }
+  void swap(kte_map_chain& o) noexcept {
+    std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
+    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_), std::swap(use_, o.use_);
+  }
+
+  parts elements_;
+  parts emptied_;  ///< chains that were appended, for those who still point to them
+  shared_topology topology_;
   vec3<> gravity_{};
+  bool gravity_is_written_ = false;
+  use use_ = use::whole;
 };
 
 /// A runtime chain as plain data; what is in it is listed element by element. Throws `bad_argument` if a part of it is

@@ -62,14 +62,18 @@ constexpr plan<List> arrange(const Chain& c) {
     for (int i = 0; i < c.count(k); ++i)
       if (c.writer(k, i) < 0) p.bases.push_back({k, i});
 
-  p.row_of_gen.resize(static_cast<std::size_t>(c.count(kind::gen)));
-  for (std::size_t i = 0; i < p.row_of_gen.size(); ++i) p.row_of_gen[i] = -1;
+  std::array<List<int>, kinds> row_of;  // of coordinates by kind; -1: no degree of freedom
+  for (std::size_t k = 0; k < kinds; ++k) {
+    if (!is_coordinate(static_cast<kind>(k))) continue;
+    row_of[k].resize(static_cast<std::size_t>(c.count(static_cast<kind>(k))));
+    for (std::size_t i = 0; i < row_of[k].size(); ++i) row_of[k][i] = -1;
+  }
   for (std::size_t f = 0; f < c.freedoms(); ++f) {
     const freedom at = c.freedom_at(f);
-    if (at.what != kind::gen) continue;
-    p.row_of_gen[static_cast<std::size_t>(at.slot)] = at.v;
-    if (c.is_angle(at.slot)) p.angles.push_back(at.slot);
+    row_of[static_cast<std::size_t>(at.what)][static_cast<std::size_t>(at.slot)] = at.v;
+    if (at.what == kind::gen && c.is_angle(at.slot)) p.angles.push_back(at.slot);
   }
+  p.row_of_gen = row_of[static_cast<std::size_t>(kind::gen)];
   p.coordinates = c.dofs();
   for (std::size_t i = 0; i < p.row_of_gen.size(); ++i)
     if (p.row_of_gen[i] < 0) p.row_of_gen[i] = p.coordinates++;
@@ -106,10 +110,8 @@ constexpr plan<List> arrange(const Chain& c) {
     on(beyond, ports[base].what, c.index(e, base)) += x.last;
     if (base == 0) continue;
     x.axes = static_cast<int>(own);
-    for (std::size_t f = 0; f < c.freedoms() && !x.free; ++f) {
-      const freedom at = c.freedom_at(f);
-      if (at.what == coordinate && at.slot == c.index(e, 0)) x.row = at.v, x.free = true;
-    }
+    x.row = row_of[static_cast<std::size_t>(coordinate)][static_cast<std::size_t>(c.index(e, 0))];
+    x.free = x.row >= 0;
     if (!x.free) x.row = p.row_of_gen[static_cast<std::size_t>(c.index(e, 0))];
     ++joints[static_cast<std::size_t>(x.row)];
   }

@@ -241,7 +241,7 @@ class element_registry {
 inline kte_map_chain to_chain(const model_record& m, const element_registry& registry) {
   kte_map_chain c;
   if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
-  c.gravity(vec3{m.gravity[0], m.gravity[1], m.gravity[2]});
+  if (const vec3 g{m.gravity[0], m.gravity[1], m.gravity[2]}; g != vec3<>{}) c.gravity(g);  // zero says nothing
   for (std::size_t i = 0; i < m.elements.size(); ++i) {
     try {
       c.append(registry.make(m.elements[i]));

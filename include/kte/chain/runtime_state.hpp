@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/chain/memory.hpp>
+#include <kte/chain/shared_topology.hpp>
 #include <kte/chain/state.hpp>
-#include <kte/chain/topology.hpp>
 
 #include <memory>
 
@@ -30,10 +30,11 @@ struct runtime_memory : pass_memory<double, growing>,
                         inverse_memory<double, growing>,
                         variation_memory<double, growing>,
                         jacobian_memory<double> {
-  explicit runtime_memory(const sizes_of_chain& n, std::size_t angles) {
+  explicit runtime_memory(const sizes_of_chain& n, std::size_t elements, std::size_t angles) : wanted(elements) {
     pass_memory::make(n), mass_memory::make(n), articulated_memory::make(n), variation_memory::make(n);
     for (auto* x : {&angle, &sine, &cosine}) x->resize((angles + 3) / 4 * 4);
   }
+  std::vector<char> wanted;                 ///< by element: whether what is asked for depends on it
   std::vector<double> angle, sine, cosine;  ///< of `plan::angles`, and zeros up to a multiple of four
   /// Results that are as large as M or larger: made by the first call that gives them.
   Eigen::MatrixXd inverse;
@@ -43,22 +44,32 @@ struct runtime_memory : pass_memory<double, growing>,
 }  // namespace detail
 
 /// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
+/// A value; one that is moved from is a state of a chain without elements.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
 class runtime_state {
  public:
   using scalar = double;
 
-  explicit runtime_state(std::shared_ptr<const topology> t)
+  explicit runtime_state(shared_topology t)
       : topology_(std::move(t)),
         plan(detail::arrange<detail::growing_list>(detail::runtime_connections{*topology_})),
         work({topology_->names[1].size(), topology_->names[2].size(), static_cast<std::size_t>(topology_->nv),
               static_cast<std::size_t>(plan.coordinates), plan.columns},
-             plan.angles.size()) {
+             topology_->elements.size(), plan.angles.size()) {
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
   }
+  runtime_state(const runtime_state&) = default;
+  runtime_state(runtime_state&& o) noexcept : runtime_state(shared_topology{}) { swap(o); }
+  runtime_state& operator=(const runtime_state&) = default;
+  runtime_state& operator=(runtime_state&& o) noexcept {
+    runtime_state moved(std::move(o));
+    swap(moved);
+    return *this;
+  }
+  ~runtime_state() = default;
 
   /// Thing i of kind K, for the passes.
   template <kind K>
@@ -95,9 +106,9 @@ class runtime_state {
   pose_coord_3D<>& pose_3D(std::string_view name) { return at<kind::pose_3D>(*this, name); }
   const pose_coord_3D<>& pose_3D(std::string_view name) const { return at<kind::pose_3D>(*this, name); }
 
-  /// Number i of the generalized coordinates that are degrees of freedom.
-  gen_coord<>& coordinate(int i) { return get<kind::gen>(free_coordinates_[static_cast<std::size_t>(i)]); }
-  const gen_coord<>& coordinate(int i) const { return get<kind::gen>(free_coordinates_[static_cast<std::size_t>(i)]); }
+  /// Number i of the generalized coordinates that are degrees of freedom; throws `bad_argument`.
+  gen_coord<>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
+  const gen_coord<>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
   /// Degrees of freedom, and numbers of a configuration.
   int dofs() const { return topology_->nv; }
   int nq() const { return topology_->nq; }
@@ -105,9 +116,18 @@ class runtime_state {
   std::span<const detail::freedom> freedoms() const { return topology_->free; }
 
   /// What this state was made for.
-  const std::shared_ptr<const topology>& made_for() const { return topology_; }
+  const shared_topology& made_for() const { return topology_; }
 
  private:
+  int free_coordinate(int i) const {
+    detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
+    return free_coordinates_[static_cast<std::size_t>(i)];
+  }
+  void swap(runtime_state& o) noexcept {
+    std::swap(topology_, o.topology_), std::swap(things_, o.things_);
+    std::swap(free_coordinates_, o.free_coordinates_);
+    std::swap(plan, o.plan), std::swap(work, o.work);
+  }
   template <std::size_t... K>
   void resize(std::index_sequence<K...>) {
     (std::get<K>(things_).resize(topology_->names[K].size()), ...);
@@ -119,7 +139,7 @@ class runtime_state {
     using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), double>>...>;
   };
 
-  std::shared_ptr<const topology> topology_;
+  shared_topology topology_;
   typename lists<std::make_index_sequence<kinds>>::type things_;
   std::vector<int> free_coordinates_;
 

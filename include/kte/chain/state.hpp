@@ -3,10 +3,19 @@
 #include <kte/chain/checks.hpp>
 #include <kte/chain/thing.hpp>
 #include <kte/chain/wiring.hpp>
+#include <kte/errors.hpp>
 
 #include <array>
 
 namespace kte {
+
+namespace detail {
+constexpr void check_coordinate(int i, int count) {
+  if (i < 0 || i >= count) [[unlikely]]
+    raise<bad_argument>("kte: there is no generalized coordinate " + std::to_string(i) + " in a state that has " +
+                        std::to_string(count));
+}
+}  // namespace detail
 
 /// The state of a static chain: every coordinate, frame, input and internal state by name, for the passes to work on
 /// and for users to look at. A value; the chain itself never changes.
@@ -37,9 +46,11 @@ class chain_state {
     return no_thing();
   }
 
-  // By index among things of a kind, for the passes: first come those that are degrees of freedom.
-  constexpr auto& coordinate(int i) { return get<kind::gen>(i); }
-  constexpr const auto& coordinate(int i) const { return get<kind::gen>(i); }
+  /// Number i of the generalized coordinates, of which those that are degrees of freedom come first; throws
+  /// `bad_argument`.
+  constexpr auto& coordinate(int i) { return get<kind::gen>(checked(i)); }
+  constexpr const auto& coordinate(int i) const { return get<kind::gen>(checked(i)); }
+  /// Thing i of a kind, for the passes.
   template <kind K>
   constexpr auto& get(int i) {
     return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
@@ -50,6 +61,10 @@ class chain_state {
   }
 
  private:
+  static constexpr int checked(int i) {
+    detail::check_coordinate(i, Wiring::count(kind::gen));
+    return i;
+  }
   template <class Self, class Key>
   static constexpr auto& at(Self& s, Key) {
     constexpr int i = Wiring::template find<Key>();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/chain/gravity.hpp>
 #include <kte/chain/passes.hpp>
 
 #include <boost/hana/at.hpp>
@@ -68,9 +69,10 @@ class static_chain {
   }
 
   /// The same chain under gravity, m/s^2 in the axes of the base: `.gravity(along_z(-9.81))`. It acts as the opposite
-  /// acceleration of the base.
+  /// acceleration of the base. Refuses what is not finite (`bad_parameter`).
   template <class X, class Y, class Z>
   constexpr auto gravity(const vec3<X, Y, Z>& g) const {
+    detail::check_gravity(g);
     return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
   }
   template <class Number>
@@ -140,8 +142,8 @@ class static_chain {
 };
 
 namespace detail {
-template <class... E>
-constexpr auto as_elements(const static_chain<zero3, E...>& c) {
+template <class Gravity, class... E>
+constexpr auto as_elements(const static_chain<Gravity, E...>& c) {
   return c.elements();
 }
 template <class Core, class... Keys>
@@ -163,14 +165,14 @@ struct check_part<named_element<Core>> {
                 "kte: a static chain is connected by keys; texts are for runtime chains: kte::kte_map_chain");
   static constexpr bool passed = false;
 };
-/// Its elements, or none.
-template <bool Usable, class E>
-constexpr auto part(const E& e) {
-  if constexpr (Usable) {
-    return as_elements(e);
-  } else {
-    return boost::hana::tuple<>{};
-  }
+/// A part's gravity, as a tuple of it or of nothing.
+template <class Core, class... Keys>
+constexpr boost::hana::tuple<> gravities_of(const element<Core, Keys...>&) {
+  return {};
+}
+template <class Gravity, class... E>
+constexpr auto gravities_of(const static_chain<Gravity, E...>& c) {
+  return boost::hana::make_tuple(c.gravity());
 }
 template <class T>
 inline constexpr bool is_element = false;
@@ -189,6 +191,8 @@ inline constexpr auto make_chain = [](const auto&... e) {
 /// A name is written by one element, before it is read; several elements may read it: that is a branch. The first frame
 /// read is the base of the chain; a coordinate that no element writes is a degree of freedom. A mistake is a compile
 /// error that names the element (docs/errors.md).
+///
+/// The chain has the gravity of the first part that has one, not zero; two that differ are refused (`bad_wiring`).
 template <class... E>
 constexpr auto chain(const E&... e) {
   constexpr bool flat = [] {
@@ -200,8 +204,13 @@ constexpr auto chain(const E&... e) {
     return detail::make_chain(e...);
   } else {
     constexpr bool usable = (detail::check_part<E>::passed && ...);
-    return boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::part<usable>(e)...)),
-                               detail::make_chain);
+    if constexpr (usable) {
+      return boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::as_elements(e)...)),
+                                 detail::make_chain)
+          .gravity(detail::gravity_of_all(boost::hana::flatten(boost::hana::make_tuple(detail::gravities_of(e)...))));
+    } else {
+      return detail::make_chain();
+    }
   }
 }
 

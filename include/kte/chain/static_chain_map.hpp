@@ -55,6 +55,7 @@ class static_chain_map final : public kte_map {
     chain_.doForce(m);
   }
   std::unique_ptr<kte_map> clone() const override { return std::make_unique<static_chain_map>(*this); }
+  vec3<> gravity() const override { return as<double>(chain_.gravity()); }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
     for (const auto& e : elements_) visit(*e);
   }

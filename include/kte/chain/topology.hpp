@@ -3,11 +3,13 @@
 #include <kte/chain/wiring.hpp>
 #include <kte/errors.hpp>
 
+#include <algorithm>
 #include <array>
-#include <map>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace kte {
@@ -43,6 +45,7 @@ class topology {
   bool reads_positions = false;                       ///< some element does
   bool has_derivatives = true;                        ///< all elements do
   bool plain_loads = true;                            ///< all elements have them
+  bool is_stiff = true;                               ///< joints and links alone write frames
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 
@@ -62,10 +65,12 @@ class topology {
   }
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
   void check_complete() const {
-    for (const auto& [name, t] : things_)
-      if (is_coordinate(t.what) && !t.moves)
-        throw bad_wiring("kte: a force acts on " + std::string(to_string(t.what)) + " '" + name +
-                         "', which no element moves by: is it misspelt?");
+    for (std::size_t k = 0; k < kinds; ++k)
+      if (const auto what = static_cast<kind>(k); is_coordinate(what))
+        for (const auto& name : names[k])
+          if (!things_.find(name)->second.moves)
+            throw bad_wiring("kte: a force acts on " + std::string(to_string(what)) + " '" + name +
+                             "', which no element moves by: is it misspelt?");
   }
   /// Whether an element wants the cosine and sine of generalized coordinate i.
   bool is_angle(int i) const { return things_.find(names[0][static_cast<std::size_t>(i)])->second.angle; }
@@ -93,35 +98,30 @@ class topology {
     throw bad_wiring("kte: " + describe_element(type, ports, views) + ": " + why);
   }
   void check(std::string_view type, std::span<const port> ports, std::span<const std::string> to) const {
+    const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
     bool base_taken = base_known_;
-    std::map<std::string, const port*, std::less<>> fresh;  // names that this element brings
     for (std::size_t p = 0; p < ports.size(); ++p) {
       const port& x = ports[p];
-      const std::string quoted = "'" + to[p] + "'";
-      if (to[p].empty()) fail(type, ports, to, "its " + std::string(x.role) + " has no name");
+      if (to[p].empty()) refuse("its " + std::string(x.role) + " has no name");
       const auto known = things_.find(to[p]);
-      const auto here = fresh.find(to[p]);
-      if (known != things_.end() || here != fresh.end()) {
-        const kind k = known != things_.end() ? known->second.what : here->second->what;
+      const auto here = static_cast<std::size_t>(std::find(to.begin(), to.end(), to[p]) - to.begin());
+      if (known != things_.end() || here < p) {
+        const kind k = known != things_.end() ? known->second.what : ports[here].what;
         if (k != x.what)
-          fail(type, ports, to,
-               quoted + " is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
-        const bool declared = known != things_.end() ? known->second.declared : here->second->declares();
+          refuse("'" + to[p] + "' is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
+        const bool declared = known != things_.end() ? known->second.declared : ports[here].declares();
         if (x.declares())
-          fail(type, ports, to,
-               "it writes " + quoted +
-                   (declared ? ", which is then written twice" : ", which is read before it is written"));
+          refuse("it writes '" + to[p] +
+                 (declared ? "', which is then written twice" : "', which is read before it is written"));
         continue;
       }
-      fresh.emplace(to[p], &x);
       if (x.what == kind::internal && x.how != access::keep)
-        fail(type, ports, to, "it reads the internal state " + quoted + ", which no element before it keeps");
+        refuse("it reads the internal state '" + to[p] + "', which no element before it keeps");
       if (is_frame(x.what) && !x.writes()) {
         if (base_taken)
-          fail(type, ports, to,
-               "it reads " + quoted +
-                   ", which no element before it writes: misspelt, written later, or another base? "
-                   "(a further base is declared by base_2D or base_3D)");
+          refuse("it reads '" + to[p] +
+                 "', which no element before it writes: misspelt, written later, or another base? "
+                 "(a further base is declared by base_2D or base_3D)");
         base_taken = true;
       }
     }
@@ -147,7 +147,11 @@ class topology {
     return it->second.index;
   }
 
-  std::map<std::string, thing, std::less<>> things_;
+  struct hash_of_text {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
+  };
+  std::unordered_map<std::string, thing, hash_of_text, std::equal_to<>> things_;
   bool base_known_ = false;
 };
 

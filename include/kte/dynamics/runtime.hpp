@@ -5,7 +5,8 @@
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
 
 /// The algorithms on runtime chains, under the names they have on static chains. They work in the memory of a state and
-/// return references into it, valid until the next call with that state; they allocate nothing.
+/// return references into it, valid until the next call with that state; they allocate nothing. A call that refuses an
+/// argument leaves the state as it was.
 namespace kte {
 
 /// Inverse dynamics (RNEA) at the state's positions, rates and accelerations. As `inverse_dynamics` on a static chain.
@@ -19,7 +20,7 @@ inline const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_s
 /// The same at q, v, a, which are put into the state.
 template <indexable Q, indexable V, indexable A>
 const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a) {
-  set_positions(s, q), set_velocities(s, v), set_accelerations(s, a);
+  detail::take(c, s, q, v, a);
   return inverse_dynamics(c, s);
 }
 
@@ -35,47 +36,57 @@ inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state&
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
-  return mass_matrix(c, s);
+  detail::check_plain_loads(c);
+  detail::take(c, s, q);
+  detail::mass_of_coordinates(c, s);
+  return s.work.mass;
 }
 
 /// Forward dynamics at the state's positions and rates under its inputs, as on a static chain. The accelerations are
 /// also put into the coordinates of the state.
 inline const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s) {
+  c.check(s);
+  detail::check_plain_loads(c);
+  detail::check_positions(s);
   return detail::accelerations_under(c, s, [](int) { return 0.0; });
 }
 /// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
 template <indexable Q, indexable V, indexable T>
 const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
                                         const T& tau) {
-  set_positions(s, q), set_velocities(s, v);
-  check_size(static_cast<std::size_t>(s.dofs()), tau, "tau");
+  detail::check_plain_loads(c);
+  detail::take(c, s, q, v, detail::not_given{}, tau);
   return detail::accelerations_under(c, s,
                                      [&](int i) { return static_cast<double>(tau[static_cast<std::size_t>(i)]); });
 }
+
+namespace detail {
+inline pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
+  move(c.wiring(), s, x);
+  if (x.what == kind::frame_2D) {
+    const auto m = spatial(s.get<kind::frame_2D>(x.index));
+    return {as<double>(matrix(m.rotation)), as<double>(m.position)};
+  }
+  const auto& m = s.get<kind::frame_3D>(x.index);
+  return {m.rotation, m.position};
+}
+}  // namespace detail
 
 /// Where a frame stands at the state's positions, in the axes in which the bases are given. Only the elements between
 /// the bases and the frame are evaluated. A 2D frame is given as one in space. Throws `unknown_name`.
 inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
   c.check(s);
-  const auto& t = c.wiring();
-  const kind k = t.kind_of(frame) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
-  const int index = t.find(frame, k);
+  const auto x = detail::find_frame(c, frame);
   detail::check_positions(s);
-  detail::move(t, s, k, index);
-  if (k == kind::frame_2D) {
-    const auto m = spatial(s.get<kind::frame_2D>(index));
-    return {as<double>(matrix(m.rotation)), as<double>(m.position)};
-  }
-  const auto& m = s.get<kind::frame_3D>(index);
-  return {m.rotation, m.position};
+  return detail::pose_of(c, s, x);
 }
 /// The same at q, which is put into the state.
 template <indexable Q>
 pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, const Q& q,
                                               std::string_view frame) {
-  set_positions(s, q);
-  return forward_kinematics(c, s, frame);
+  const auto x = detail::find_frame(c, frame);
+  detail::take(c, s, q);
+  return detail::pose_of(c, s, x);
 }
 
 /// The layout of a chain: where its coordinates stand in q and v.

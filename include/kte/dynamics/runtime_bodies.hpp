@@ -92,57 +92,57 @@ inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s)
 // The same at q, or q and v, which are put into the state.
 template <indexable Q>
 const Eigen::VectorXd& static_forces(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
+  detail::take(c, s, q);
   return static_forces(c, s);
 }
 template <indexable Q>
 const Eigen::VectorXd& gravity_forces(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
+  detail::take(c, s, q);
   return gravity_forces(c, s);
 }
 template <indexable Q, indexable V>
 const Eigen::VectorXd& nonlinear_effects(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
-  set_positions(s, q), set_velocities(s, v);
+  detail::take(c, s, q, v);
   return nonlinear_effects(c, s);
 }
 template <indexable Q, indexable V>
 const Eigen::VectorXd& coriolis_forces(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
-  set_positions(s, q), set_velocities(s, v);
+  detail::take(c, s, q, v);
   return coriolis_forces(c, s);
 }
 template <indexable Q, indexable V>
 double kinetic_energy(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
-  set_positions(s, q), set_velocities(s, v);
+  detail::take(c, s, q, v);
   return kinetic_energy(c, s);
 }
 template <indexable Q>
 double potential_energy(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
+  detail::take(c, s, q);
   return potential_energy(c, s);
 }
 template <indexable Q, indexable V>
 energies<double> energy(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
-  set_positions(s, q), set_velocities(s, v);
+  detail::take(c, s, q, v);
   return energy(c, s);
 }
 template <indexable Q>
 mass_centre<> centre_of_mass(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
+  detail::take(c, s, q);
   return centre_of_mass(c, s);
 }
 template <indexable Q, indexable V>
 vec3<> centre_of_mass_velocity(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
-  set_positions(s, q), set_velocities(s, v);
+  detail::take(c, s, q, v);
   return centre_of_mass_velocity(c, s);
 }
 template <indexable Q, indexable V>
 linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
-  set_positions(s, q), set_velocities(s, v);
+  detail::take(c, s, q, v);
   return centroidal_momentum(c, s);
 }
 template <indexable Q>
 runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
+  detail::take(c, s, q);
   return centroidal_map(c, s);
 }
 

@@ -17,7 +17,6 @@ namespace detail {
 inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
   c.check(s);
   check_plain_loads(c);
-  check_positions(s);
   for (const auto& e : c.wiring().elements)
     if (!e.has_derivatives)
       throw bad_argument(
@@ -49,9 +48,23 @@ inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtim
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
+  detail::check_plain_loads(c);
+  detail::take(c, s, q);
   return mass_matrix_inverse(c, s);
 }
+
+namespace detail {
+inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, runtime_state& s) {
+  coordinate_forces(c, s);
+  auto& r = s.work.of_forces;
+  const Eigen::Index n = s.dofs();
+  r.tau.resize(n), r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_a.resize(n, n);
+  derive_forces(runtime_elements{c}, s, r);
+  take_forces(s, minus_one, r.tau);
+  check_result(r.tau, static_cast<std::size_t>(n), [&s] { blame("a force", s); });
+  return r;
+}
+}  // namespace detail
 
 /// Inverse dynamics and its derivatives at the state's positions, rates and accelerations. As
 /// `inverse_dynamics_derivatives` on a static chain, for trees of joints and bodies with forces and masses on
@@ -59,20 +72,15 @@ const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state
 inline const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
                                                                                            runtime_state& s) {
   detail::check_derivatives(c, s);
-  detail::coordinate_forces(c, s);
-  auto& r = s.work.of_forces;
-  const Eigen::Index n = s.dofs();
-  r.tau.resize(n), r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_a.resize(n, n);
-  detail::derive_forces(detail::runtime_elements{c}, s, r);
-  detail::take_forces(s, minus_one, r.tau);
-  detail::check_result(r.tau, static_cast<std::size_t>(n), [&s] { detail::blame("a force", s); });
-  return r;
+  detail::check_positions(s);
+  return detail::forces_derived(c, s);
 }
 /// The same at q, v, a, which are put into the state.
 template <indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a) {
-  set_positions(s, q), set_velocities(s, v), set_accelerations(s, a);
-  return inverse_dynamics_derivatives(c, s);
+  detail::check_derivatives(c, s);
+  detail::take(c, s, q, v, a);
+  return detail::forces_derived(c, s);
 }
 
 namespace detail {
@@ -84,7 +92,7 @@ inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_deri
   r.a = s.work.forces;
   r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_tau.resize(n, n);
   invert_columns(runtime_elements{c}, s, r.by_tau);
-  const auto& of_forces = inverse_dynamics_derivatives(c, s);
+  const auto& of_forces = forces_derived(c, s);
   solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
   return r;
 }
@@ -116,6 +124,7 @@ hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_cha
                                                                const std::vector<std::string_view>& prescribed) {
   using namespace detail;
   c.check(s);
+  check_plain_loads(c);
   if (!s.plan.tree)
     throw bad_argument("kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
   const auto n = static_cast<std::size_t>(s.dofs());
@@ -133,7 +142,7 @@ hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_cha
   Eigen::VectorXd given = Eigen::VectorXd::Zero(s.dofs()), force = given;
   for (std::size_t i = 0; i < n; ++i)
     (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<double>(known[i]);
-  set_positions(s, q), set_velocities(s, v), set_accelerations(s, given);
+  take(c, s, q, v, given, force);
   hybrid_dynamics_result<double, Eigen::Dynamic> r;
   r.a = accelerations_under(
       c, s, [&force](int i) { return force[i]; }, is_known);

@@ -9,16 +9,6 @@
 namespace kte {
 
 namespace detail {
-
-struct runtime_frame {
-  kind what;
-  int index;
-};
-inline runtime_frame find_frame(const kte_map_chain& c, runtime_state& s, std::string_view name) {
-  c.check(s);
-  const kind k = c.wiring().kind_of(name) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
-  return {k, c.wiring().find(name, k)};
-}
 /// f(motion) of a frame in its present state.
 template <class F>
 auto with_motion(runtime_state& s, const runtime_frame& x, const F& f) {
@@ -76,23 +66,39 @@ inline const runtime_state& forward_kinematics(const kte_map_chain& c, runtime_s
 /// The same at q, which is put into the state.
 template <indexable Q>
 requires(!text_type<Q>) const runtime_state& forward_kinematics(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  set_positions(s, q);
-  return forward_kinematics(c, s);
+  detail::take(c, s, q);
+  c.doMotion(s);
+  return s;
 }
+
+namespace detail {
+inline linear_angular<> velocity_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
+  move(c.wiring(), s, x);
+  return with_motion(s, x, [](const auto& m) { return checked<double>(m.velocity, m.ang_velocity); });
+}
+inline linear_angular<> acceleration_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
+  move(c.wiring(), s, x);
+  const vec3<> all = c.gravity(), g = x.what == kind::frame_2D ? vec3<>{all.x, all.y, 0.0} : all;
+  return with_motion(s, x, [&g](const auto& m) {
+    return checked<double>(m.acceleration + transpose(matrix(m.rotation)) * g, m.ang_acceleration);
+  });
+}
+}  // namespace detail
 
 /// The velocity and angular velocity of a frame in its own axes, as the state has bases and rates. Only the elements
 /// between the bases and the frame are evaluated.
 inline linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
-  const auto x = detail::find_frame(c, s, frame);
+  c.check(s);
+  const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
-  detail::move(c.wiring(), s, x.what, x.index);
-  return detail::with_motion(s, x, [](const auto& m) { return detail::checked<double>(m.velocity, m.ang_velocity); });
+  return detail::velocity_of(c, s, x);
 }
 template <indexable Q, indexable V>
 linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
                                 std::string_view frame) {
-  set_positions(s, q), set_velocities(s, v);
-  return frame_velocity(c, s, frame);
+  const auto x = detail::find_frame(c, frame);
+  detail::take(c, s, q, v);
+  return detail::velocity_of(c, s, x);
 }
 
 /// The acceleration of a frame, classical, in its own axes, without gravity, which the bases have in the state and
@@ -100,52 +106,56 @@ linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const 
 ///
 ///   a + R^T g          (1)
 inline linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
-  const auto x = detail::find_frame(c, s, frame);
+  c.check(s);
+  const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
   detail::check_state(
       s, [](const auto& y, const auto& f) { visit_a(y, f); }, "kte: an acceleration is no finite number");
-  detail::move(c.wiring(), s, x.what, x.index);
-  const vec3<> g = x.what == kind::frame_2D ? vec3<>{c.gravity().x, c.gravity().y, 0.0} : c.gravity();
-  return detail::with_motion(s, x, [&g](const auto& m) {
-    return detail::checked<double>(m.acceleration + transpose(matrix(m.rotation)) * g, m.ang_acceleration);
-  });
+  return detail::acceleration_of(c, s, x);
 }
 template <indexable Q, indexable V, indexable A>
 linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                     std::string_view frame) {
-  set_positions(s, q), set_velocities(s, v), set_accelerations(s, a);
-  return frame_acceleration(c, s, frame);
+  const auto x = detail::find_frame(c, frame);
+  detail::take(c, s, q, v, a);
+  return detail::acceleration_of(c, s, x);
 }
 
 /// The Jacobian of a frame, as on static chains.
 using runtime_jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 namespace detail {
-inline runtime_jacobian jacobian_of_frame(const kte_map_chain& c, runtime_state& s, std::string_view frame,
-                                          bool world) {
-  const auto x = find_frame(c, s, frame);
-  check_positions(s);
+inline int writer_of(const topology& t, const runtime_frame& x) {
+  return t.writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
+}
+/// A frame and its base.
+struct frame_on_base {
+  runtime_frame frame, base;
+};
+inline frame_on_base find_frame_on_base(const kte_map_chain& c, std::string_view name) {
+  const auto& t = c.wiring();
+  frame_on_base x{find_frame(c, name), find_frame(c, name)};
+  for (int e; (e = writer_of(t, x.base)) >= 0;) {
+    const auto& mover = t.elements[static_cast<std::size_t>(e)];
+    if (!mover.stiff) throw bad_argument("kte: a Jacobian needs joints and links, not " + mover.element->record().type);
+    const std::size_t from = mover.index.size() - 2;
+    x.base = {mover.ports[from].what, mover.index[from]};
+  }
+  return x;
+}
+/// At positions that are good.
+inline runtime_jacobian jacobian_of(const kte_map_chain& c, runtime_state& s, const frame_on_base& x, bool world) {
   update_angles(s);
   const auto& t = c.wiring();
   const runtime_elements elements{c};
   if (s.plan.coordinates > s.dofs()) elements.forward<steps::follow>(s);
-  const auto writer = [&t](kind k, int i) {
-    return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-  };
-  runtime_frame base = x;
-  for (int e; (e = writer(base.what, base.index)) >= 0;) {
-    const auto& mover = t.elements[static_cast<std::size_t>(e)];
-    if (!mover.stiff) throw bad_argument("kte: a Jacobian needs joints and links, not " + mover.element->record().type);
-    const std::size_t from = mover.index.size() - 2;
-    base = {mover.ports[from].what, mover.index[from]};
-  }
   auto& j = s.work.jacobian;
   j.setZero(6, s.plan.coordinates);
   s.work.seen = {as<double>(matrix(no_rotation{})), {}};
-  elements.down_from<steps::inward>(writer(x.what, x.index), s);
+  elements.down_from<steps::inward>(writer_of(t, x.frame), s);
   if (world) {
     const auto axes =
-        with_motion(s, base, [&s](const auto& m) { return as<double>(matrix(m.rotation) * s.work.seen.rotation); });
+        with_motion(s, x.base, [&s](const auto& m) { return as<double>(matrix(m.rotation) * s.work.seen.rotation); });
     for (int k = 0; k < j.cols(); ++k) {
       const vec3<> v = axes * vec3{j(0, k), j(1, k), j(2, k)}, w = axes * vec3{j(3, k), j(4, k), j(5, k)};
       j.col(k) << v.x, v.y, v.z, w.x, w.y, w.z;
@@ -153,25 +163,36 @@ inline runtime_jacobian jacobian_of_frame(const kte_map_chain& c, runtime_state&
   }
   return folded(t, s, j);
 }
+inline runtime_jacobian jacobian_at_state(const kte_map_chain& c, runtime_state& s, std::string_view frame,
+                                          bool world) {
+  c.check(s);
+  const auto x = find_frame_on_base(c, frame);
+  check_positions(s);
+  return jacobian_of(c, s, x, world);
+}
+template <class Q>
+runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame, bool world) {
+  const auto x = find_frame_on_base(c, frame);
+  take(c, s, q);
+  return jacobian_of(c, s, x, world);
+}
 }  // namespace detail
 
 inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
-  return detail::jacobian_of_frame(c, s, frame, false);
+  return detail::jacobian_at_state(c, s, frame, false);
 }
 inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, std::string_view frame, in_world_axes_t) {
-  return detail::jacobian_of_frame(c, s, frame, true);
+  return detail::jacobian_at_state(c, s, frame, true);
 }
 template <indexable Q>
 requires(!text_type<Q>) runtime_jacobian
     jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame) {
-  set_positions(s, q);
-  return detail::jacobian_of_frame(c, s, frame, false);
+  return detail::jacobian_at(c, s, q, frame, false);
 }
 template <indexable Q>
 requires(!text_type<Q>) runtime_jacobian
     jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame, in_world_axes_t) {
-  set_positions(s, q);
-  return detail::jacobian_of_frame(c, s, frame, true);
+  return detail::jacobian_at(c, s, q, frame, true);
 }
 
 }  // namespace kte

@@ -14,23 +14,30 @@ Eigen::VectorXd read_numbers(const runtime_state& s) {
   read_listed_numbers<Which>(s, x);
   return x;
 }
+/// Numbers of x into a coordinate.
+template <vector_of Which, class C, class X>
+void put(C& c, const freedom& at, const X& x) {
+  auto i = begin_of<Which>(at);
+  visit_numbers<Which>(c, [&](double& number) { number = static_cast<double>(x[i++]); });
+}
 template <vector_of Which, indexable X>
 void write_numbers(runtime_state& s, const X& x, const char* name) {
   if constexpr (Which == vector_of::q)
     check_configuration(s.nq(), s.dofs(), x);
   else
     check_size(static_cast<std::size_t>(s.dofs()), x, name);
-  for_each_listed_freedom(s, [&x](auto& c, const freedom& at) {
-    auto i = begin_of<Which>(at);
-    visit_numbers<Which>(c, [&](double& number) { number = static_cast<double>(x[i++]); });
-  });
+  for_each_listed_freedom(s, [&x](auto& c, const freedom& at) { put<Which>(c, at, x); });
 }
-/// Throws `bad_argument` that names the number at fault, of those in the state and of `tau`.
-[[noreturn, gnu::cold]] inline void blame(const char* what, const runtime_state& s, const Eigen::VectorXd& tau = {}) {
+inline std::vector<layout_entry<>> layout_of_state(const runtime_state& s) {
   std::vector<layout_entry<>> layout;
   for (const auto& f : s.freedoms())
     layout.push_back({s.made_for()->names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what,
                       f.q, nq_of(f.what), f.v, nv_of(f.what)});
+  return layout;
+}
+/// Throws `bad_argument` that names the number at fault, of those in the state and of `tau`.
+[[noreturn, gnu::cold]] inline void blame(const char* what, const runtime_state& s, const Eigen::VectorXd& tau = {}) {
+  const auto layout = layout_of_state(s);
   const auto span = [](const Eigen::VectorXd& x) {
     return std::span<const double>(x.data(), static_cast<std::size_t>(x.size()));
   };

@@ -81,7 +81,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
   /// Puts x and the inputs into a state of the chain. Frames follow with the next doMotion.
   void setJointStates(const state& x, runtime_state& s) const {
-    check_state(x);
+    check(s), check_state(x);
     set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
     for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
     for (int i = 0; i < u_.size(); ++i) s.get<kind::input>(i) = u_[i];
@@ -119,13 +119,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
   /// doMotion of the elements that keep them, and of what these depend on.
   void rates_of_internals() const {
-    const auto& t = wiring();
-    for (std::size_t i = 0; i < t.keepers.size(); ++i) {
-      const auto& e = t.elements[static_cast<std::size_t>(t.keepers[i])];
-      for (std::size_t p = 0; p < e.ports.size(); ++p)
-        if (!e.ports[p].writes() && !is_signal(e.ports[p].what)) detail::move(t, s_, e.ports[p].what, e.index[p]);
-      e.element->doMotion(s_);
-    }
+    for (const int keeper : wiring().keepers) detail::move_element(wiring(), s_, keeper);
     for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
   }
 

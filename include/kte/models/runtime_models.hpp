@@ -48,14 +48,14 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
 
   template <indexable Q>
   std::vector<pose<mat3<vec3<>>, vec3<>>> getDependentPoses(const Q& q) const {
-    set_positions(s_, q);
+    detail::take(*this, s_, q);
     std::vector<pose<mat3<vec3<>>, vec3<>>> poses;
     for (const auto& f : frames_) poses.push_back(forward_kinematics(*this, s_, f));
     return poses;
   }
   template <indexable Q>
   Eigen::MatrixXd getJacobianMatrix(const Q& q) const {
-    set_positions(s_, q);
+    detail::take(*this, s_, q);
     Eigen::MatrixXd j(6 * static_cast<Eigen::Index>(frames_.size()), dofs());
     Eigen::Index row = 0;
     for (const auto& f : frames_) j.middleRows(row, 6) = jacobian(*this, s_, f, in_world_axes), row += 6;
@@ -64,7 +64,7 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
   /// Velocities of the frames: J v.
   template <indexable Q, indexable V>
   Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) const {
-    set_velocities(s_, v);
+    detail::take(*this, s_, q, v);
     return getJacobianMatrix(q) * velocities(s_);
   }
 

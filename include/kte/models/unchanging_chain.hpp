@@ -9,7 +9,7 @@ class unchanging_chain : public kte_map_chain {
  public:
   unchanging_chain(const kte_map_chain& c) : kte_map_chain(c) {}  // NOLINT(google-explicit-constructor)
 
-  const vec3<>& gravity() const { return kte_map_chain::gravity(); }
+  vec3<> gravity() const override { return kte_map_chain::gravity(); }
   template <class E>
   void operator<<(E&&) = delete;
   void append(std::unique_ptr<kte_map>) = delete;

@@ -1,35 +1,16 @@
 #pragma once
 
-#include <kte/chain/kte_map_chain.hpp>
+#include <kte/dynamics/detail/runtime_arguments.hpp>
 #include <kte/dynamics/detail/stored_algorithms.hpp>
-#include <kte/dynamics/runtime_vectors.hpp>
+
+#include <algorithm>
+#include <utility>
 
 /// The algorithms on runtime chains: loops over elements, which do their part in the working memory of a state.
 namespace kte {
 
 namespace detail {
 
-/// visit(c) for generalized coordinates that are given from outside, by base_gen.
-template <class State, class Visit>
-void for_each_given_coordinate(State& s, const Visit& visit) {
-  const auto& writers = s.made_for()->writers[static_cast<std::size_t>(kind::gen)];
-  for (std::size_t i = 0; i < writers.size(); ++i)
-    if (s.plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
-}
-
-inline void check_positions(const runtime_state& s) {
-  bool finite = true, turned = true;
-  for_each_listed_freedom(s, [&](const auto& c, const freedom&) {
-    visit_q(c, [&finite](double x) { finite &= x - x == 0; });
-    if constexpr (requires { c.rotation; }) {
-      const auto& r = c.rotation;
-      turned &= r.w != 0 || r.x != 0 || r.y != 0 || r.z != 0;
-    }
-  });
-  for_each_given_coordinate(s, [&finite](const gen_coord<>& c) { finite &= c.q - c.q == 0; });
-  if (!finite || !turned) [[unlikely]]
-    blame("a coordinate", s);
-}
 inline void check_masses(const runtime_state& s, const Eigen::MatrixXd& m) {
   check_result(m.diagonal(), static_cast<std::size_t>(s.dofs()), [&s] { blame("a mass", s); });
 }
@@ -126,9 +107,10 @@ inline void check_plain_loads(const kte_map_chain& c) {
 
 /// The mass matrix, into the working memory.
 inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
-  for (const auto& e : c.wiring().elements)
-    if (e.ports.back().how == access::out && !e.stiff && is_frame(e.ports.back().what))
-      throw bad_argument("kte: the mass matrix needs joints and links, not " + e.element->record().type);
+  if (!c.wiring().is_stiff) [[unlikely]]
+    for (const auto& e : c.wiring().elements)
+      if (e.ports.back().how == access::out && !e.stiff && is_frame(e.ports.back().what))
+        throw bad_argument("kte: the mass matrix needs joints and links, not " + e.element->record().type);
   update_angles(s);
   mass_of_coordinates(runtime_elements{c}, s);
 }
@@ -144,13 +126,11 @@ void accelerate_by_mass(const kte_map_chain& c, runtime_state& s, const Tau& tau
   mass_of_coordinates(c, s);
   solve_in_place(s.work.mass, a);
 }
-/// Some accelerations may be given, in the state: those of rows that are `prescribed`, in trees.
+/// At positions that are good. Some accelerations may be given, in the state: those of rows that are `prescribed`, in
+/// trees.
 template <class Tau>
 const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& tau,
                                            std::span<const char> prescribed = {}) {
-  c.check(s);
-  check_plain_loads(c);
-  check_positions(s);
   if (s.plan.tree) {
     std::fill(s.work.prescribed.begin(), s.work.prescribed.end(), 0);
     std::copy(prescribed.begin(), prescribed.end(), s.work.prescribed.begin());
@@ -169,14 +149,37 @@ const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state
   return s.work.forces;
 }
 
-/// doMotion of all elements that a thing depends on.
-inline void move(const topology& t, runtime_state& s, kind k, int index) {
-  const int w = t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(index)];
-  if (w < 0) return;
-  const auto& e = t.elements[static_cast<std::size_t>(w)];
-  for (std::size_t p = 0; p < e.ports.size(); ++p)
-    if (!e.ports[p].writes() && !is_signal(e.ports[p].what)) move(t, s, e.ports[p].what, e.index[p]);
-  e.element->doMotion(s);
+struct runtime_frame {
+  kind what;
+  int index;
+};
+/// Throws `unknown_name`.
+inline runtime_frame find_frame(const kte_map_chain& c, std::string_view name) {
+  const kind k = c.wiring().kind_of(name) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
+  return {k, c.wiring().find(name, k)};
+}
+/// doMotion of an element, after that of all that it depends on, each once.
+inline void move_element(const topology& t, runtime_state& s, int element) {
+  const auto at = [](auto& x, int e) -> auto& { return x[static_cast<std::size_t>(e)]; };
+  auto& wanted = s.work.wanted;
+  at(wanted, element) = 1;
+  int first = element;
+  for (int e = element; e >= first; --e) {
+    if (!at(wanted, e)) continue;
+    const auto& c = at(t.elements, e);
+    for (std::size_t p = 0; p < c.ports.size(); ++p) {
+      if (c.ports[p].writes() || is_signal(c.ports[p].what)) continue;
+      const int writer = at(t.writers[static_cast<std::size_t>(c.ports[p].what)], c.index[p]);
+      if (writer >= 0) at(wanted, writer) = 1, first = std::min(first, writer);
+    }
+  }
+  for (int e = first; e <= element; ++e)
+    if (std::exchange(at(wanted, e), 0)) at(t.elements, e).element->doMotion(s);
+}
+/// The same for a frame: what writes it, if an element does.
+inline void move(const topology& t, runtime_state& s, const runtime_frame& x) {
+  const int writer = t.writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
+  if (writer >= 0) move_element(t, s, writer);
 }
 
 }  // namespace detail

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <kte/chain/kte_map_chain.hpp>
+#include <kte/dynamics/runtime_vectors.hpp>
+
+/// The arguments of the algorithms on runtime chains.
+namespace kte::detail {
+
+/// visit(c) for generalized coordinates that are given from outside, by base_gen.
+template <class State, class Visit>
+void for_each_given_coordinate(State& s, const Visit& visit) {
+  if (s.plan.coordinates == s.dofs()) return;
+  const auto& writers = s.made_for()->writers[static_cast<std::size_t>(kind::gen)];
+  for (std::size_t i = 0; i < writers.size(); ++i)
+    if (s.plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
+}
+
+/// Whether positions can be computed with.
+class position_check {
+ public:
+  void number(double x) { good_ &= x - x == 0; }
+  template <class C>
+  void coordinate(const C& c) {
+    visit_q(c, [this](double x) { number(x); });
+    if constexpr (requires { c.rotation; }) {
+      const auto& r = c.rotation;
+      good_ &= r.w != 0 || r.x != 0 || r.y != 0 || r.z != 0;
+    }
+  }
+  bool good() const { return good_; }
+
+ private:
+  bool good_ = true;
+};
+
+/// Throws `bad_argument` that names the number at fault, of one vector of arguments for a state.
+template <class X>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_argument(const char* what, const runtime_state& s, const X& x,
+                                                           const char* name, int n, bool configuration = false) {
+  Eigen::VectorXd numbers(n);
+  for (int i = 0; i < n; ++i) numbers[i] = static_cast<double>(x[static_cast<std::size_t>(i)]);
+  const std::span<const double> all(numbers.data(), static_cast<std::size_t>(n));
+  const auto layout = layout_of_state(s);
+  if (configuration) raise_if_no_rotation(layout, all);
+  raise_not_finite(what, layout, {{name, all, configuration}});
+}
+
+/// Of a state.
+inline void check_positions(const runtime_state& s) {
+  position_check all;
+  for_each_listed_freedom(s, [&all](const auto& c, const freedom&) { all.coordinate(c); });
+  for_each_given_coordinate(s, [&all](const gen_coord<>& c) { all.number(c.q); });
+  if (!all.good()) [[unlikely]]
+    blame("a coordinate", s);
+}
+/// Of a vector, for a state.
+template <indexable Q>
+void check_positions(const runtime_state& s, const Q& q) {
+  check_configuration(s.nq(), s.dofs(), q);
+  position_check all;
+  if (s.nq() == s.dofs()) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<double>(q[i]));
+  } else {
+    for_each_listed_freedom(s, [&](auto c, const freedom& at) {
+      put<vector_of::q>(c, at, q);
+      all.coordinate(c);
+    });
+  }
+  for_each_given_coordinate(s, [&all](const gen_coord<>& c) { all.number(c.q); });
+  if (!all.good()) [[unlikely]]
+    blame_argument("a coordinate", s, q, "q", s.nq(), true);
+}
+
+/// What a call is not given.
+struct not_given {};
+
+template <class X>
+void check_numbers(const runtime_state& s, const X& x, const char* name, const char* what) {
+  if constexpr (!std::is_same_v<X, not_given>) {
+    const auto n = static_cast<std::size_t>(s.dofs());
+    check_size(n, x, name);
+    bool finite = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto number = static_cast<double>(x[i]);
+      finite &= number - number == 0;
+    }
+    if (!finite) [[unlikely]]
+      blame_argument(what, s, x, name, s.dofs());
+  }
+}
+
+/// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
+template <class Q, class V = not_given, class A = not_given, class Tau = not_given>
+void take(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v = {}, const A& a = {}, const Tau& tau = {}) {
+  c.check(s);
+  check_positions(s, q);
+  check_numbers(s, v, "v", "a velocity");
+  check_numbers(s, a, "a", "an acceleration");
+  check_numbers(s, tau, "tau", "a force");
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) {
+    put<vector_of::q>(x, at, q);
+    if constexpr (!std::is_same_v<V, not_given>) put<vector_of::v>(x, at, v);
+    if constexpr (!std::is_same_v<A, not_given>) put<vector_of::a>(x, at, a);
+  });
+}
+
+}  // namespace kte::detail
