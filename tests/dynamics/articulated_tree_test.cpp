@@ -62,8 +62,8 @@ TEST_CASE("articulated bodies with arguments that are no numbers", "[articulated
     CHECK_THROWS_AS(forward_dynamics(model, u), bad_argument);
   };
   const double bad = std::numeric_limits<double>::quiet_NaN();
-  given([&](auto& t) { at(t, base).acceleration.y = bad; });
-  given([&](auto& t) { at(t, cart).ang_velocity.x = bad; });
-  given([&](auto& t) { at(t, cart).position.x = bad; });
-  given([&](auto& t) { at(t, motor) = bad; });
+  given([&](auto& t) { thing_of(t, base).acceleration.y = bad; });
+  given([&](auto& t) { thing_of(t, cart).ang_velocity.x = bad; });
+  given([&](auto& t) { thing_of(t, cart).position.x = bad; });
+  given([&](auto& t) { thing_of(t, motor) = bad; });
 }

@@ -34,7 +34,7 @@ void in_random_states(const Chain& model, unsigned seed, const Compare& compare,
     const auto set = [&](auto& state) {
       random_numbers draw(outside_seed);
       set_positions(state, x.q), set_velocities(state, x.v), set_accelerations(state, x.a);
-      (move(at(state, outside), draw), ...);
+      (move(thing_of(state, outside), draw), ...);
     };
     set(s), set(r);
     compare(c, r, s, x);

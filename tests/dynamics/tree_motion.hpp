@@ -32,7 +32,7 @@ void check(const Chain& chain, const kte_map_chain& model, unsigned seed, const 
     const auto set = [&](auto& state) {
       set_positions(state, x.q), set_velocities(state, x.v), set_accelerations(state, x.a);
       random_numbers draw(outside_seed);
-      (move(at(state, outside), draw), ...);
+      (move(thing_of(state, outside), draw), ...);
     };
     set(s), set(r), set(exact);
 

@@ -55,7 +55,7 @@ inline constexpr vec3 fall{0.5, -0.25, -9.81};
 
 /// A coordinate, frame or input of a state of either sort.
 template <class State, class Key>
-auto& at(State& s, const Key& key) {
+auto& thing_of(State& s, const Key& key) {
   if constexpr (is_chain_state<State>) {
     return s[key];
   } else {

@@ -76,6 +76,14 @@ class ida : public integrator<ida<R, X>, detail::implicit_form<R>, X> {
     base::restart(t, x);
     x_dot_ = derivative;
   }
+  /// Goes back to a time of the last step, with the derivative that its dense output has there: for an observer that
+  /// stops at a sample.
+  template <class V>
+  void restart(const S& t, const Eigen::MatrixBase<V>& x) {
+    X x_dot = x_dot_;
+    this->check(IDAGetDky(memory(), t, 1, this->vector_of(x_dot).get()));
+    restart(t, x, x_dot);
+  }
 
   /// Solves (1) at `time()` for x_i where differential_i is 0 (algebraic), and for x'_i where it is 1; keeps the other
   /// x_i. t_next: some time to which `integrate` will go. Throws `integration_failure` where no solution was found.
