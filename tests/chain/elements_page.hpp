@@ -37,8 +37,8 @@ inline std::vector<double> numbers_of(const std::string& what) {
 
 /// A section is called "## `spring`"; a row of it is "| `stiffness` | 2D, 3D | number, N/m | ... |".
 inline std::map<std::string, kte::element_record> records() {
-  std::ifstream page(std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "docs" /
-                     "elements.md");
+  std::ifstream page(std::filesystem::path(__FILE__).lexically_normal().parent_path().parent_path().parent_path() /
+                     "docs" / "elements.md");
   std::map<std::string, kte::element_record> all;
   std::string family;
   for (std::string line; std::getline(page, line);) {

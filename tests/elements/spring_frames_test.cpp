@@ -112,8 +112,8 @@ TEST_CASE("where a spring between frames saturates is an event", "[elements][spr
   };
   CHECK(below(1.0, 0.5, 8.0, 4.0) == 0.0);  // stretched by 0.5 m to 4 N
   CHECK(below(0.0, 0.5, 8.0, 4.0) == 0.0);
-  CHECK(below(0.75, 0.5, 8.0, 4.0) == 12.0);
-  CHECK(below(1.25, 0.5, 8.0, 4.0) == -20.0);
+  CHECK(below(0.75, 0.5, 8.0, 4.0) == 2.0);
+  CHECK(below(1.25, 0.5, 8.0, 4.0) == -2.0);
   CHECK(below(0.5, zero, 8.0, 4.0) == 0.0);
   CHECK(below(9.0, 0.5, 8.0, 0.0) == 1.0);  // no saturation
 }
