@@ -4,7 +4,6 @@
 
 using namespace kte;
 using namespace kte::test::trees;
-using models::element_by_element;
 
 namespace {
 
@@ -67,7 +66,7 @@ TEST_CASE("a joint made by a user", "[articulated]") {
   CHECK(mass_matrix(nut, one_number)(0, 0) == 1.25);
   CHECK(forward_dynamics(nut, one_number, one_number, none)[0] == -8.0);
   CHECK(inverse_dynamics(nut, one_number, one_number, none)[0] == 10.0);
-  const auto model = element_by_element(nut);
+  const auto model = models::by_own_elements(nut);
   auto s = model.make_state();
   CHECK(mass_matrix(model, s, one_number)(0, 0) == 1.25);
   CHECK(forward_dynamics(model, s, one_number, one_number, none)[0] == -8.0);

@@ -71,19 +71,20 @@ struct parameter_check {
     const auto c = as<double>(body.com);
     const auto [largest, middle, smallest] = principal_moments(i);
     const double scale = as<double>(body.mass) * dot(c, c) + (i.xx + i.yy + i.zz), excess = largest - middle - smallest;
-    physical_if(excess <= 1e-9 * scale, largest, middle, smallest, excess);
+    physical_if(excess <= 1e-9 * scale,
+                "inertia must be physical: no principal moment above the sum of the other two "
+                "(rigid_body{...}.as_published() is taken as it is)",
+                largest, middle, smallest, excess);
   }
 
   constexpr void unit_length(double squared, const char* rule) const {
     if (!(squared > 1 - 2e-9 && squared < 1 + 2e-9)) reject_length(rule, squared);
   }
   [[noreturn]] void reject_length(const char* rule, double squared) const { reject(rule, std::sqrt(squared)); }
-  constexpr void physical_if(bool ok, double largest, double middle, double smallest, double excess) const {
-    if (!ok)
-      reject_moments(
-          "inertia must be physical: no principal moment above the sum of the other two "
-          "(rigid_body{...}.as_published() is taken as it is)",
-          largest, middle, smallest, excess);
+  /// The rule is an argument, for compilers show those.
+  constexpr void physical_if(bool ok, const char* rule, double largest, double middle, double smallest,
+                             double excess) const {
+    if (!ok) reject_moments(rule, largest, middle, smallest, excess);
   }
   [[noreturn]] void reject_moments(const char* rule, double largest, double middle, double smallest,
                                    double excess) const {

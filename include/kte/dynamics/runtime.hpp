@@ -39,6 +39,7 @@ const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, con
   detail::check_plain_loads(c);
   detail::take(c, s, q);
   detail::mass_of_coordinates(c, s);
+  detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
 
