@@ -170,7 +170,7 @@ struct wiring {
   static constexpr auto table = [] {
     std::array<port_use, ports + 1> all{};
     std::size_t p = 0;
-    const auto append = [&](const auto& some) {
+    [[maybe_unused]] const auto append = [&](const auto& some) {
       for (const auto& u : some) all[p++] = u;
       return 0;
     };
