@@ -84,7 +84,7 @@ namespace {
 /// An integral of the wheel's speed that brakes it, beside a damper: with w = q_dot, c' = w,
 ///   w' = -r (d w + i c),   r = 1/I + 1/I
 constexpr double r = 1 / 0.5 + 1 / 0.5, d = 0.1, i = 0.5;
-const auto brake_by_integral = [](double, const auto& x, const auto& c) { return std::array{-d * x[8] - i * c[0]}; };
+const auto brake_by_integral = [](double, const auto& x, const auto& z) { return std::array{-d * x[8] - i * z[0]}; };
 const auto speed = [](double, const auto& x, const auto&) { return std::array{x[8]}; };
 /// c and w after t: the damped oscillator c'' + r d c' + r i c = 0.
 std::array<double, 2> integral_and_speed(double t, double c0, double w0) {
@@ -114,9 +114,10 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
     CHECK(pid.input()[0] == test::within_relative(-d * w - i * c, 1e-9));
     CHECK(velocities(pid.state_at(2, solver.state()))[3] == solver.state()[8]);
   };
-  controlled pid(manipulator_dynamics_model(gyroscope), brake_by_integral, speed, std::array{0.25});
+  const manipulator_dynamics_model model(gyroscope);
+  controlled pid(model, brake_by_integral, speed, std::array{0.25});
   check(pid, 1e-10);
-  manipulator_dynamics_model shared(to_chain(record_of(gyroscope)));
+  manipulator_dynamics_model shared(models::registered(record_of(gyroscope)));
   controlled runtime(std::ref(shared), brake_by_integral, speed, Eigen::Matrix<double, 1, 1>(0.25));
   check(runtime, 1e-10);
 }

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <string>
+#include <vector>
 
 /// What integrations are told besides their end: times, and by observers whether to go on.
 namespace kte {
@@ -20,7 +22,7 @@ enum class stop_reason {
 };
 
 namespace detail {
-/// A view of times, of anything with data() and size(), or in braces; these have to live on while it is used.
+/// Times of anything with data() and size(), or in braces: copied, so that they need not live on.
 template <class T>
 class time_list {
  public:
@@ -29,19 +31,18 @@ class time_list {
     { l.data() } -> std::convertible_to<const T*>;
     l.size();
   }
-  constexpr explicit time_list(const List& times)
-      : first_(times.data()), count_(static_cast<std::size_t>(times.size())) {}
-  constexpr time_list(std::initializer_list<T> times) : first_(times.begin()), count_(times.size()) {}
+  explicit time_list(const List& times) : times_(times.data(), times.data() + static_cast<std::size_t>(times.size())) {}
+  time_list(std::initializer_list<T> times) : times_(times) {}
 
-  std::size_t count() const { return count_; }
-  const T& operator[](std::size_t i) const { return first_[i]; }
+  std::size_t count() const { return times_.size(); }
+  const T& operator[](std::size_t i) const { return times_[i]; }
 
   /// Throws `bad_argument` unless the times are finite, in the order of the way from t to t_end, and on it.
   template <class S>
   void check(const S& t, const S& t_end, const char* name) const {
     S last = t;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const S now = S(first_[i]);
+    for (std::size_t i = 0; i < times_.size(); ++i) {
+      const S now = S(times_[i]);
       const bool follows = t < t_end ? last <= now && now <= t_end : last >= now && now >= t_end;
       if (!follows) [[unlikely]]
         raise<bad_argument>(std::string("kte: ") + name + " " + std::to_string(i) + " is " +
@@ -53,11 +54,14 @@ class time_list {
   }
 
  private:
-  const T* first_;
-  std::size_t count_;
+  std::vector<T> times_;
 };
 template <class List>
 using number_in = std::remove_cvref_t<decltype(*std::declval<const List&>().data())>;
+template <class T>
+concept single_time = !requires(const T& x) {
+  x.data();
+};
 }  // namespace detail
 
 /// Asks an integrator for the state at these times, by dense output: `solver.integrate(10, kte::at(times), observer)`,
@@ -68,8 +72,8 @@ struct at : detail::time_list<T> {
 };
 template <class List>
 at(const List&) -> at<detail::number_in<List>>;
-template <class T>
-at(std::initializer_list<T>) -> at<T>;
+template <detail::single_time T, std::same_as<T>... More>
+at(T, More...) -> at<T>;
 
 /// Lets steps end exactly at these times: `solver.integrate(10, kte::through(times), ...)`. After each of them f is
 /// taken anew, so an observer of every step may change there what f depends on.
@@ -79,8 +83,8 @@ struct through : detail::time_list<T> {
 };
 template <class List>
 through(const List&) -> through<detail::number_in<List>>;
-template <class T>
-through(std::initializer_list<T>) -> through<T>;
+template <detail::single_time T, std::same_as<T>... More>
+through(T, More...) -> through<T>;
 
 namespace detail {
 

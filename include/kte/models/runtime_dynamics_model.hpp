@@ -152,8 +152,8 @@ struct runtime_switching {
 
 /// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
 inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
-  using one = decltype(event(detail::runtime_switching{}).restart());
-  std::vector<one> all;
+  using change = decltype(event(detail::runtime_switching{}).restart());
+  std::vector<change> all;
   const auto& elements = model.wiring().elements;
   for (std::size_t i = 0; i < elements.size(); ++i)
     if (elements[i].element->switches()) all.push_back(event(detail::runtime_switching{&model, i}).restart());
