@@ -42,9 +42,9 @@ class frame_poses {
 namespace detail {
 /// Rejects velocities or accelerations of the wrong size, and those that are no finite numbers.
 template <class Chain, class V>
-KTE_INLINE void check_rates(const V& v, const char* name, const char* not_finite) {
+KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
   check_size<Chain::dofs>(v, name);
-  check_finite(v, std::size_t{Chain::dofs}, not_finite);
+  check_finite(v, std::size_t{Chain::dofs}, what);
 }
 template <class Chain, class V>
 KTE_INLINE void check_velocities(const V& v) {
