@@ -318,7 +318,7 @@ TEST_CASE("frames move as the configuration does", "[configuration]") {
   }
 }
 
-TEST_CASE("quaternions keep length 1 for ever", "[configuration][long]") {
+TEST_CASE("quaternions keep length 1 for ever", "[configuration]") {
   constexpr auto c = chain(free_joint_3D(trunk, ground, body), inertia_3D(body, point_mass(1.0)));
   joint_vector<double, 7> q = neutral_configuration(c);
   joint_vector<double, 6> v;

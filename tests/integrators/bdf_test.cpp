@@ -35,7 +35,7 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
   return ((a - a.mean()) * (b - b.mean())).sum() / (a - a.mean()).square().sum();
 }
 
-TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))", "[long]") {
+TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k + 1))") {
   const auto g = [](long double t) { return std::exp(-t / 2); };  // all derivatives alike, so steps are, too
   const auto f = [&](long double t, const one<long double>& x) {
     return one<long double>(-g(t) / 2 - (x[0] - g(t)) * (1 + x[0] / g(t)));
@@ -68,7 +68,7 @@ TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k 
   }
 }
 
-TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error constants say", "[long]") {
+TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error constants say") {
   const auto steps = [](int order, bdf_formula formula) {
     bdf solver(towards_cosine(1.0), 0.0, one<double>(1.0), {.absolute = 1e-8, .relative = 1e-8}, {order, formula});
     solver.integrate(10);

@@ -131,7 +131,7 @@ TEST_CASE("methods that choose their steps have their orders") {
   SECTION("Dormand and Prince 5(4)") { check_embedded<dormand_prince45_tableau>(); }
 }
 
-TEST_CASE("Prince and Dormand 8(7) has its orders, between the ends too, as exactly as its fractions are published", "[long]") {
+TEST_CASE("Prince and Dormand 8(7) has its orders, between the ends too, as exactly as its fractions are published") {
   using tableau = prince_dormand87_tableau;
   using whole = extended<tableau>;
   const test::order_conditions<real50, whole> conditions(9);

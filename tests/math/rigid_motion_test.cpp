@@ -127,7 +127,7 @@ void check_logarithm(random_numbers& draw, const vec3<S>& w, const S& scale) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigid_motion][long]", double, digits50) {
+TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigid_motion]", double, digits50) {
   random_numbers draw(1);
   for (const auto& t : angles<TestType>())
     for (int i = 0; i < 5; ++i) check_exponential<TestType>(draw, t * direction<TestType>(draw), TestType(1));
@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigi
     for (int i = 0; i < 5; ++i) check_exponential<TestType>(draw, TestType(t) * direction<TestType>(draw), TestType(1));
 }
 
-TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "[math][rigid_motion][long]", double, digits50) {
+TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "[math][rigid_motion]", double, digits50) {
   random_numbers draw(2);
   for (const auto& t : angles<TestType>())
     for (int i = 0; i < 5; ++i) check_logarithm<TestType>(draw, t * direction<TestType>(draw), TestType(1));
