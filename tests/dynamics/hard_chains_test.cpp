@@ -1,6 +1,6 @@
-#include <kte/dynamics/runtime_derivatives.hpp>
-
 #include "data/hard_chains.hpp"
+
+#include <kte/dynamics/runtime_derivatives.hpp>
 
 #include "catch.hpp"
 
