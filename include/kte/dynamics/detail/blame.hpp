@@ -21,13 +21,15 @@ struct argument {
 /// "v[2] of 'elbow' is 1e+160"
 template <class Layout>
 std::string describe_number(const Layout& layout, const argument& x, std::size_t i) {
-  std::string of;
+  // Not by +, of which g++ 12 warns at -O3 without a cause.
+  std::string text(x.name);
+  text.append("[").append(std::to_string(i)).append("]");
   for (const auto& e : layout) {
     const auto first = static_cast<std::size_t>(x.configuration ? e.q : e.v);
     const auto count = static_cast<std::size_t>(x.configuration ? e.nq : e.nv);
-    if (i >= first && i < first + count) of = " of '" + std::string(e.name) + "'";
+    if (i >= first && i < first + count) text.append(" of '").append(e.name).append("'");
   }
-  return x.name + ("[" + std::to_string(i) + "]") + of + " is " + number(x.numbers[i]);
+  return text.append(" is ").append(number(x.numbers[i]));
 }
 /// The first number that is not finite, else the largest if it is too large for its square. Empty: neither.
 template <class Layout>
@@ -57,7 +59,7 @@ template <class Layout>
     if (e.what != kind::rotation_3D && e.what != kind::pose_3D) continue;
     const auto r = static_cast<std::size_t>(e.q + e.nq - 4);
     if (q[r] == 0 && q[r + 1] == 0 && q[r + 2] == 0 && q[r + 3] == 0)
-      raise<bad_argument>("kte: quaternion '" + std::string(e.name) + "' has length 0");
+      raise<bad_argument>(std::string("kte: quaternion '").append(e.name).append("' has length 0"));
   }
 }
 
