@@ -8,6 +8,7 @@ using kte::test::within;
 TEST_CASE("principal moments", "[math][principal_moments]") {
   STATIC_REQUIRE(principal_moments({1, 0, 0, 3, 0, 2}) == std::array{3.0, 2.0, 1.0});
   STATIC_REQUIRE(principal_moments({}) == std::array{0.0, 0.0, 0.0});
+  STATIC_REQUIRE(principal_moments({1, 1e-310, 0, 3, 0, 2}) == std::array{3.0, 2.0, 1.0});
   const auto check = [](const sym3<>& m, const std::array<double, 3>& expected, double scale) {
     const auto x = principal_moments(m);
     for (std::size_t i = 0; i < 3; ++i) CHECK(x[i] == within(expected[i], 16 * 0x1p-52 * scale));

@@ -28,8 +28,12 @@ constexpr std::array<double, 3> principal_moments(const sym3<>& m) {
   for (int sweep = 0; sweep < 10; ++sweep)  // five are enough: convergence is quadratic
     for (std::size_t r = 0; r < 3; ++r) {
       const std::size_t p = (r + 1) % 3, q = (r + 2) % 3;
-      if (a[p][q] == 0) continue;
-      const double k = (a[q][q] / 2 - a[p][p] / 2) / a[p][q], size = k < 0 ? -k : k;
+      const auto abs = [](double x) { return x < 0 ? -x : x; };
+      if (abs(a[p][q]) <= 1e-20 * (abs(a[p][p]) + abs(a[q][q]))) {  // far below rounding; (1) may overflow
+        a[p][q] = a[q][p] = 0;
+        continue;
+      }
+      const double k = (a[q][q] / 2 - a[p][p] / 2) / a[p][q], size = abs(k);
       const double root = size < 1e8 ? detail::constexpr_sqrt(size * size + 1) : size;
       const double t = (k < 0 ? -1 : 1) / (size + root), c = 1 / detail::constexpr_sqrt(t * t + 1), s = t * c;  // (1)
       a[p][p] -= t * a[p][q], a[q][q] += t * a[p][q], a[p][q] = 0;                                              // (2)
