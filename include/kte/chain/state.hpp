@@ -68,8 +68,12 @@ class chain_state {
   template <class Self, class Key>
   static constexpr auto& at(Self& s, Key) {
     constexpr int i = Wiring::template find<Key>();
-    static_assert(i >= 0, "kte: this chain has nothing of this name");
-    return s.template get<Key::what>(i < 0 ? 0 : i);
+    if constexpr (i < 0 && Wiring::elements == 0) {
+      return no_thing();  // an element was refused, in a sentence of its own
+    } else {
+      static_assert(i >= 0, "kte: this chain has nothing of this name");
+      return s.template get<Key::what>(i < 0 ? 0 : i);
+    }
   }
   struct any_thing : gen_coord<Scalar>, frame_3D<Scalar> {};
   static any_thing& no_thing();
