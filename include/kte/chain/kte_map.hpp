@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kte/chain/element_numbers.hpp>
 #include <kte/chain/port.hpp>
 #include <kte/chain/record.hpp>
-#include <kte/chain/steps.hpp>
 
 #include <functional>
 #include <memory>
@@ -59,22 +59,10 @@ class kte_element : public kte_map {
   /// Whether it ever does.
   virtual bool switches() const = 0;
 
-  // The steps of the algorithms (chain/steps.hpp).
-  virtual void perform(detail::steps::move, runtime_state&) const = 0;
-  virtual void perform(detail::steps::push, runtime_state&) const = 0;
-  virtual void perform(detail::steps::move_fully, runtime_state&) const = 0;
-  virtual void perform(detail::steps::push_fully, runtime_state&) const = 0;
-  virtual void perform(detail::steps::follow, runtime_state&) const = 0;
-  virtual void perform(detail::steps::carry, runtime_state&) const = 0;
-  virtual void perform(detail::steps::carry_coordinate, runtime_state&) const = 0;
-  virtual void perform(detail::steps::move_by_rates, runtime_state&) const = 0;
-  virtual void perform(detail::steps::articulate, runtime_state&) const = 0;
-  virtual void perform(detail::steps::accelerate, runtime_state&) const = 0;
-  virtual void perform(detail::steps::rest, runtime_state&) const = 0;
-  virtual void perform(detail::steps::load_down, runtime_state&) const = 0;
-  virtual void perform(detail::steps::vary, runtime_state&) const = 0;
-  virtual void perform(detail::steps::vary_coordinates, runtime_state&) const = 0;
-  virtual void perform(detail::steps::inward, runtime_state&) const = 0;
+  /// What it is to the loops over records (tree/record.hpp).
+  virtual detail::element_numbers numbers() const = 0;
+  /// Of an element that acts on coordinates alone: subtracts the derivatives of its forces.
+  virtual void derive_forces(runtime_state&) const = 0;
 };
 
 }  // namespace kte

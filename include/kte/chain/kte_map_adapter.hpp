@@ -2,8 +2,26 @@
 
 #include <kte/chain/kte_map.hpp>
 #include <kte/chain/runtime_state.hpp>
+#include <kte/chain/working_variation.hpp>
 
 namespace kte {
+
+namespace detail {
+/// What derivatives of forces see of a state.
+struct derived_state {
+  using scalar = double;
+  runtime_state& s;
+  const runtime_plan& plan;
+  struct {
+    inverse_dynamics_result<double, Eigen::Dynamic>* derivatives;
+  } work;
+  template <kind K>
+  auto& get(int i) {
+    return s.get<K>(i);
+  }
+  int dofs() const { return s.dofs(); }
+};
+}  // namespace detail
 
 /// An element of a runtime chain: the same core as in a static chain, connected by texts.
 template <class Core>
@@ -29,7 +47,6 @@ class kte_map_adapter final : public kte_element {
     t.has_derivatives &= c.has_derivatives;
     t.plain_loads &= c.plain_loads;
     t.is_stiff &= c.stiff || Core::ports.back().how != access::out || !is_frame(Core::ports.back().what);
-    number_ = t.elements.size() - 1;
   }
   element_record record() const override { return record_of(core_, names_); }
 
@@ -43,21 +60,12 @@ class kte_map_adapter final : public kte_element {
     return !typed_constant<number>;
   }
 
-  void perform(detail::steps::move step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::push step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::move_fully step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::push_fully step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::follow step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::carry step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::carry_coordinate step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::move_by_rates step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::articulate step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::accelerate step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::rest step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::load_down step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::vary step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::vary_coordinates step, runtime_state& s) const override { take(step, s); }
-  void perform(detail::steps::inward step, runtime_state& s) const override { take(step, s); }
+  detail::element_numbers numbers() const override { return detail::numbers_of(core_); }
+  void derive_forces(runtime_state& s) const override {
+    static constexpr detail::place none{};
+    detail::derived_state d{s, s.tree().plan, {s.work.derivatives}};
+    detail::working_variation<Core, detail::derived_state>{{core_, d, index_.data(), none}}.vary_coordinates();
+  }
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
@@ -65,15 +73,10 @@ class kte_map_adapter final : public kte_element {
   auto on(runtime_state& s) const {
     return detail::stored_element<Core, runtime_state, detail::by_index>{core_, s, {index_.data()}};
   }
-  template <class Step>
-  void take(Step, runtime_state& s) const {
-    detail::perform<Step>(core_, s, index_.data(), s.plan.places[number_]);
-  }
 
   Core core_;
   std::array<std::string, port_count<Core>> names_;
   std::array<int, port_count<Core>> index_{};
-  std::size_t number_ = 0;  ///< among the elements of the chain
 };
 
 }  // namespace kte

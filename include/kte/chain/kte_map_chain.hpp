@@ -38,7 +38,6 @@ class kte_map_chain : public kte_map {
   /// Appends an element, a static chain, or a chain. Throws `bad_wiring`; the chain is then as before.
   template <class Core>
   kte_map_chain& operator<<(named_element<Core> e) {
-    static_assert(sizeof(detail::check_need<Core, detail::knows_its_needs<Core, runtime_state>>) > 0);
     return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
   }
   template <class Gravity, class... E>

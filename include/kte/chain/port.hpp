@@ -45,6 +45,10 @@ inline constexpr bool reads_positions = false;
 template <class Core>
 requires requires { Core::reads_positions; }
 inline constexpr bool reads_positions<Core> = Core::reads_positions;
+
+/// Whether the forces of an element with a mass on a frame are those of a rigid body, `core.body`, and no others.
+template <class Core>
+inline constexpr bool is_rigid_body = false;
 }  // namespace detail
 
 /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".

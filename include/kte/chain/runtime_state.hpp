@@ -1,43 +1,39 @@
 #pragma once
 
-#include <kte/chain/memory.hpp>
+#include <kte/chain/runtime_tree.hpp>
 #include <kte/chain/shared_topology.hpp>
 #include <kte/chain/state.hpp>
+#include <kte/kernels/derivatives.hpp>
+#include <kte/tree/derivatives.hpp>
 
 #include <memory>
 
 namespace kte {
 
 namespace detail {
-/// What `arrange` asks of a runtime chain.
-struct runtime_connections {
-  const topology& t;
-  std::size_t elements() const { return t.elements.size(); }
-  std::span<const port> ports(std::size_t e) const { return t.elements[e].ports; }
-  int index(std::size_t e, std::size_t p) const { return t.elements[e].index[p]; }
-  bool stiff(std::size_t e) const { return t.elements[e].stiff; }
-  int count(kind k) const { return static_cast<int>(t.names[static_cast<std::size_t>(k)].size()); }
-  int writer(kind k, int i) const { return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
-  std::size_t freedoms() const { return t.free.size(); }
-  freedom freedom_at(std::size_t f) const { return t.free[f]; }
-  int dofs() const { return t.nv; }
-  bool is_angle(int i) const { return t.is_angle(i); }
-};
-
-struct runtime_memory : pass_memory<double, growing>,
-                        mass_memory<double, growing>,
-                        articulated_memory<double, growing>,
-                        inverse_memory<double, growing>,
-                        variation_memory<double, growing>,
-                        jacobian_memory<double> {
-  explicit runtime_memory(const sizes_of_chain& n, std::size_t elements, std::size_t angles) : wanted(elements) {
-    pass_memory::make(n), mass_memory::make(n), articulated_memory::make(n), variation_memory::make(n);
-    for (auto* x : {&angle, &sine, &cosine}) x->resize((angles + 3) / 4 * 4);
+/// Beside the loops over records.
+struct runtime_memory : tree::memory<double, double> {
+  explicit runtime_memory(const topology& t, const runtime_tree& r)
+      : memory(r.forest),
+        forces(t.nv),
+        kept(2 * static_cast<std::size_t>(t.nv)),
+        wanted(t.elements.size()),
+        angle((r.angles.size() + 3) / 4 * 4),
+        sine(angle.size()),
+        cosine(angle.size()) {
+    for (std::size_t k = 0; k < own_mass.size(); ++k)
+      own_mass[k] = r.own_mass[static_cast<std::size_t>(r.forest.row[k])];
   }
+  Eigen::VectorXd forces;                   ///< what is given back: forces or accelerations
+  std::vector<double> kept;                 ///< rates and accelerations that are put aside
+  std::vector<char> prescribed;             ///< by row: whether its acceleration is given
   std::vector<char> wanted;                 ///< by element: whether what is asked for depends on it
-  std::vector<double> angle, sine, cosine;  ///< of `plan::angles`, and zeros up to a multiple of four
-  /// Results that are as large as M or larger: made by the first call that gives them.
-  Eigen::MatrixXd inverse;
+  std::vector<double> angle, sine, cosine;  ///< of `runtime_tree::angles`, and zeros up to a multiple of four
+  inverse_dynamics_result<double, Eigen::Dynamic>* derivatives = nullptr;
+  /// As large as M or larger: made by the first call that gives them.
+  Eigen::MatrixXd mass, inverse;
+  Eigen::MatrixXd all;  ///< masses of all coordinates, if there are others than degrees of freedom
+  tree::variation_memory<double> variations;
   inverse_dynamics_result<double, Eigen::Dynamic> of_forces;
   forward_dynamics_result<double, Eigen::Dynamic> of_accelerations;
 };
@@ -53,10 +49,8 @@ class runtime_state {
 
   explicit runtime_state(shared_topology t)
       : topology_(std::move(t)),
-        plan(detail::arrange<detail::growing_list>(detail::runtime_connections{*topology_})),
-        work({topology_->names[1].size(), topology_->names[2].size(), static_cast<std::size_t>(topology_->nv),
-              static_cast<std::size_t>(plan.coordinates), plan.columns},
-             topology_->elements.size(), plan.angles.size()) {
+        tree_(std::make_shared<detail::runtime_tree>(*topology_)),
+        work(*topology_, *tree_) {
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
@@ -117,6 +111,7 @@ class runtime_state {
 
   /// What this state was made for.
   const shared_topology& made_for() const { return topology_; }
+  const detail::runtime_tree& tree() const { return *tree_; }
 
  private:
   int free_coordinate(int i) const {
@@ -126,7 +121,7 @@ class runtime_state {
   void swap(runtime_state& o) noexcept {
     std::swap(topology_, o.topology_), std::swap(things_, o.things_);
     std::swap(free_coordinates_, o.free_coordinates_);
-    std::swap(plan, o.plan), std::swap(work, o.work);
+    std::swap(tree_, o.tree_), std::swap(work, o.work);
   }
   template <std::size_t... K>
   void resize(std::index_sequence<K...>) {
@@ -140,12 +135,12 @@ class runtime_state {
   };
 
   shared_topology topology_;
+  std::shared_ptr<const detail::runtime_tree> tree_;
   typename lists<std::make_index_sequence<kinds>>::type things_;
   std::vector<int> free_coordinates_;
 
  public:
-  /// Order of work and working memory of the algorithms; nothing in it needs to be read or kept.
-  detail::runtime_plan plan;
+  /// Working memory of the algorithms; nothing in it needs to be read or kept.
   detail::runtime_memory work;
 };
 

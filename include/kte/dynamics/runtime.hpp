@@ -26,19 +26,18 @@ const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s
 
 /// The mass matrix at the state's positions (CRBA). As `mass_matrix` on a static chain.
 inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s) {
-  c.check(s);
-  detail::check_plain_loads(c);
+  c.check(s), detail::check_regular(s);
   detail::check_positions(s);
-  detail::mass_of_coordinates(c, s);
+  detail::mass_of_coordinates(s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  detail::check_plain_loads(c);
+  c.check(s), detail::check_regular(s);
   detail::take(c, s, q);
-  detail::mass_of_coordinates(c, s);
+  detail::mass_of_coordinates(s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
@@ -46,8 +45,7 @@ const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, con
 /// Forward dynamics at the state's positions and rates under its inputs, as on a static chain. The accelerations are
 /// also put into the coordinates of the state.
 inline const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s) {
-  c.check(s);
-  detail::check_plain_loads(c);
+  c.check(s), detail::check_regular(s);
   detail::check_positions(s);
   return detail::accelerations_under(c, s, [](int) { return 0.0; });
 }
@@ -55,21 +53,30 @@ inline const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_s
 template <indexable Q, indexable V, indexable T>
 const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
                                         const T& tau) {
-  detail::check_plain_loads(c);
+  c.check(s), detail::check_regular(s);
   detail::take(c, s, q, v, detail::not_given{}, tau);
   return detail::accelerations_under(c, s,
                                      [&](int i) { return static_cast<double>(tau[static_cast<std::size_t>(i)]); });
 }
 
 namespace detail {
+/// At positions that are good.
 inline pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
-  move(c.wiring(), s, x);
-  if (x.what == kind::frame_2D) {
-    const auto m = spatial(s.get<kind::frame_2D>(x.index));
-    return {as<double>(matrix(m.rotation)), as<double>(m.position)};
+  if (s.tree().irregular >= 0) [[unlikely]] {
+    move(c.wiring(), s, x);
+    return x.what == kind::frame_2D ? plain_pose(spatial(s.get<kind::frame_2D>(x.index)))
+                                    : plain_pose(s.get<kind::frame_3D>(x.index));
   }
-  const auto& m = s.get<kind::frame_3D>(x.index);
-  return {m.rotation, m.position};
+  const auto& f = s.tree().forest;
+  const auto& place = f.frame(x.what, x.index);
+  place_ancestors(s, place.slot);
+  tree::dense_pose<double> seen;
+  const int base = tree::pose_in_base(f, s.work, place, seen);
+  pose<mat3<vec3<>>, vec3<>> in_world = seen;
+  for_each_base(s, [&](const auto& m, std::size_t slot) {
+    if (static_cast<int>(slot) == base) in_world = compose(plain_pose(m), seen);
+  });
+  return in_world;
 }
 }  // namespace detail
 

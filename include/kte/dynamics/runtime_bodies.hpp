@@ -15,9 +15,9 @@ inline const Eigen::VectorXd& static_forces(const kte_map_chain& c, runtime_stat
   return inverse_dynamics(c, s);
 }
 inline const Eigen::VectorXd& gravity_forces(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_positions(s);
+  c.check(s), detail::check_regular(s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
-  detail::forces_of_bodies(c, s, true);
+  detail::forces_of_bodies(s, true);
   return detail::applied_forces(s);
 }
 inline const Eigen::VectorXd& nonlinear_effects(const kte_map_chain& c, runtime_state& s) {
@@ -26,9 +26,9 @@ inline const Eigen::VectorXd& nonlinear_effects(const kte_map_chain& c, runtime_
   return inverse_dynamics(c, s);
 }
 inline const Eigen::VectorXd& coriolis_forces(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_state_velocities(s);
+  c.check(s), detail::check_regular(s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
-  detail::forces_of_bodies(c, s, false);
+  detail::forces_of_bodies(s, false);
   return detail::applied_forces(s);
 }
 
@@ -42,12 +42,12 @@ inline double kinetic_energy(const kte_map_chain& c, runtime_state& s) {
 }
 /// Of springs, and of all bodies under the chain's gravity: zero at the origin. J.
 inline double potential_energy(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_positions(s);
+  c.check(s), detail::check_regular(s), detail::check_positions(s);
   c.doMotion(s);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->potential_energy(s);
-  detail::mass_of_coordinates(c, s);
-  return detail::checked_energy<double>(sum - dot(c.gravity(), detail::weight_of(c.wiring(), s).moment));
+  detail::carry(s);
+  return detail::checked_energy<double>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment));
 }
 inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
   const double kinetic = kinetic_energy(c, s);
@@ -56,37 +56,37 @@ inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
 
 /// By composite inertias, with those of the mass matrix.
 inline mass_centre<> centre_of_mass(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_positions(s);
-  detail::mass_of_coordinates(c, s);
-  const auto w = detail::weight_of(c.wiring(), s);
+  c.check(s), detail::check_regular(s), detail::check_positions(s);
+  detail::carry(s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
   return {w.mass, detail::divided_by_mass<double>(w.mass, w.moment)};
 }
 inline vec3<> centre_of_mass_velocity(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_state_velocities(s);
-  detail::mass_of_coordinates(c, s);
-  return detail::divided_by_mass<double>(detail::weight_of(c.wiring(), s).mass,
-                                         detail::momentum_of_coordinates(c.wiring(), s).force);
+  c.check(s), detail::check_regular(s), detail::check_state_velocities(s);
+  detail::carry(s);
+  return detail::divided_by_mass<double>(tree::weight_in_world(s.tree().forest, s.work).mass,
+                                         detail::momentum_of_coordinates(s).force);
 }
 inline linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_state_velocities(s);
-  detail::mass_of_coordinates(c, s);
-  const auto w = detail::weight_of(c.wiring(), s);
-  const auto h = detail::momentum_of_coordinates(c.wiring(), s);
+  c.check(s), detail::check_regular(s), detail::check_state_velocities(s);
+  detail::carry(s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  const auto h = detail::momentum_of_coordinates(s);
   return detail::checked<double>(h.force, h.torque - cross(detail::divided_by_mass<double>(w.mass, w.moment), h.force));
 }
 inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_positions(s);
-  const auto& t = c.wiring();
-  detail::mass_of_coordinates(c, s);
-  const auto w = detail::weight_of(t, s);
+  c.check(s), detail::check_regular(s), detail::check_positions(s);
+  detail::carry(s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const vec3<> centre = detail::divided_by_mass<double>(w.mass, w.moment);
-  runtime_jacobian a = runtime_jacobian::Zero(6, s.plan.coordinates);
-  detail::for_each_momentum(t, s, [&](int row, const detail::dense_wrench<double>& h) {
+  runtime_jacobian a = runtime_jacobian::Zero(6, s.tree().plan.coordinates);
+  detail::for_each_momentum(s, [&](int row, const tree::dense_wrench<double>& h) {
     const vec3<> k = h.torque - cross(centre, h.force);
-    a(0, row) += h.force.x, a(1, row) += h.force.y, a(2, row) += h.force.z;
-    a(3, row) += k.x, a(4, row) += k.y, a(5, row) += k.z;
+    auto column = a.col(row);
+    column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
+    column[3] += k.x, column[4] += k.y, column[5] += k.z;
   });
-  return detail::folded(t, s, std::move(a));
+  return detail::folded(s, std::move(a));
 }
 
 // The same at q, or q and v, which are put into the state.

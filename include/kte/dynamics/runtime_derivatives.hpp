@@ -1,8 +1,9 @@
 #pragma once
 
-#include <kte/dynamics/detail/stored_dynamics.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/runtime.hpp>
+#include <kte/tree/derivatives.hpp>
+#include <kte/tree/inverse_mass.hpp>
 
 #include <string_view>
 #include <vector>
@@ -16,51 +17,89 @@ namespace detail {
 /// Throws unless the derivatives of a chain are known element by element.
 inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
   c.check(s);
-  check_plain_loads(c);
+  check_regular(s);
   for (const auto& e : c.wiring().elements)
     if (!e.has_derivatives)
       throw bad_argument(
           "kte: derivatives of runtime chains are known of joints, links, bodies and forces on coordinates, not of " +
           e.element->record().type);
-  if (!s.plan.tree)
+  if (!s.tree().plan.tree)
     throw bad_argument(
         "kte: derivatives of runtime chains need trees, in which no coordinate follows another or moves two joints");
 }
 }  // namespace detail
 
+namespace detail {
+/// After articulated inertias, whose loads are used up.
+inline void invert_articulated(runtime_state& s, Eigen::MatrixXd& inverse) {
+  const auto& f = s.tree().forest;
+  inverse.setZero(s.dofs(), s.dofs());
+  place_in_world(s);
+  tree::inverse_masses(f, s.work, [&](int j, int k, double x) {
+    const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
+    if (a < s.dofs() && b < s.dofs()) inverse(a, b) = inverse(b, a) = x;
+  });
+  for (const int row : s.tree().plan.lone_rows) inverse(row, row) = 1 / s.tree().own_mass[static_cast<std::size_t>(row)];
+}
+inline void inverse_of_masses(runtime_state& s, Eigen::MatrixXd& inverse) {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  if (!t.plan.tree) {
+    mass_of_coordinates(s);
+    inverse.resize(s.dofs(), s.dofs());
+    invert_by_factors(w.mass, inverse);
+    return;
+  }
+  place_bodies(s);
+  for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
+  std::fill(w.force.begin(), w.force.end(), 0.0);
+  tree::start_articulated(t.forest, w, false);
+  bool good = tree::articulate(t.forest, w);
+  for (const int row : t.plan.lone_rows) good = good && t.own_mass[static_cast<std::size_t>(row)] > 0;
+  if (!good) [[unlikely]]
+    raise_singular_mass_matrix();
+  invert_articulated(s, inverse);
+}
+}  // namespace detail
+
 /// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
 inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s) {
-  c.check(s);
-  detail::check_plain_loads(c);
+  c.check(s), detail::check_regular(s);
   detail::check_positions(s);
-  auto& inverse = s.work.inverse;
-  inverse.resize(s.dofs(), s.dofs());
-  if (s.plan.tree) {
-    detail::update_angles(s);
-    detail::invert_articulated(detail::runtime_elements{c}, s, inverse);
-  } else {
-    detail::mass_of_coordinates(c, s);
-    detail::invert_by_factors(s.work.mass, inverse);
-  }
-  detail::check_masses(s, inverse);
-  return inverse;
+  detail::inverse_of_masses(s, s.work.inverse);
+  detail::check_masses(s, s.work.inverse);
+  return s.work.inverse;
 }
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  detail::check_plain_loads(c);
+  c.check(s), detail::check_regular(s);
   detail::take(c, s, q);
   return mass_matrix_inverse(c, s);
 }
 
 namespace detail {
 inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, runtime_state& s) {
+  const auto& f = s.tree().forest;
+  auto& w = s.work;
   coordinate_forces(c, s);
-  auto& r = s.work.of_forces;
+  tree::move_bodies<true>(f, w);  // with linear velocities
+  auto& r = w.of_forces;
   const Eigen::Index n = s.dofs();
-  r.tau.resize(n), r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_a.resize(n, n);
-  derive_forces(runtime_elements{c}, s, r);
-  take_forces(s, minus_one, r.tau);
+  r.tau.resize(n);
+  read_listed_numbers<vector_of::f>(s, r.tau);
+  r.tau = -r.tau;
+  r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
+  w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
+  place_in_world(s);
+  tree::start_variations(f, w, w.variations);
+  tree::vary_forces(f, w, w.variations, [&](int j, int k, double by_q, double by_v, double by_a) {
+    const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
+    if (a >= n || b >= n) return;  // a coordinate that is given
+    r.by_q(a, b) = by_q, r.by_v(a, b) = by_v, r.by_a(a, b) = by_a;
+  });
+  w.derivatives = &r;
+  for (const int e : s.tree().on_coordinates) element_of(s, e).derive_forces(s);
   check_result(r.tau, static_cast<std::size_t>(n), [&s] { blame("a force", s); });
   return r;
 }
@@ -90,8 +129,8 @@ inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_deri
   auto& r = s.work.of_accelerations;
   const Eigen::Index n = s.dofs();
   r.a = s.work.forces;
-  r.by_q.resize(n, n), r.by_v.resize(n, n), r.by_tau.resize(n, n);
-  invert_columns(runtime_elements{c}, s, r.by_tau);
+  r.by_q.resize(n, n), r.by_v.resize(n, n);
+  invert_articulated(s, r.by_tau);
   const auto& of_forces = forces_derived(c, s);
   solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
   return r;
@@ -124,8 +163,8 @@ hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_cha
                                                                const std::vector<std::string_view>& prescribed) {
   using namespace detail;
   c.check(s);
-  check_plain_loads(c);
-  if (!s.plan.tree)
+  check_regular(s);
+  if (!s.tree().plan.tree)
     throw bad_argument("kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
   const auto n = static_cast<std::size_t>(s.dofs());
   check_size(n, known, "known");

@@ -27,29 +27,11 @@ inline void check_state_velocities(const runtime_state& s) {
       s, [](const auto& c, const auto& f) { visit_v(c, f); }, "kte: a velocity is no finite number");
 }
 
-/// Forces on followers, to what they follow.
-inline void push_followers(const topology& t, runtime_state& s) {
-  for (const int e : s.plan.weights) {  // from the last to the first
-    const auto& follower = t.elements[static_cast<std::size_t>(e)];
-    if (follower.ports.back().how == access::out) follower.element->perform(steps::push{}, s);
-  }
-}
-/// A matrix over all coordinates, whose rows are forces, over the degrees of freedom: what is on followers goes to what
-/// they follow, and what is on coordinates that are given is left out.
-inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const topology& t, runtime_state& s,
-                                                       Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
-  if (s.plan.coordinates == s.dofs()) return a;
-  for (int i = 0; i < 6; ++i) {
-    for_each_listed_freedom(s, [&](auto& x, const freedom& at) {
-      int j = at.v;
-      visit_f(x, [&](double& f) { f = a(i, j++); });
-    });
-    for (std::size_t g = 0; g < s.plan.row_of_gen.size(); ++g)
-      s.get<kind::gen>(static_cast<int>(g)).f = a(i, s.plan.row_of_gen[g]);
-    push_followers(t, s);
-    read_listed_numbers<vector_of::f>(s, s.work.forces);
-    a.row(i).head(s.dofs()) = s.work.forces.transpose();
-  }
+/// Columns of all coordinates over the degrees of freedom: those of followers count for what they follow, those of
+/// coordinates that are given are left out.
+inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(runtime_state& s, Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
+  if (a.cols() == s.dofs()) return a;
+  hand_on(s, [&a](int base, int end, double ratio) { a.col(base) += ratio * a.col(end); });
   return a.leftCols(s.dofs());
 }
 }  // namespace detail
@@ -125,56 +107,44 @@ linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, co
 using runtime_jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 namespace detail {
-inline int writer_of(const topology& t, const runtime_frame& x) {
-  return t.writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
-}
-/// A frame and its base.
-struct frame_on_base {
-  runtime_frame frame, base;
-};
-inline frame_on_base find_frame_on_base(const kte_map_chain& c, std::string_view name) {
-  const auto& t = c.wiring();
-  frame_on_base x{find_frame(c, name), find_frame(c, name)};
-  for (int e; (e = writer_of(t, x.base)) >= 0;) {
-    const auto& mover = t.elements[static_cast<std::size_t>(e)];
-    if (!mover.stiff) throw bad_argument("kte: a Jacobian needs joints and links, not " + mover.element->record().type);
-    const std::size_t from = mover.index.size() - 2;
-    x.base = {mover.ports[from].what, mover.index[from]};
-  }
-  return x;
-}
 /// At positions that are good.
-inline runtime_jacobian jacobian_of(const kte_map_chain& c, runtime_state& s, const frame_on_base& x, bool world) {
-  update_angles(s);
-  const auto& t = c.wiring();
-  const runtime_elements elements{c};
-  if (s.plan.coordinates > s.dofs()) elements.forward<steps::follow>(s);
-  auto& j = s.work.jacobian;
-  j.setZero(6, s.plan.coordinates);
-  s.work.seen = {as<double>(matrix(no_rotation{})), {}};
-  elements.down_from<steps::inward>(writer_of(t, x.frame), s);
+inline runtime_jacobian jacobian_of(runtime_state& s, const runtime_frame& x, bool world) {
+  place_bodies(s);
+  const auto& t = s.tree();
+  const auto& row = t.forest.row;
+  runtime_jacobian j = runtime_jacobian::Zero(6, t.plan.coordinates);
+  tree::dense_pose<double> seen;
+  const int base = tree::jacobian_columns(t.forest, s.work, t.forest.frame(x.what, x.index), seen,
+                                          [&](int k, const vec3<>& v, const vec3<>& w) {
+                                            auto column = j.col(row[static_cast<std::size_t>(k)]);
+                                            column[0] += v.x, column[1] += v.y, column[2] += v.z;
+                                            column[3] += w.x, column[4] += w.y, column[5] += w.z;
+                                          });
   if (world) {
-    const auto axes =
-        with_motion(s, x.base, [&s](const auto& m) { return as<double>(matrix(m.rotation) * s.work.seen.rotation); });
+    mat3<vec3<>> axes = seen.rotation;
+    for_each_base(s, [&](const auto& m, std::size_t slot) {
+      if (static_cast<int>(slot) == base) axes = as<double>(matrix(m.rotation) * seen.rotation);
+    });
     for (int k = 0; k < j.cols(); ++k) {
       const vec3<> v = axes * vec3{j(0, k), j(1, k), j(2, k)}, w = axes * vec3{j(3, k), j(4, k), j(5, k)};
       j.col(k) << v.x, v.y, v.z, w.x, w.y, w.z;
     }
   }
-  return folded(t, s, j);
+  return folded(s, std::move(j));
 }
 inline runtime_jacobian jacobian_at_state(const kte_map_chain& c, runtime_state& s, std::string_view frame,
                                           bool world) {
-  c.check(s);
-  const auto x = find_frame_on_base(c, frame);
+  c.check(s), check_regular(s);
+  const auto x = find_frame(c, frame);
   check_positions(s);
-  return jacobian_of(c, s, x, world);
+  return jacobian_of(s, x, world);
 }
 template <class Q>
 runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame, bool world) {
-  const auto x = find_frame_on_base(c, frame);
+  c.check(s), check_regular(s);
+  const auto x = find_frame(c, frame);
   take(c, s, q);
-  return jacobian_of(c, s, x, world);
+  return jacobian_of(s, x, world);
 }
 }  // namespace detail
 

@@ -104,6 +104,11 @@ struct inertia_gen {
 
 }  // namespace core
 
+namespace detail {
+template <kind Dim, class M, class C, class I>
+inline constexpr bool is_rigid_body<core::inertia<Dim, M, C, I>> = true;
+}  // namespace detail
+
 /// A body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
 template <class F, class M, class C, class I>
 constexpr auto inertia_2D(const F& frame, const rigid_body<M, C, I>& body) {

@@ -44,16 +44,14 @@ KTE_INLINE constexpr auto accelerating_wrench(const articulated<M, H, J>& b, con
   return wrench{b.linear * a + b.coupling * al, transpose(b.coupling) * a + b.angular * al};
 }
 
-/// Seen from another frame, in which this one stands at rotation R and position p. With P = [p]x, everything in the
-/// axes of that frame:
+/// Seen from a point of which the origin of the frame stands at p, in the same axes. With P = [p]x:
 ///
 ///   M' = M,  H' = H - M P,  J' = J + (P H)^T + P H'           (2)
-template <class R, class P, class M, class H, class J>
-KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
-  const auto r = matrix(rotation);
-  const auto m = turned_by(r, b.linear);
-  const auto h = turned_by(r, b.coupling);
-  const auto j = turned_by(r, b.angular);
+template <class P, class M, class H, class J>
+KTE_INLINE constexpr auto shifted(const P& p, const articulated<M, H, J>& b) {
+  const auto& m = b.linear;
+  const auto& h = b.coupling;
+  const auto& j = b.angular;
   const auto f = full(m);
   const mat3 k{plus_cross(h.x, p, f.x), plus_cross(h.y, p, f.y), plus_cross(h.z, p, f.z)};  // row i of M P is m_i x p
   const auto hx = transpose(h);  // columns of H; column i of P H is p x h_i
@@ -65,6 +63,12 @@ KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const artic
   const vec3 v = plus_cross(vec3{x.y, y.y, zero}, p, kx.y);
   const vec3 w = plus_cross(vec3{x.z, y.z, z.z}, p, kx.z);
   return articulated{m, k, sym3{u.x, v.x, w.x, v.y, w.y, w.z}};
+}
+/// Seen from another frame, in which this one stands at rotation R and position p.
+template <class R, class P, class M, class H, class J>
+KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
+  const auto r = matrix(rotation);
+  return shifted(p, articulated{turned_by(r, b.linear), turned_by(r, b.coupling), turned_by(r, b.angular)});
 }
 
 namespace detail {

@@ -50,7 +50,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// derivatives (dynamics/runtime_derivatives.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double, const state& x, jacobian_matrix& j) const {
-    if (internals() > 0 || !s_.plan.tree || !wiring().has_derivatives) return false;
+    if (internals() > 0 || !s_.tree().plan.tree || !wiring().has_derivatives) return false;
     setJointStates(x, s_);
     const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
     j.resize(rates(), rates());

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <kte/dynamics/detail/runtime_arguments.hpp>
-#include <kte/dynamics/detail/stored_algorithms.hpp>
+#include <kte/dynamics/detail/runtime_loops.hpp>
+#include <kte/kernels/solve.hpp>
 
 #include <algorithm>
 #include <utility>
 
-/// The algorithms on runtime chains: loops over elements, which do their part in the working memory of a state.
+/// The algorithms on runtime chains, as loops over records.
 namespace kte {
 
 namespace detail {
@@ -15,131 +15,157 @@ inline void check_masses(const runtime_state& s, const Eigen::MatrixXd& m) {
   check_result(m.diagonal(), static_cast<std::size_t>(s.dofs()), [&s] { blame("a mass", s); });
 }
 
-/// Sines, cosines and matrices of the coordinates.
-inline void update_angles(runtime_state& s) {
-  auto& w = s.work;
-  const auto& angles = s.plan.angles;
-  for (std::size_t i = 0; i < angles.size(); ++i) w.angle[i] = s.get<kind::gen>(angles[i]).q;
-  sincos_each(w.angle.data(), w.sine.data(), w.cosine.data(), w.angle.size());
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    auto& c = s.get<kind::gen>(angles[i]);
-    c.sin = w.sine[i], c.cos = w.cosine[i];
-  }
-  const auto& t = *s.made_for();
-  for (const auto& f : t.free) {
-    if (f.what == kind::rotation_3D) update_angle(s.get<kind::rotation_3D>(f.slot));
-    if (f.what == kind::pose_2D) update_angle(s.get<kind::pose_2D>(f.slot));
-    if (f.what == kind::pose_3D) update_angle(s.get<kind::pose_3D>(f.slot));
-  }
-  for_each_given_coordinate(s, [](gen_coord<>& c) { update_angle(c); });
+/// The change of what a follower writes by a coordinate that it follows: of q_dot, when that has a rate of one.
+inline double ratio_of(runtime_state& s, int follower, gen_coord<>& followed) {
+  auto& e = s.made_for()->elements[static_cast<std::size_t>(follower)];
+  auto& end = s.get<kind::gen>(e.index.back());
+  const gen_coord<> before = followed, end_before = end;
+  const auto rate_at = [&](double rate) {
+    followed.q_dot = rate;
+    e.element->doMotion(s);
+    return end.q_dot;
+  };
+  const double at_rest = rate_at(0), ratio = rate_at(1) - at_rest;
+  followed = before, end = end_before;
+  return ratio;
 }
-
-/// Frames that no element writes, into the working memory; no forces anywhere.
-inline void start(runtime_state& s) {
-  for (std::size_t i = 0; i < s.plan.row_of_gen.size(); ++i) s.get<kind::gen>(static_cast<int>(i)).f = 0;
-  for_each_listed_freedom(s, [](auto& c, const freedom&) {
-    if constexpr (requires { clear_load(c); }) clear_load(c);
-  });
-  for (const auto& base : s.plan.bases) {
-    const auto set = [&s, i = base.second]<kind K>(std::integral_constant<kind, K>) {
-      const auto m = spatial(s.get<K>(i));
-      s.work.frames.get<K>(i) = {
-          as<double>(m.ang_velocity), as<double>(m.acceleration), as<double>(m.ang_acceleration), {}};
-    };
-    if (base.first == kind::frame_2D)
-      set(std::integral_constant<kind, kind::frame_2D>{});
-    else
-      set(std::integral_constant<kind, kind::frame_3D>{});
+/// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
+template <class Add>
+void hand_on(runtime_state& s, const Add& add) {
+  const auto& t = s.tree();
+  for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
+    const auto& e = s.made_for()->elements[static_cast<std::size_t>(*f)];
+    const int end = t.plan.row_of_gen[static_cast<std::size_t>(e.index.back())];
+    for (std::size_t p = 0; p + 1 < e.index.size(); ++p)
+      if (e.ports[p].what == kind::gen)
+        add(t.plan.row_of_gen[static_cast<std::size_t>(e.index[p])], end,
+            ratio_of(s, *f, s.get<kind::gen>(e.index[p])));
   }
 }
 
-/// The elements of a runtime chain, in the loops of dynamics/detail/stored_algorithms.hpp.
-struct runtime_elements {
-  const kte_map_chain& chain;
-
-  template <class Step>
-  void forward(runtime_state& s) const {
-    const auto& elements = chain.wiring().elements;
-    if constexpr (Step::of == who::movers) {
-      for (const int e : s.plan.movers) elements[static_cast<std::size_t>(e)].element->perform(Step{}, s);
-    } else if constexpr (Step::of == who::weights) {
-      for (const int e : s.plan.weights) elements[static_cast<std::size_t>(e)].element->perform(Step{}, s);
-    } else {
-      for (const auto& e : elements) e.element->perform(Step{}, s);
-    }
-  }
-  template <class Step>
-  void backward(runtime_state& s) const {
-    const auto& elements = chain.wiring().elements;
-    if constexpr (Step::of == who::weights) {
-      forward<Step>(s);  // which are listed from the last
-    } else {
-      for (auto e = elements.rbegin(); e != elements.rend(); ++e) e->element->perform(Step{}, s);
-    }
-  }
-  template <class Step>
-  void down_from(int e, runtime_state& s) const {
-    const auto& elements = chain.wiring().elements;
-    for (; e >= 0; e = s.plan.places[static_cast<std::size_t>(e)].below)
-      elements[static_cast<std::size_t>(e)].element->perform(Step{}, s);
-  }
-  bool reads_positions() const { return chain.wiring().reads_positions; }
-};
-
-/// Inverse dynamics, into the state.
-inline void coordinate_forces(const kte_map_chain& c, runtime_state& s) {
-  c.check(s);
-  update_angles(s);
-  start(s);
-  forces_on_coordinates(runtime_elements{c}, s);
+/// The inertias of bodies with all they carry, and axes, in the world.
+inline void carry(runtime_state& s) {
+  place_bodies(s);
+  place_in_world(s);
+  tree::carry_bodies(s.tree().forest, s.work);
 }
-
-/// Throws `bad_argument` where a joint or link has a `doForce` of its own, which algorithms that ask for `relative`
-/// alone would leave out.
-inline void check_plain_loads(const kte_map_chain& c) {
-  if (c.wiring().plain_loads) return;
-  for (const auto& e : c.wiring().elements)
-    if (!e.plain_loads)
-      throw bad_argument("kte: this algorithm takes the loads of joints and links from `relative` alone, and " +
-                         e.element->record().type +
-                         " has a `doForce` of its own: put that force into an element on the coordinate");
-}
-
 /// The mass matrix, into the working memory.
-inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
-  if (!c.wiring().is_stiff) [[unlikely]]
-    for (const auto& e : c.wiring().elements)
-      if (e.ports.back().how == access::out && !e.stiff && is_frame(e.ports.back().what))
-        throw bad_argument("kte: the mass matrix needs joints and links, not " + e.element->record().type);
-  update_angles(s);
-  mass_of_coordinates(runtime_elements{c}, s);
+inline void mass_of_coordinates(runtime_state& s) {
+  check_regular(s);
+  carry(s);
+  const auto& t = s.tree();
+  const auto& row = t.forest.row;
+  auto& w = s.work;
+  const bool others = t.plan.coordinates > s.dofs();
+  auto& m = others ? w.all : w.mass;
+  m.setZero(t.plan.coordinates, t.plan.coordinates);
+  // Where joints share a coordinate, both triangles meet on the diagonal.
+  tree::masses(t.forest, w, [&](int j, int k, double x) {
+    const int a = row[static_cast<std::size_t>(j)], b = row[static_cast<std::size_t>(k)];
+    m(a, b) += x;
+    if (j != k) m(b, a) += x;
+  });
+  for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
+  if (!others) return;
+  hand_on(s, [&m](int base, int end, double ratio) {
+    m.row(base) += ratio * m.row(end);
+    m.col(base) += ratio * m.col(end);
+  });
+  w.mass = m.topLeftCorner(s.dofs(), s.dofs());
 }
 
 /// By the factorised mass matrix.
 template <class Tau>
 void accelerate_by_mass(const kte_map_chain& c, runtime_state& s, const Tau& tau) {
+  check_regular(s);
   for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](double& a) { a = 0; }); });
   coordinate_forces(c, s);
   auto& a = s.work.forces;
   read_listed_numbers<vector_of::f>(s, a);
   for (int i = 0; i < s.dofs(); ++i) a[i] += tau(i);
-  mass_of_coordinates(c, s);
+  mass_of_coordinates(s);
   solve_in_place(s.work.mass, a);
+}
+
+/// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
+/// of articulated bodies.
+inline void push_by_rates(runtime_state& s) {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  clear_coordinates(s);
+  for (const auto& r : t.forest.records)
+    if (w.yields[static_cast<std::size_t>(&r - t.forest.records.data())])
+      each_axis(s, r, of_accelerations, [](double& a, std::size_t) { a = 0; });
+  for (const int row : t.plan.lone_rows)
+    if (!w.prescribed[static_cast<std::size_t>(row)])
+      for_each_listed_freedom(s, [row](auto& x, const freedom& at) {
+        if (at.v == row) visit_a(x, [](double& a) { a = 0; });
+      });
+  if (!t.on_frames.empty()) {
+    std::fill(w.acceleration.begin(), w.acceleration.end(), 0.0);
+    tree::move_bodies<true>(t.forest, w);
+    place_in_world(s);
+    place_touched_frames(s, false);
+    for (const int e : t.on_frames) element_of(s, e).doForce(s);
+    for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<double>& x) {
+      auto& load = w.articulated[slot].load;
+      load = {load.force + x.force, load.torque + x.torque};
+    });
+  }
+  for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) element_of(s, *e).doForce(s);
+}
+/// By articulated bodies, in trees. Accelerations of rows that are `prescribed` are those of the state.
+template <class Tau>
+void accelerate_articulated(runtime_state& s, const Tau& tau, std::span<const char> prescribed) {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  w.prescribed.assign(static_cast<std::size_t>(s.dofs()), 0);
+  std::copy(prescribed.begin(), prescribed.end(), w.prescribed.begin());
+  place_bodies(s);
+  take_rates(s), take_accelerations(s), take_bases(s);
+  for (std::size_t i = 0; i < t.forest.records.size(); ++i) {
+    const auto& r = t.forest.records[i];
+    const int row = t.forest.row[static_cast<std::size_t>(r.first)];
+    w.yields[i] = r.yields && !w.prescribed[static_cast<std::size_t>(row)];
+  }
+  tree::start_articulated(t.forest, w, true);
+  w.forces.setZero();
+  if (!t.on_coordinates.empty() || !t.on_frames.empty()) {
+    push_by_rates(s);
+    read_listed_numbers<vector_of::f>(s, w.forces);
+  }
+  for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
+  for (std::size_t k = 0; k < t.forest.row.size(); ++k)
+    w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : 0;
+  bool good = tree::articulate(t.forest, w);
+  take_accelerations(s);  // of what does not yield
+  tree::accelerate(t.forest, w);
+  for (std::size_t k = 0; k < t.forest.row.size(); ++k)
+    if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];
+  for (const int row : t.plan.lone_rows) {
+    if (w.prescribed[static_cast<std::size_t>(row)]) {
+      for_each_listed_freedom(s, [&](const auto& c, const freedom& at) {
+        if (at.v == row) visit_a(c, [&](const auto& a) { w.forces[row] = a; });
+      });
+      continue;
+    }
+    const double m = t.own_mass[static_cast<std::size_t>(row)];
+    good = good && m > 0;
+    w.forces[row] /= m;
+  }
+  if (!good) [[unlikely]]
+    raise_singular_mass_matrix();
 }
 /// At positions that are good. Some accelerations may be given, in the state: those of rows that are `prescribed`, in
 /// trees.
 template <class Tau>
 const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& tau,
                                            std::span<const char> prescribed = {}) {
-  if (s.plan.tree) {
-    std::fill(s.work.prescribed.begin(), s.work.prescribed.end(), 0);
-    std::copy(prescribed.begin(), prescribed.end(), s.work.prescribed.begin());
-    update_angles(s);
-    start(s);
-    accelerate_articulated(runtime_elements{c}, s, tau);
-  } else {
+  check_regular(s);
+  if (s.tree().plan.tree)
+    accelerate_articulated(s, tau, prescribed);
+  else
     accelerate_by_mass(c, s, tau);
-  }
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {
     Eigen::VectorXd forces(s.dofs());
     for (int i = 0; i < s.dofs(); ++i) forces[i] = tau(i);

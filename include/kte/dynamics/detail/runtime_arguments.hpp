@@ -9,10 +9,11 @@ namespace kte::detail {
 /// visit(c) for generalized coordinates that are given from outside, by base_gen.
 template <class State, class Visit>
 void for_each_given_coordinate(State& s, const Visit& visit) {
-  if (s.plan.coordinates == s.dofs()) return;
+  const auto& plan = s.tree().plan;
+  if (plan.coordinates == s.dofs()) return;
   const auto& writers = s.made_for()->writers[static_cast<std::size_t>(kind::gen)];
   for (std::size_t i = 0; i < writers.size(); ++i)
-    if (s.plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
+    if (plan.row_of_gen[i] >= s.dofs() && writers[i] < 0) visit(s.template get<kind::gen>(static_cast<int>(i)));
 }
 
 /// Whether positions can be computed with.

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kte/kernels/joint.hpp>
+#include <kte/tree/build.hpp>
+
+/// What an element is to the loops over records (tree/record.hpp), as numbers.
+namespace kte::detail {
+
+enum class part : unsigned char {
+  base,      ///< declares something
+  stiff,     ///< a joint or link
+  body,      ///< a rigid body on a frame
+  weight,    ///< a mass on a frame that moves by a law of its own
+  follower,  ///< writes a coordinate from others
+  mover,     ///< writes a frame in another way
+  force      ///< the rest: acts on what it is connected to. May have a mass on a coordinate
+};
+
+struct element_numbers {
+  part is = part::force;
+  bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
+  tree::stiff_numbers<double> stiff{};
+  rigid_body<double, vec3<>, sym3<>> body{};
+  composite<double, vec3<>, sym3<>> weight{};
+  double mass = 0;  ///< on its coordinate
+};
+
+/// A coordinate of kind K as plain numbers: at zero, or where (1), (2) of tree/build.hpp are tried.
+template <kind K>
+constexpr auto plain_coordinate(bool tried) {
+  if constexpr (K == kind::gen) {
+    return tried ? coordinate<double, double, double, double, double>{tree::tried_angle, 0, 0, tree::tried_turn.cos,
+                                                                      tree::tried_turn.sin}
+                 : coordinate<double, double, double, double, double>{0, 0, 0, 1, 0};
+  } else if constexpr (K == kind::pose_2D) {
+    using in_plane = vec3<double, double, zero_t>;
+    using about_z = vec3<zero_t, zero_t, double>;
+    const rotation_2D<> r = tried ? rotation_2D<>{tree::tried_turn.cos, tree::tried_turn.sin} : rotation_2D<>{1, 0};
+    const in_plane p = tried ? in_plane{tree::tried_position.x, tree::tried_position.y, zero} : in_plane{};
+    return motion{p, r, in_plane{}, about_z{}, in_plane{}, about_z{}};
+  } else {
+    const mat3<vec3<>> r = tried ? tree::tried_rotation : as<double>(matrix(no_rotation{}));
+    const vec3<> p = tried && K == kind::pose_3D ? tree::tried_position : vec3<>{};
+    return motion{p, r, vec3<>{}, vec3<>{}, vec3<>{}, vec3<>{}};
+  }
+}
+template <class M>
+pose<mat3<vec3<>>, vec3<>> plain_pose(const M& m) {
+  return {as<double>(matrix(m.rotation)), as<double>(m.position)};
+}
+template <class Core>
+tree::stiff_numbers<double> stiff_numbers_of(const Core& core) {
+  tree::stiff_numbers<double> x;
+  if constexpr (coordinates_of<Core> == 0) {
+    x.at_zero = plain_pose(core.relative());
+  } else {
+    constexpr kind k = coordinate_kind<Core>;
+    const auto at_zero = plain_coordinate<k>(false);
+    x.at_zero = plain_pose(core.relative(position_only(at_zero)));
+    x.tried = plain_pose(core.relative(position_only(plain_coordinate<k>(true))));
+    const auto axis = [&]<int N>(std::integral_constant<int, N>) {
+      const auto s = axis_of<N>(core, at_zero);
+      x.linear[std::size_t{N}] = as<double>(s.velocity), x.angular[std::size_t{N}] = as<double>(s.ang_velocity);
+      return 0;
+    };
+    [&]<int... N>(std::integer_sequence<int, N...>) {
+      const int done[]{axis(std::integral_constant<int, N>{})...};
+      (void)done;
+    }
+    (std::make_integer_sequence<int, joint_dofs<Core>>{});
+  }
+  return x;
+}
+
+template <class Core>
+element_numbers numbers_of(const Core& core) {
+  element_numbers n;
+  constexpr port last = Core::ports.back();
+  if constexpr (is_transmission<Core>) {
+    n.is = part::stiff;
+    n.plain_loads = loads_by_relative<Core>;
+    n.stiff = stiff_numbers_of(core);
+  } else if constexpr (last.how == access::base) {
+    n.is = part::base;
+  } else if constexpr (last.how == access::out) {
+    n.is = is_frame(last.what) ? part::mover : part::follower;
+  } else if constexpr (has_mass<Core, double>) {
+    const auto m = core.template mass<double>();
+    if constexpr (!is_frame(Core::ports[0].what)) {
+      n.mass = as<double>(m);
+    } else {
+      n.is = is_rigid_body<Core> ? part::body : part::weight;
+      n.weight = {as<double>(m.mass), as<double>(m.moment), as<double>(m.inertia)};
+      if constexpr (is_rigid_body<Core>)
+        n.body = {as<double>(core.body.mass), as<double>(core.body.com), as<double>(core.body.inertia)};
+    }
+  }
+  return n;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,242 @@
+#pragma once
+
+#include <kte/math/select.hpp>
+#include <kte/tree/newton_euler.hpp>
+
+#include <limits>
+
+/// The articulated-body algorithm (ABA; Featherstone 1983; 2008, section 7.3) on classical accelerations A = (a, al).
+/// A body must be pushed by I A - W, with I its articulated inertia and W its load.
+namespace kte::tree {
+
+/// I and W of every body alone; what velocities alone add to accelerations, at bodies of which `yields` is false also
+/// what is given. Needs the motions of bases; without `moving` there are no velocities and nothing is given.
+template <class P, class S>
+KTE_INLINE void start_articulated(const forest<P>& f, memory<P, S>& m, bool moving) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  for (std::size_t b = 0; b < bases; ++b) {
+    m.articulated[b].acceleration = m.bodies[b].acceleration;
+    m.articulated[b].ang_acceleration = m.bodies[b].ang_acceleration;
+  }
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    const record<P>& r = f.records[i];
+    articulated_body<S>& x = m.articulated[bases + i];
+    const S mass(r.weight.mass);
+    const vec3<S> h = as<S>(r.weight.moment);
+    x.inertia = {{mass, S(0), S(0), mass, S(0), mass},
+                 {{S(0), h.z, -h.y}, {-h.z, S(0), h.x}, {h.y, -h.x, S(0)}},
+                 as<S>(r.weight.inertia)};
+    x.load = {};
+    x.drift = x.ang_drift = {};
+    if (!moving) continue;
+    const placed at{r, m.spots[i]};
+    const vec3<S>& w_p = m.bodies[static_cast<std::size_t>(r.parent)].ang_velocity;
+    const vec3<S> w = at.in(w_p);
+    const S* const rate = &m.rate[static_cast<std::size_t>(r.first)];
+    const S* const given = &m.acceleration[static_cast<std::size_t>(r.first)];
+    x.drift = at.in(cross(w_p, cross(w_p, m.spots[i].position)));
+    if (r.moves == joint::revolute) {
+      x.ang_drift = {w.y * *rate, -w.x * *rate, S(0)};
+      m.bodies[bases + i].ang_velocity = {w.x, w.y, w.z + *rate};
+    } else {
+      vec3<S> v_j{}, w_j{};
+      along_axes(r, rate, v_j, w_j);
+      x.drift = x.drift + (S(2) * cross(w, v_j) + cross(w_j, v_j));
+      x.ang_drift = cross(w, w_j);
+      m.bodies[bases + i].ang_velocity = w + w_j;
+    }
+    if (!m.yields[i]) along_axes(r, given, x.drift, x.ang_drift);
+    const vec3<S>& w_i = m.bodies[bases + i].ang_velocity;
+    const rigid_body<P, vec3<P>, sym3<P>>& b = r.body;
+    const vec3<S> force = b.mass * cross(w_i, cross(w_i, b.com));
+    x.load = {-force, -(cross(w_i, b.inertia * w_i) + cross(b.com, force))};
+  }
+}
+
+template <class S>
+KTE_INLINE void set_component(vec3<S>& linear, vec3<S>& angular, int n, const S& x) {
+  S* const components[]{&linear.x, &linear.y, &linear.z, &angular.x, &angular.y, &angular.z};
+  *components[n] = x;
+}
+/// Exact zeros for what is left along unit motion n.
+template <class S>
+KTE_INLINE void leave_nothing(int n, articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>& i) {
+  const auto clear = [](sym3<S>& m, int c) {
+    S* const rows[3][3]{{&m.xx, &m.xy, &m.xz}, {&m.xy, &m.yy, &m.yz}, {&m.xz, &m.yz, &m.zz}};
+    for (S* const x : rows[c]) *x = S(0);
+  };
+  auto& h = i.coupling;
+  S* const coupling[3][3]{{&h.x.x, &h.x.y, &h.x.z}, {&h.y.x, &h.y.y, &h.y.z}, {&h.z.x, &h.z.y, &h.z.z}};
+  clear(n < 3 ? i.linear : i.angular, n % 3);
+  for (int c = 0; c < 3; ++c) *(n < 3 ? coupling[n][c] : coupling[c][n - 3]) = S(0);
+}
+
+/// Below this, what moves along an axis is nothing but rounding of what does not.
+template <class S>
+KTE_INLINE S least_mass(const S& linear, const S& angular) {
+  return S(16) * std::numeric_limits<S>::epsilon() * (linear + angular);
+}
+
+/// Adds what a body carries, in axes of the parent but about its own origin, to the parent: (2) of
+/// math/articulated.hpp.
+template <class P, class S>
+KTE_INLINE void add_seen_from(const placed<P, S>& at, const sym3<S>& linear, const mat3<vec3<S>>& coupling,
+                              const sym3<S>& angular, const dense_wrench<S>& load, articulated_body<S>& parent) {
+  const auto moved = shifted(at.at.position, kte::articulated{linear, coupling, angular});
+  const dense_wrench<S> w = at.out(load);
+  auto& to = parent.inertia;
+  to = {to.linear + moved.linear, to.coupling + moved.coupling, to.angular + moved.angular};
+  parent.load = {parent.load.force + w.force, parent.load.torque + w.torque};
+}
+
+/// A joint about z gives way: with U = I s, D = s.U + m, W' the load less what the drift takes,
+///
+///   gain = U / D,  rate = (f + s.W) / D,  I' = I - U gain^T,  W' = W - I' drift - U rate         (1)
+///
+/// Along s, I' is nothing and W' is -f. What is carried is added to the parent, in its axes.
+template <class P, class S>
+KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S& f, articulated_body<S>& x,
+                                 axis_answer<S>& answer, articulated_body<S>* parent) {
+  const auto& [a, h, j] = x.inertia;
+  const vec3<S> u{h.x.z, h.y.z, h.z.z}, t{j.xz, j.yz, j.zz};
+  const bool good = all(t.z > least_mass(S(0), j.xx + (j.yy + j.zz)));
+  const S inverse = S(1) / t.z;
+  const vec3<S> gu = inverse * u, gt{inverse * t.x, inverse * t.y, S(1)};
+  const S rate = inverse * (f + x.load.torque.z);
+  answer = {{gu, gt}, rate, inverse};
+  if (parent == nullptr) return good;
+
+  const vec3<S>&da = x.drift, &dal = x.ang_drift;
+  const sym3<S> linear{a.xx - u.x * gu.x, a.xy - u.x * gu.y, a.xz - u.x * gu.z,
+                       a.yy - u.y * gu.y, a.yz - u.y * gu.z, a.zz - u.z * gu.z};
+  // Columns x and y of the coupling, and the corner of the angular part: the rest is nothing.
+  const vec3<S> hx{h.x.x - u.x * gt.x, h.y.x - u.y * gt.x, h.z.x - u.z * gt.x};
+  const vec3<S> hy{h.x.y - u.x * gt.y, h.y.y - u.y * gt.y, h.z.y - u.z * gt.y};
+  const S jxx = j.xx - t.x * gt.x, jxy = j.xy - t.x * gt.y, jyy = j.yy - t.y * gt.y;
+  const dense_wrench<S> load{x.load.force - (linear * da + (dal.x * hx + dal.y * hy)) - rate * u,
+                             {x.load.torque.x - (dot(hx, da) + (jxx * dal.x + jxy * dal.y)) - rate * t.x,
+                              x.load.torque.y - (dot(hy, da) + (jxy * dal.x + jyy * dal.y)) - rate * t.y, -f}};
+
+  const turn<S>& z = at.angle;
+  const turn<P>& tilt = r.tilt;
+  const auto cc = z.cos * z.cos, ss = z.sin * z.sin, cs = z.cos * z.sin;
+  const S twice = (cs + cs) * jxy;
+  const S kxx = cc * jxx - twice + ss * jyy, kxy = cs * (jxx - jyy) + (cc - ss) * jxy, kyy = ss * jxx + twice + cc * jyy;
+  const vec3<S> mx = out_z(z, hx), my = out_z(z, hy);  // R H, then R H R^T
+  const vec3<S> nx = out_x(tilt, vec3<S>(z.cos * mx - z.sin * my)), ny = out_x(tilt, vec3<S>(z.sin * mx + z.cos * my));
+  sym3<S> m1 = out_x(tilt, out_z(z, linear));
+  sym3<S> j1{kxx,
+             tilt.cos * kxy,
+             tilt.sin * kxy,
+             (tilt.cos * tilt.cos) * kyy,
+             (tilt.cos * tilt.sin) * kyy,
+             (tilt.sin * tilt.sin) * kyy};
+  mat3<vec3<S>> h1{{nx.x, tilt.cos * ny.x, tilt.sin * ny.x},
+                   {nx.y, tilt.cos * ny.y, tilt.sin * ny.y},
+                   {nx.z, tilt.cos * ny.z, tilt.sin * ny.z}};
+  if (r.turned) m1 = out_z(r.before, m1), j1 = out_z(r.before, j1), h1 = out_z(r.before, h1);
+  add_seen_from(placed<P, S>{r, at}, m1, h1, j1, load, *parent);
+  return good;
+}
+
+
+/// The same by any joint, axis by axis from the last; a further mass m on an axis keeps something of I along it. Where
+/// the acceleration of the joint is given, all that its body carries goes on.
+template <class P, class S>
+KTE_INLINE bool give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const S* own_mass,
+                         articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
+  auto& [a, h, j] = x.inertia;
+  bool good = true;
+  const S linear = trace(a), angular = trace(j);
+  for (int k = yields ? r.axes : 0; k-- > 0;) {
+    std::array<S, 6> one{};
+    one[static_cast<std::size_t>(k)] = S(1);
+    vec3<S> s{}, sw{};
+    along_axes(r, one.data(), s, sw);
+    const dense_wrench<S> u{a * s + h * sw, transpose(h) * s + j * sw};
+    const S d = (dot(s, u.force) + dot(sw, u.torque)) + own_mass[k];
+    good = good && all(d > least_mass(S(dot(s, s) * linear), S(dot(sw, sw) * angular)));
+    const S inverse = S(1) / d;
+    const dense_wrench<S> gain{inverse * u.force, inverse * u.torque};
+    const S rate = inverse * (force[k] + (dot(s, x.load.force) + dot(sw, x.load.torque)));
+    answers[k] = {gain, rate, inverse};
+    a = detail::less_dyad(a, u.force, gain.force);
+    h = detail::less_dyad(h, u.force, gain.torque);
+    j = detail::less_dyad(j, u.torque, gain.torque);
+    x.load = {x.load.force - rate * u.force, x.load.torque - rate * u.torque};
+    if (r.moves == joint::screw || own_mass[k] != S(0)) continue;
+    const auto n = static_cast<int>(r.axis[static_cast<std::size_t>(k)]);
+    leave_nothing(n, x.inertia);
+    set_component(x.load.force, x.load.torque, n, S(-force[k]));
+  }
+  if (parent == nullptr) return good;
+  const dense_wrench<S> load{x.load.force - (a * x.drift + h * x.ang_drift),
+                             x.load.torque - (transpose(h) * x.drift + j * x.ang_drift)};
+  const placed<P, S> seat{r, at};
+  add_seen_from(seat, seat.out(a), seat.out(h), seat.out(j), load, *parent);
+  return good;
+}
+
+/// Articulated inertias of all bodies, from the last. Returns whether every axis has something to move.
+template <class P, class S>
+KTE_INLINE bool articulate(const forest<P>& f, memory<P, S>& m) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  bool good = true;
+  for (std::size_t i = f.records.size(); i-- > 0;) {
+    const record<P>& r = f.records[i];
+    const auto k = static_cast<std::size_t>(r.first);
+    articulated_body<S>& x = m.articulated[bases + i];
+    articulated_body<S>* const parent = r.parent < f.bases ? nullptr : &m.articulated[static_cast<std::size_t>(r.parent)];
+    if (r.moves == joint::revolute && m.yields[i] && m.own_mass[k] == S(0))
+      good = give_way_about_z(r, m.spots[i], m.force[k], x, m.answers[k], parent) && good;
+    else
+      good = give_way(r, m.spots[i], m.yields[i] != 0, &m.force[k], &m.own_mass[k], x, &m.answers[k], parent) && good;
+  }
+  return good;
+}
+
+/// The way out: accelerations of all axes from the motions of the bases,
+///
+///   A' = A of the parent seen from the body + drift,   q_ddot = rate - gain . A',   A = A' + s q_ddot     (2)
+///
+/// Along a unit axis without a mass of its own A is rate - gain . (rest of A'), whatever A' is.
+template <class P, class S>
+KTE_INLINE void accelerate(const forest<P>& f, memory<P, S>& m) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    const record<P>& r = f.records[i];
+    const placed at{r, m.spots[i]};
+    const articulated_body<S>& base = m.articulated[static_cast<std::size_t>(r.parent)];
+    articulated_body<S>& x = m.articulated[bases + i];
+    vec3<S> a = at.in(base.acceleration + cross(base.ang_acceleration, m.spots[i].position)) + x.drift;
+    vec3<S> al = at.in(base.ang_acceleration) + x.ang_drift;
+    S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
+    const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
+    const S* const own_mass = &m.own_mass[static_cast<std::size_t>(r.first)];
+    if (r.moves == joint::revolute && m.yields[i] && *own_mass == S(0)) {
+      const auto& [gain, rate, inverse] = *answers;
+      const S now = rate - (dot(gain.force, a) + (gain.torque.x * al.x + gain.torque.y * al.y));
+      *change = now - al.z, al.z = now;
+    } else if (m.yields[i]) {
+      for (int k = 0; k < r.axes; ++k) {
+        const auto& [gain, rate, inverse] = answers[k];
+        if (r.moves == joint::screw || own_mass[k] != S(0)) {
+          change[k] = rate - (dot(gain.force, a) + dot(gain.torque, al));
+          std::array<S, 6> one{};
+          one[static_cast<std::size_t>(k)] = change[k];
+          along_axes(r, one.data(), a, al);
+        } else {
+          const auto n = static_cast<int>(r.axis[static_cast<std::size_t>(k)]);
+          const S before = component(a, al, n);
+          set_component(a, al, n, S(0));
+          const S now = rate - (dot(gain.force, a) + dot(gain.torque, al));
+          set_component(a, al, n, now);
+          change[k] = now - before;
+        }
+      }
+    }
+    x.acceleration = a, x.ang_acceleration = al;
+  }
+}
+
+}  // namespace kte::tree

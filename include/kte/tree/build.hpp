@@ -1,0 +1,281 @@
+#pragma once
+
+#include <kte/tree/record.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// Records of a chain, from the numbers of its joints, links and bodies.
+namespace kte::tree {
+
+/// A joint or link as numbers: the motion of its end in its base, at rest at zero. Joints move on from there by axes
+/// that are constant in the end (chain/transmission.hpp); that says all of them:
+///
+///   X(q) = X(0) exp(s q)          of one coordinate          (1)
+///   X(q) = X(0) B^-1 q B          of a rotation or a pose    (2)
+template <class P>
+struct stiff_numbers {
+  pose<mat3<vec3<P>>, vec3<P>> at_zero{}, tried{};  ///< tried: of a joint at the coordinate below
+  std::array<vec3<P>, 6> linear{}, angular{};  ///< of the axes
+};
+
+/// Where (1) and (2) are tried, for no joint may be taken for what it is not: turned by 3-4-5 triangles.
+inline constexpr double tried_angle = 0.64350110879328438680;  // atan 3/4
+inline constexpr turn<double> tried_turn{0.8, 0.6};
+inline constexpr vec3<> tried_position{0.5, -0.25, 0.75};
+inline constexpr mat3<vec3<>> tried_rotation{{0.8, -0.48, 0.36}, {0.6, 0.64, -0.48}, {0.0, 0.6, 0.8}};
+
+template <class P>
+struct forest_builder {
+  using pose_type = pose<mat3<vec3<P>>, vec3<P>>;
+  using place_type = frame_place<P>;
+
+  forest<P> result;
+
+  static pose_type nowhere() { return {as<P>(matrix(no_rotation{})), {}}; }
+
+  /// A frame that no element writes.
+  place_type add_base() {
+    result.base_weight.push_back({});
+    return {result.bases++, nowhere()};
+  }
+  static place_type link(const place_type& base, const stiff_numbers<P>& x) {
+    return {base.slot, compose(base.at, x.at_zero)};
+  }
+  /// `row`: of its first axis. Records are numbered as they come, bases before them by `finish`.
+  place_type add_joint(const place_type& base, const stiff_numbers<P>& x, kind what, int slot, int row, bool yields) {
+    record<P> r;
+    r.what = what, r.slot = slot, r.first = row, r.axes = nv_of(what), r.yields = yields, r.parent = base.slot;
+    const pose_type body = what == kind::gen ? axis_to_z(x, r) : canonical(x, what, r);  // in the end, at zero
+    seats_.push_back(compose(base.at, compose(x.at_zero, body)));
+    result.records.push_back(r);
+    return {number_of(result.records.size() - 1), inverse(body)};
+  }
+  /// Whether the joint added last moves as (1) or (2) says.
+  bool moves_by_axes(const stiff_numbers<P>& x, const place_type& end) const {
+    const record<P>& r = result.records.back();
+    pose_type moved = nowhere();
+    if (r.moves == joint::several) {
+      moved.rotation = r.what == kind::pose_2D
+                           ? mat3<vec3<P>>{{P(0.8), P(-0.6), P(0)}, {P(0.6), P(0.8), P(0)}, {P(0), P(0), P(1)}}
+                           : as<P>(tried_rotation);
+      if (r.what != kind::rotation_3D) moved.position = as<P>(tried_position);
+      if (r.what == kind::pose_2D) moved.position.z = P(0);
+    } else {
+      using std::cos;
+      using std::sin;
+      const P q(tried_angle), angle = r.turns * q;
+      const P c = cos(angle), s = sin(angle);
+      moved = {{{c, -s, P(0)}, {s, c, P(0)}, {P(0), P(0), P(1)}}, {P(0), P(0), r.slides * q}};
+    }
+    // at zero the end stands at at_zero in the base; the body at at_zero end^-1
+    const pose_type y = compose(compose(compose(x.at_zero, inverse(end.at)), moved), end.at);
+    const auto near = [](const vec3<P>& a, const vec3<P>& b) {
+      const vec3<P> d = a - b;
+      return dot(d, d) <= P(1e-16) * (P(1) + dot(a, a));
+    };
+    return near(y.position, x.tried.position) && near(y.rotation.x, x.tried.rotation.x) &&
+           near(y.rotation.y, x.tried.rotation.y) && near(y.rotation.z, x.tried.rotation.z);
+  }
+  void add_body(const place_type& at, const rigid_body<P, vec3<P>, sym3<P>>& b) {
+    const rigid_body<P, vec3<P>, sym3<P>> moved{b.mass, to_parent(at.at, b.com), congruence(at.at.rotation, b.inertia)};
+    add_weight(at, to_composite(b));
+    if (is_record(at.slot)) {
+      auto& to = record_at(at.slot).body;
+      to = together(to, moved);
+    }
+  }
+  /// A mass that moves by a law of its own.
+  void add_weight(const place_type& at, const composite<P, vec3<P>, sym3<P>>& c) {
+    auto& to = is_record(at.slot) ? record_at(at.slot).weight : result.base_weight[static_cast<std::size_t>(at.slot)];
+    const auto moved = transported(at.at.rotation, at.at.position, c);
+    to = {to.mass + moved.mass, to.moment + moved.moment, to.inertia + moved.inertia};
+  }
+
+  /// Orders the records and splits their seats. `places`: of all frames.
+  forest<P> finish(std::array<std::vector<place_type>, 2> places) {
+    order();
+    for (auto& of_kind : places)
+      for (auto& x : of_kind)
+        if (is_record(x.slot)) x.slot = result.bases + position_[static_cast<std::size_t>(index_of(x.slot))];
+    split_seats();
+    for (auto& of_kind : places)
+      for (auto& x : of_kind)
+        if (x.slot >= result.bases) turn_back(about_z_[static_cast<std::size_t>(x.slot - result.bases)], x.at);
+    result.frames = std::move(places);
+    return std::move(result);
+  }
+
+ private:
+  // Until the number of bases is known, record i is slot -1 - i.
+  static int number_of(std::size_t record) { return -1 - static_cast<int>(record); }
+  static bool is_record(int slot) { return slot < 0; }
+  static int index_of(int slot) { return -1 - slot; }
+  record<P>& record_at(int slot) { return result.records[static_cast<std::size_t>(index_of(slot))]; }
+
+  /// Both bodies as one.
+  static rigid_body<P, vec3<P>, sym3<P>> together(const rigid_body<P, vec3<P>, sym3<P>>& a,
+                                                  const rigid_body<P, vec3<P>, sym3<P>>& b) {
+    const P mass = a.mass + b.mass;
+    if (!(mass > P(0))) return {mass, {}, a.inertia + b.inertia};
+    const vec3<P> c = a.com + (b.mass / mass) * (b.com - a.com);
+    const auto seen = [&c](const auto& x) {
+      const vec3<P> d = x.com - c;
+      return detail::shifted(x.inertia, d, detail::half(x.mass) * d);
+    };
+    return {mass, c, seen(a) + seen(b)};
+  }
+
+  static bool is_one(const P& x) {
+    using std::abs;
+    return abs(x - P(1)) <= P(8) * std::numeric_limits<P>::epsilon();
+  }
+  /// A rotation whose z is the unit vector n; axes are exchanged where n is one of them.
+  static mat3<vec3<P>> rotation_to(const vec3<P>& n) {
+    using std::abs;
+    using std::sqrt;
+    if (n.z == P(1)) return {{P(1), P(0), P(0)}, {P(0), P(1), P(0)}, {P(0), P(0), P(1)}};
+    // x of the new axes is normal to n and to the axis that is farthest from it
+    const vec3<P> far = abs(n.x) <= abs(n.y) && abs(n.x) <= abs(n.z) ? vec3<P>{P(1), P(0), P(0)}
+                        : abs(n.y) <= abs(n.z)                       ? vec3<P>{P(0), P(1), P(0)}
+                                                                     : vec3<P>{P(0), P(0), P(1)};
+    const vec3<P> u = cross(far, n);
+    const vec3<P> x = (P(1) / sqrt(P(dot(u, u)))) * u, y = cross(n, x);
+    return {{x.x, y.x, n.x}, {x.y, y.y, n.y}, {x.z, y.z, n.z}};
+  }
+  /// Where, in the end of a joint of one coordinate, the frame stands that moves along and about its own z.
+  static pose_type axis_to_z(const stiff_numbers<P>& x, record<P>& r) {
+    using std::sqrt;
+    const vec3<P>&v = x.linear[0], &w = x.angular[0];
+    const P ww = dot(w, w), vv = dot(v, v);
+    if (ww == P(0)) {
+      const P length = sqrt(vv);
+      r.slides = is_one(length) ? P(1) : length;
+      r.moves = r.slides == P(1) ? joint::prismatic : joint::screw;
+      r.axis[0] = 2;
+      return {rotation_to(is_one(length) ? v : vec3<P>((P(1) / length) * v)), {}};
+    }
+    const P length = sqrt(ww);
+    const bool unit = is_one(length);
+    const vec3<P> n = unit ? w : vec3<P>((P(1) / length) * w);
+    r.turns = unit ? P(1) : length;
+    r.slides = dot(v, n);
+    r.moves = unit && r.slides == P(0) ? joint::revolute : joint::screw;
+    r.axis[0] = 5;
+    return {rotation_to(n), (P(1) / ww) * cross(w, v)};
+  }
+  /// B^-1 of (2): the unit motions of a rotation or pose, given in the end.
+  static pose_type canonical(const stiff_numbers<P>& x, kind what, record<P>& r) {
+    r.moves = joint::several;
+    const auto& w = x.angular;
+    const auto& v = x.linear;
+    if (what == kind::pose_2D) {
+      r.axis = {0, 1, 5};
+      const mat3<vec3<P>> b{{v[0].x, v[1].x, w[2].x}, {v[0].y, v[1].y, w[2].y}, {v[0].z, v[1].z, w[2].z}};
+      // the end stands at c in the body: v of the turn is z x c
+      const vec3<P> zc = transpose(b) * v[2];
+      return inverse(pose_type{transpose(b), {zc.y, -zc.x, P(0)}});
+    }
+    for (int k = 0; k < r.axes; ++k)
+      r.axis[static_cast<std::size_t>(k)] = static_cast<unsigned char>(what == kind::pose_3D ? k : 3 + k);
+    const std::size_t f = what == kind::pose_3D ? 3 : 0;  // first angular axis
+    const mat3<vec3<P>> b{
+        {w[f].x, w[f + 1].x, w[f + 2].x}, {w[f].y, w[f + 1].y, w[f + 2].y}, {w[f].z, w[f + 1].z, w[f + 2].z}};
+    const vec3<P> xc = transpose(b) * v[f], yc = transpose(b) * v[f + 1];  // e_x x c = (0, -c.z, c.y) ...
+    return inverse(pose_type{transpose(b), {-yc.z, xc.z, -xc.y}});
+  }
+
+  /// Parents before children, the bodies beyond one in a row behind it, bases in front.
+  void order() {
+    const auto n = result.records.size();
+    std::vector<std::vector<int>> on(n);  // what stands on a record
+    std::vector<int> stack;
+    position_.assign(n, -1);
+    for (std::size_t i = n; i-- > 0;) {  // the stack gives the first child first
+      const int parent = result.records[i].parent;
+      if (is_record(parent))
+        on[static_cast<std::size_t>(index_of(parent))].push_back(static_cast<int>(i));
+      else
+        stack.push_back(static_cast<int>(i));
+    }
+    std::vector<int> order;
+    while (!stack.empty()) {
+      const int i = stack.back();
+      stack.pop_back();
+      position_[static_cast<std::size_t>(i)] = static_cast<int>(order.size());
+      order.push_back(i);
+      for (const int child : on[static_cast<std::size_t>(i)]) stack.push_back(child);
+    }
+    std::vector<record<P>> records;
+    std::vector<pose_type> seats;
+    for (const int i : order) {
+      record<P> r = result.records[static_cast<std::size_t>(i)];
+      if (is_record(r.parent)) r.parent = result.bases + position_[static_cast<std::size_t>(index_of(r.parent))];
+      const int row = r.first;
+      r.first = static_cast<int>(result.row.size());
+      r.last = r.first + r.axes;
+      for (int k = 0; k < r.axes; ++k) result.row.push_back(row + k);
+      records.push_back(r);
+      seats.push_back(seats_[static_cast<std::size_t>(i)]);
+    }
+    for (std::size_t i = n; i-- > 0;)
+      if (const int p = records[i].parent - result.bases; p >= 0)
+        records[static_cast<std::size_t>(p)].last = std::max(records[static_cast<std::size_t>(p)].last, records[i].last);
+    for (std::size_t k = 0; k < result.row.size(); ++k) result.in_order &= result.row[k] == static_cast<int>(k);
+    result.records = std::move(records), seats_ = std::move(seats);
+  }
+
+  /// What is given in axes that are then turned by t about z.
+  static void turn_back(const turn<P>& t, pose_type& x) {
+    x.rotation = rows_out_z(t.back(), x.rotation), x.position = in_z(t, x.position);
+  }
+  static void turn_back(const turn<P>& t, record<P>& r) {
+    r.body = {r.body.mass, in_z(t, r.body.com), out_z(t.back(), r.body.inertia)};
+    r.weight = {r.weight.mass, in_z(t, r.weight.moment), out_z(t.back(), r.weight.inertia)};
+  }
+  /// Euler's first angle: R z = (sin before, -cos before, .) sin tilt.
+  static turn<P> before_of(const mat3<vec3<P>>& r) {
+    using std::sqrt;
+    if (r.x.z == P(0)) return {};
+    const P length = sqrt(P(r.x.z * r.x.z + r.y.z * r.y.z));
+    return {-r.y.z / length, r.x.z / length};
+  }
+  /// (1) of tree/record.hpp. A z-joint whose first child needs `before` is turned by it instead, with all that is fixed
+  /// to its body.
+  void split_seats() {
+    const auto n = result.records.size();
+    about_z_.assign(n, {});
+    std::vector<char> has_child(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      record<P>& r = result.records[i];
+      pose_type seat = seats_[i];
+      r.before = before_of(seat.rotation);
+      const mat3<vec3<P>> rest = rows_out_z(r.before.back(), seat.rotation);  // Rx(tilt) Rz(after)
+      r.tilt = {rest.z.z, -rest.y.z};
+      r.after = {rest.x.x, -rest.x.y};
+      if (const int p = r.parent - result.bases; p >= 0) {
+        record<P>& on = result.records[static_cast<std::size_t>(p)];
+        turn<P>& turned = about_z_[static_cast<std::size_t>(p)];
+        if (on.moves != joint::several && !has_child[static_cast<std::size_t>(p)]) {
+          turned = r.before;
+          on.after = on.after * turned;
+          turn_back(turned, on);
+          r.before = {};
+        } else {
+          r.before = turned.back() * r.before;
+        }
+        has_child[static_cast<std::size_t>(p)] = 1;
+        turn_back(turned, seat);
+      }
+      r.turned = r.before.cos != P(1) || r.before.sin != P(0);
+      r.position = seat.position;
+    }
+  }
+
+  std::vector<pose_type> seats_;
+  std::vector<int> position_;
+  std::vector<turn<P>> about_z_;
+};
+
+}  // namespace kte::tree

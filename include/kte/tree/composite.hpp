@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kte/tree/placement.hpp>
+
+namespace kte::tree {
+
+/// Axes of all bodies in the world, their origins, and the axes of their joints.
+template <class P, class S>
+KTE_INLINE void place_in_world(const forest<P>& f, memory<P, S>& m) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    const record<P>& r = f.records[i];
+    const placed at{r, m.spots[i]};
+    const world_place<S>& base = m.world[static_cast<std::size_t>(r.parent)];
+    world_place<S>& x = m.world[bases + i];
+    x.step = base.rotation * at.at.position;
+    x.position = base.position + x.step;
+    x.rotation = at.axes_in(base.rotation);
+    const mat3<vec3<S>>& a = x.rotation;
+    const vec3<S> z{a.x.z, a.y.z, a.z.z};
+    world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(r.first)];
+    switch (r.moves) {
+      case joint::revolute:
+        *axis = {{}, z};
+        break;
+      case joint::prismatic:
+        *axis = {z, {}};
+        break;
+      case joint::screw:
+        *axis = {r.slides * z, r.turns * z};
+        break;
+      case joint::several:
+        for (int k = 0; k < r.axes; ++k) {
+          const int n = r.axis[static_cast<std::size_t>(k)], c = n % 3;
+          const vec3<S> unit = c == 0 ? vec3<S>{a.x.x, a.y.x, a.z.x} : c == 1 ? vec3<S>{a.x.y, a.y.y, a.z.y} : z;
+          axis[k] = n < 3 ? world_axis<S>{unit, {}} : world_axis<S>{{}, unit};
+        }
+    }
+  }
+}
+
+/// The inertia of each body with all that it carries, at its origin in its axes; of bases in theirs.
+template <class P, class S>
+KTE_INLINE void carry_bodies(const forest<P>& f, memory<P, S>& m) {
+  const auto start = [](dense_composite<S>& to, const auto& w) {
+    to = {S(w.mass), as<S>(w.moment), as<S>(w.inertia)};
+  };
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  for (std::size_t b = 0; b < bases; ++b) start(m.carried[b], f.base_weight[b]);
+  for (std::size_t i = 0; i < f.records.size(); ++i) start(m.carried[bases + i], f.records[i].weight);
+  for (std::size_t i = f.records.size(); i-- > 0;) {
+    const record<P>& r = f.records[i];
+    const placed at{r, m.spots[i]};
+    const dense_composite<S>& c = m.carried[bases + i];
+    const vec3<S>&p = at.at.position, h = at.out(c.moment);
+    const sym3<S> inertia = detail::shifted(at.out(c.inertia), p, h + detail::half(c.mass) * p);
+    dense_composite<S>& to = m.carried[static_cast<std::size_t>(r.parent)];
+    to = {to.mass + c.mass, to.moment + (h + c.mass * p), to.inertia + inertia};
+  }
+}
+
+/// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
+template <class P, class S>
+KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_composite<S>& c) {
+  if (r.moves == joint::revolute)
+    return {{-c.moment.y, c.moment.x, S(0)}, {c.inertia.xz, c.inertia.yz, c.inertia.zz}};
+  vec3<S> a{}, al{};
+  std::array<S, 6> one{};
+  one[static_cast<std::size_t>(k)] = S(1);
+  along_axes(r, one.data(), a, al);
+  return {c.mass * a + cross(al, c.moment), c.inertia * al + cross(c.moment, a)};
+}
+template <class S>
+KTE_INLINE S power(const world_axis<S>& s, const dense_wrench<S>& w) {
+  return dot(s.linear, w.force) + dot(s.angular, w.torque);
+}
+
+/// The composite-rigid-body algorithm (CRBA; Featherstone 2008, section 6.2): with F the wrench that accelerates what
+/// is beyond axis k,
+///
+///   M_jk = s_j . F          for k and all axes j before it          (1)
+///
+/// F goes in from body to body in world axes, where only its torque changes. put(j, k, x) for axes j <= k. After
+/// `place_in_world`, `carry_bodies`.
+template <class P, class S, class Put>
+KTE_INLINE void masses(const forest<P>& f, const memory<P, S>& m, const Put& put) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  for (std::size_t i = f.records.size(); i-- > 0;) {
+    const record<P>& r = f.records[i];
+    for (int k = 0; k < r.axes; ++k) {
+      const dense_wrench<S> own = accelerating(r, k, m.carried[bases + i]);
+      for (int j = 0; j <= k; ++j) put(r.first + j, r.first + k, power_along(r, j, own));
+      if (r.parent < f.bases) continue;
+      const mat3<vec3<S>>& rotation = m.world[bases + i].rotation;
+      dense_wrench<S> w{rotation * own.force, rotation * own.torque};
+      for (std::size_t slot = bases + i;;) {
+        w.torque = w.torque + cross(m.world[slot].step, w.force);
+        slot = static_cast<std::size_t>(f.records[slot - bases].parent);
+        if (slot < bases) break;
+        const record<P>& before = f.records[slot - bases];
+        for (int j = 0; j < before.axes; ++j)
+          put(before.first + j, r.first + k, power(m.axes[static_cast<std::size_t>(before.first + j)], w));
+        if (before.parent < f.bases) break;
+      }
+    }
+  }
+}
+
+}  // namespace kte::tree

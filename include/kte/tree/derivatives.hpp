@@ -1,0 +1,160 @@
+#pragma once
+
+#include <kte/tree/composite.hpp>
+#include <kte/tree/newton_euler.hpp>
+
+/// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
+/// using spatial vector algebra, 2022), in world axes at the origin of each body. Spatial vectors: a motion is
+/// (linear, angular), the velocity of the point of the body at the origin and its rotation.
+namespace kte::tree {
+
+template <class S>
+struct spatial_motion {
+  vec3<S> linear{}, angular{};
+  KTE_INLINE friend spatial_motion operator+(const spatial_motion& a, const spatial_motion& b) {
+    return {a.linear + b.linear, a.angular + b.angular};
+  }
+};
+/// The change of a motion b that moves with a.
+template <class S>
+KTE_INLINE spatial_motion<S> cross(const spatial_motion<S>& a, const spatial_motion<S>& b) {
+  return {cross(a.angular, b.linear) + cross(a.linear, b.angular), cross(a.angular, b.angular)};
+}
+template <class S>
+KTE_INLINE S power(const spatial_motion<S>& m, const dense_wrench<S>& w) {
+  return dot(m.linear, w.force) + dot(m.angular, w.torque);
+}
+
+/// Of an axis s in a body that moves by v, whose parent moves by v_p, a_p (all at the origin of the body):
+///
+///   s' = v_p x s,   s'' = a_p x s + v_p x s',   mixed = s' + v x s          (1)
+template <class S>
+struct axis_variation {
+  spatial_motion<S> axis, second, mixed;
+  vec3<S> first;  ///< the angular part of s'
+};
+/// Of a body with all it carries: inertia M, and 2 B, which acts on angular parts alone,
+///
+///   B = (v x* M - M v x + (M v) x*) / 2          (2)
+template <class S>
+struct body_variation {
+  spatial_motion<S> velocity, acceleration;
+  dense_composite<S> inertia;
+  mat3<vec3<S>> force, torque;
+};
+template <class S>
+struct variation_memory {
+  std::vector<axis_variation<S>> axes;
+  std::vector<body_variation<S>> bodies;  ///< of slots
+};
+
+/// (1), (2) of each body alone. After `move_bodies<true>`, `place_in_world`.
+template <class P, class S>
+KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  const auto take_motion = [&](std::size_t slot) {
+    const mat3<vec3<S>>& r = m.world[slot].rotation;
+    const body_motion<S>& b = m.bodies[slot];
+    v.bodies[slot].velocity = {r * b.velocity, r * b.ang_velocity};
+    v.bodies[slot].acceleration = {r * (b.acceleration - cross(b.ang_velocity, b.velocity)), r * b.ang_acceleration};
+  };
+  for (std::size_t b = 0; b < bases; ++b) take_motion(b);
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    const record<P>& r = f.records[i];
+    const std::size_t slot = bases + i;
+    const world_place<S>& place = m.world[slot];
+    take_motion(slot);
+    body_variation<S>& b = v.bodies[slot];
+    const body_variation<S>& parent = v.bodies[static_cast<std::size_t>(r.parent)];
+    const auto moved = [&place](const spatial_motion<S>& x) {
+      return spatial_motion<S>{x.linear + cross(x.angular, place.step), x.angular};
+    };
+    const spatial_motion<S> v_p = moved(parent.velocity), a_p = moved(parent.acceleration);
+    for (int k = r.first; k < r.first + r.axes; ++k) {
+      const world_axis<S>& s = m.axes[static_cast<std::size_t>(k)];
+      axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
+      x.axis = {s.linear, s.angular};
+      const spatial_motion<S> first = cross(v_p, x.axis);
+      x.first = first.angular;
+      x.second = cross(a_p, x.axis) + cross(v_p, first);
+      x.mixed = first + (r.moves == joint::several ? cross(b.velocity, x.axis) : first);  // (1)
+    }
+    const rigid_body<P, vec3<P>, sym3<P>>& body = r.body;
+    const vec3<S> c = place.rotation * body.com, h = body.mass * c;
+    const vec3<S>& w = b.velocity.angular;
+    const sym3<S> inertia = congruence(place.rotation, body.inertia);
+    const auto dense = full(inertia);
+    const vec3<S> v_c = b.velocity.linear + cross(w, c);
+    const vec3<S> momentum = inertia * w;
+    b.inertia = {S(body.mass), h, detail::shifted(inertia, c, detail::half(S(body.mass)) * c)};
+    const vec3<S> p = S(-2) * (body.mass * v_c);
+    b.force = as<S>(cross_matrix(p));
+    // w x J - J w x - [J w]x; w x J and (J w x)^T differ by a sign
+    const mat3<vec3<S>> wj = as<S>(cross_matrix(w) * dense);
+    b.torque = as<S>(wj + transpose(wj) - cross_matrix(momentum) + cross_matrix(c) * b.force);
+  }
+}
+
+/// The derivatives of the forces on axes, with F what a body and all beyond it need (`take_needs`):
+///
+///   d tau_j / d q_i = s_j . (2B s_i' + M s_i'' + s_i x* F)     for axes j of bodies that body i stands on     (3)
+///   d tau_i / d q_j = s_i . (2B s_j' + M s_j'')                and for axes of one body                      (4)
+///   d tau_j / d v_i = s_j . (2B s_i + M mixed_i),   d tau_i / d v_j likewise,   d tau_j / d a_i = s_j . M s_i   (5)
+///
+/// B and M of body i and all beyond it. put(j, i, by_q, by_v, by_a): change of tau_j by coordinate i.
+template <class P, class S, class Put>
+KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  for (std::size_t i = f.records.size(); i-- > 0;) {
+    const record<P>& r = f.records[i];
+    const world_place<S>& place = m.world[bases + i];
+    const body_variation<S>& b = v.bodies[bases + i];
+    const dense_wrench<S> needs{place.rotation * m.bodies[bases + i].needs.force,
+                                place.rotation * m.bodies[bases + i].needs.torque};
+    const auto pushed = [&b](const vec3<S>& w, const spatial_motion<S>& a) {
+      const auto& [mass, h, inertia] = b.inertia;
+      return dense_wrench<S>{b.force * w + (mass * a.linear + cross(a.angular, h)),
+                             b.torque * w + (inertia * a.angular + cross(h, a.linear))};
+    };
+    for (int k = r.first; k < r.first + r.axes; ++k) {
+      const axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
+      const auto& s = x.axis;
+      dense_wrench<S> by_q = pushed(x.first, x.second), by_v = pushed(s.angular, x.mixed);
+      dense_wrench<S> by_a = pushed(vec3<S>{}, s);
+      for (int j = r.first; j < r.first + r.axes; ++j) {
+        const auto& own = v.axes[static_cast<std::size_t>(j)].axis;
+        put(j, k, power(own, by_q), power(own, by_v), power(own, by_a));
+      }
+      if (r.parent < f.bases) continue;
+      by_q = {by_q.force + cross(s.angular, needs.force),
+              by_q.torque + (cross(s.angular, needs.torque) + cross(s.linear, needs.force))};
+      const vec3<S> to_rate = transpose(b.force) * s.linear + transpose(b.torque) * s.angular;
+      for (std::size_t slot = bases + i;;) {
+        const vec3<S>& step = m.world[slot].step;
+        by_q.torque = by_q.torque + cross(step, by_q.force);
+        by_v.torque = by_v.torque + cross(step, by_v.force);
+        by_a.torque = by_a.torque + cross(step, by_a.force);
+        slot = static_cast<std::size_t>(f.records[slot - bases].parent);
+        const record<P>& before = f.records[slot - bases];
+        for (int j = before.first; j < before.first + before.axes; ++j) {
+          const axis_variation<S>& y = v.axes[static_cast<std::size_t>(j)];
+          const S mass = power(y.axis, by_a);
+          put(j, k, power(y.axis, by_q), power(y.axis, by_v), mass);
+          put(k, j, dot(to_rate, y.first) + power(y.second, by_a), dot(to_rate, y.axis.angular) + power(y.mixed, by_a),
+              mass);
+        }
+        if (before.parent < f.bases) break;
+      }
+    }
+    if (r.parent < f.bases) continue;
+    body_variation<S>& to = v.bodies[static_cast<std::size_t>(r.parent)];
+    const vec3<S>& p = place.step;
+    const auto& [mass, h, inertia] = b.inertia;
+    const sym3<S> seen = detail::shifted(inertia, p, h + detail::half(mass) * p);
+    to.inertia = {to.inertia.mass + mass, to.inertia.moment + (h + mass * p), to.inertia.inertia + seen};
+    to.force = to.force + b.force;
+    to.torque = as<S>(to.torque + (b.torque + cross_matrix(p) * b.force));
+  }
+}
+
+}  // namespace kte::tree

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <kte/tree/composite.hpp>
+
+namespace kte::tree {
+
+/// Mass, and mass times position of the centre of mass.
+template <class S>
+struct mass_moment {
+  S mass{};
+  vec3<S> moment{};
+};
+/// Of all bodies, in world axes. After `place_in_world`, `carry_bodies`.
+template <class P, class S>
+KTE_INLINE mass_moment<S> weight_in_world(const forest<P>& f, const memory<P, S>& m) {
+  mass_moment<S> sum;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) {
+    const auto& x = m.world[b];
+    const auto& c = m.carried[b];
+    sum = {sum.mass + c.mass, sum.moment + (x.rotation * c.moment + c.mass * x.position)};
+  }
+  return sum;
+}
+/// put(k, momentum of the unit rate of axis k about the origin of the world, in its axes).
+template <class P, class S, class Put>
+KTE_INLINE void momenta(const forest<P>& f, const memory<P, S>& m, const Put& put) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    const record<P>& r = f.records[i];
+    const world_place<S>& x = m.world[bases + i];
+    for (int k = 0; k < r.axes; ++k) {
+      const dense_wrench<S> own = accelerating(r, k, m.carried[bases + i]);
+      const vec3<S> p = x.rotation * own.force;
+      put(r.first + k, dense_wrench<S>{p, x.rotation * own.torque + cross(x.position, p)});
+    }
+  }
+}
+
+}  // namespace kte::tree

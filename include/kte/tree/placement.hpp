@@ -1,0 +1,115 @@
+#pragma once
+
+#include <kte/tree/memory.hpp>
+
+/// Components of a body in the axes of its parent, and back.
+namespace kte::tree {
+
+/// A record where its spot has it.
+template <class P, class S>
+struct placed {
+  const record<P>& r;
+  const spot<S>& at;
+
+  /// To axes of the parent: vectors u, and A to R A R^T.
+  KTE_INLINE vec3<S> out(vec3<S> u) const {
+    if (r.moves == joint::several) u = at.rotation * u;
+    return seat(u);
+  }
+  KTE_INLINE sym3<S> out(sym3<S> a) const {
+    if (r.moves == joint::several) a = congruence(at.rotation, a);
+    return seat(a);
+  }
+  KTE_INLINE mat3<vec3<S>> out(mat3<vec3<S>> a) const {
+    if (r.moves == joint::several) a = transpose(at.rotation * transpose(at.rotation * a));
+    return seat(a);
+  }
+  /// To axes of the body.
+  KTE_INLINE vec3<S> in(vec3<S> u) const {
+    if (r.turned) u = in_z(r.before, u);
+    u = in_z(at.angle, in_x(r.tilt, u));
+    return r.moves == joint::several ? transpose(at.rotation) * u : u;
+  }
+  /// R A: columns of A to axes of the parent.
+  KTE_INLINE mat3<vec3<S>> columns_out(mat3<vec3<S>> a) const {
+    if (r.moves == joint::several) a = at.rotation * a;
+    a = rows_out_x(r.tilt, rows_out_z(at.angle, a));
+    return r.turned ? rows_out_z(r.before, a) : a;
+  }
+  /// A R, for the axes of the parent as columns of A: those of the body.
+  KTE_INLINE mat3<vec3<S>> axes_in(const mat3<vec3<S>>& a) const {
+    return {in(a.x), in(a.y), in(a.z)};
+  }
+  KTE_INLINE dense_wrench<S> out(const dense_wrench<S>& w) const {
+    const vec3<S> f = out(w.force);
+    return {f, out(w.torque) + cross(at.position, f)};
+  }
+
+ private:
+  template <class X>
+  KTE_INLINE X seat(const X& x) const {
+    const X y = out_x(r.tilt, out_z(at.angle, x));
+    return r.turned ? out_z(r.before, y) : y;
+  }
+};
+template <class P, class S>
+placed(const record<P>&, const spot<S>&) -> placed<P, S>;
+
+/// The position of a body whose joint has slid by d along the axes of its seat.
+template <class P, class S>
+KTE_INLINE vec3<S> slid(const record<P>& r, const vec3<S>& d) {
+  const vec3<S> x = out_x(r.tilt, out_z(r.after, d));
+  return r.position + (r.turned ? out_z(r.before, x) : x);
+}
+/// Puts a z-joint at q, of which (turned) cosine and sine are known.
+template <class P, class S>
+KTE_INLINE void place_on_z(const record<P>& r, const S& q, const turn<S>& angle, spot<S>& at) {
+  if (r.moves != joint::prismatic) at.angle = r.after * angle;
+  if (r.moves != joint::revolute) at.position = slid(r, vec3<S>{S(0), S(0), r.slides * q});
+}
+
+/// The unit motion `n` of the axes of a body.
+template <class S>
+KTE_INLINE void add_to_component(vec3<S>& linear, vec3<S>& angular, int n, const S& x) {
+  S* const components[]{&linear.x, &linear.y, &linear.z, &angular.x, &angular.y, &angular.z};
+  *components[n] += x;
+}
+template <class S>
+KTE_INLINE S component(const vec3<S>& linear, const vec3<S>& angular, int n) {
+  const S* const components[]{&linear.x, &linear.y, &linear.z, &angular.x, &angular.y, &angular.z};
+  return *components[n];
+}
+
+/// What the rates of a joint, or their changes, make: x[0] .. of its axes, in axes of the body.
+template <class P, class S>
+KTE_INLINE void along_axes(const record<P>& r, const S* x, vec3<S>& linear, vec3<S>& angular) {
+  switch (r.moves) {
+    case joint::revolute:
+      angular.z += x[0];
+      break;
+    case joint::prismatic:
+      linear.z += x[0];
+      break;
+    case joint::screw:
+      linear.z += r.slides * x[0], angular.z += r.turns * x[0];
+      break;
+    case joint::several:
+      for (int k = 0; k < r.axes; ++k) add_to_component(linear, angular, r.axis[static_cast<std::size_t>(k)], x[k]);
+  }
+}
+/// The power of a wrench on the unit rate of axis k of a joint.
+template <class P, class S>
+KTE_INLINE S power_along(const record<P>& r, int k, const dense_wrench<S>& w) {
+  switch (r.moves) {
+    case joint::revolute:
+      return w.torque.z;
+    case joint::prismatic:
+      return w.force.z;
+    case joint::screw:
+      return r.slides * w.force.z + r.turns * w.torque.z;
+    default:
+      return component(w.force, w.torque, r.axis[static_cast<std::size_t>(k)]);
+  }
+}
+
+}  // namespace kte::tree

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <kte/math/matrix.hpp>
+
+/// Turns about x and z of vectors and matrices of plain numbers.
+namespace kte::tree {
+
+/// By its cosine and sine. `out` takes components in turned axes to those in the axes before, `in` takes them back.
+template <class S>
+struct turn {
+  S cos = S(1), sin = S(0);
+  /// One after the other, about the same axis.
+  KTE_INLINE friend turn operator*(const turn& a, const turn& b) {
+    return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
+  }
+  KTE_INLINE turn back() const { return {cos, -sin}; }
+};
+
+template <class T, class S>
+KTE_INLINE vec3<S> out_z(const turn<T>& t, const vec3<S>& u) {
+  return {t.cos * u.x - t.sin * u.y, t.sin * u.x + t.cos * u.y, u.z};
+}
+template <class T, class S>
+KTE_INLINE vec3<S> in_z(const turn<T>& t, const vec3<S>& u) {
+  return {t.cos * u.x + t.sin * u.y, t.cos * u.y - t.sin * u.x, u.z};
+}
+template <class T, class S>
+KTE_INLINE vec3<S> out_x(const turn<T>& t, const vec3<S>& u) {
+  return {u.x, t.cos * u.y - t.sin * u.z, t.sin * u.y + t.cos * u.z};
+}
+template <class T, class S>
+KTE_INLINE vec3<S> in_x(const turn<T>& t, const vec3<S>& u) {
+  return {u.x, t.cos * u.y + t.sin * u.z, t.cos * u.z - t.sin * u.y};
+}
+
+/// R A, of which the rows are turned.
+template <class T, class S>
+KTE_INLINE mat3<vec3<S>> rows_out_z(const turn<T>& t, const mat3<vec3<S>>& a) {
+  return {t.cos * a.x - t.sin * a.y, t.sin * a.x + t.cos * a.y, a.z};
+}
+template <class T, class S>
+KTE_INLINE mat3<vec3<S>> rows_out_x(const turn<T>& t, const mat3<vec3<S>>& a) {
+  return {a.x, t.cos * a.y - t.sin * a.z, t.sin * a.y + t.cos * a.z};
+}
+
+/// R A R^T. Squares of cosine and sine are not replaced by each other: quarter turns lose no digit of entries that are
+/// small beside others.
+template <class T, class S>
+KTE_INLINE sym3<S> out_z(const turn<T>& t, const sym3<S>& a) {
+  const T cc = t.cos * t.cos, ss = t.sin * t.sin, cs = t.cos * t.sin;
+  const S twice = (cs + cs) * a.xy;
+  return {cc * a.xx - twice + ss * a.yy,
+          cs * (a.xx - a.yy) + (cc - ss) * a.xy,
+          t.cos * a.xz - t.sin * a.yz,
+          ss * a.xx + twice + cc * a.yy,
+          t.sin * a.xz + t.cos * a.yz,
+          a.zz};
+}
+template <class T, class S>
+KTE_INLINE sym3<S> out_x(const turn<T>& t, const sym3<S>& a) {
+  const T cc = t.cos * t.cos, ss = t.sin * t.sin, cs = t.cos * t.sin;
+  const S twice = (cs + cs) * a.yz;
+  return {a.xx,
+          t.cos * a.xy - t.sin * a.xz,
+          t.sin * a.xy + t.cos * a.xz,
+          cc * a.yy - twice + ss * a.zz,
+          cs * (a.yy - a.zz) + (cc - ss) * a.yz,
+          ss * a.yy + twice + cc * a.zz};
+}
+template <class T, class S>
+KTE_INLINE mat3<vec3<S>> out_z(const turn<T>& t, const mat3<vec3<S>>& a) {
+  const mat3<vec3<S>> r = rows_out_z(t, a);
+  return {out_z(t, r.x), out_z(t, r.y), out_z(t, r.z)};
+}
+template <class T, class S>
+KTE_INLINE mat3<vec3<S>> out_x(const turn<T>& t, const mat3<vec3<S>>& a) {
+  const mat3<vec3<S>> r = rows_out_x(t, a);
+  return {out_x(t, r.x), out_x(t, r.y), out_x(t, r.z)};
+}
+
+}  // namespace kte::tree
