@@ -17,6 +17,7 @@ struct runtime_memory : tree::memory<double, double> {
       : memory(r.forest),
         forces(t.nv),
         kept(2 * static_cast<std::size_t>(t.nv)),
+        prescribed(static_cast<std::size_t>(t.nv)),
         wanted(t.elements.size()),
         angle((r.angles.size() + 3) / 4 * 4),
         sine(angle.size()),

@@ -26,18 +26,18 @@ const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s
 
 /// The mass matrix at the state's positions (CRBA). As `mass_matrix` on a static chain.
 inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s);
+  detail::check_regular(c, s);
   detail::check_positions(s);
-  detail::mass_of_coordinates(s);
+  detail::mass_of_coordinates(c, s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  c.check(s), detail::check_regular(s);
+  detail::check_regular(c, s);
   detail::take(c, s, q);
-  detail::mass_of_coordinates(s);
+  detail::mass_of_coordinates(c, s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
@@ -45,7 +45,7 @@ const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, con
 /// Forward dynamics at the state's positions and rates under its inputs, as on a static chain. The accelerations are
 /// also put into the coordinates of the state.
 inline const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s);
+  detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::accelerations_under(c, s, [](int) { return 0.0; });
 }
@@ -53,7 +53,7 @@ inline const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_s
 template <indexable Q, indexable V, indexable T>
 const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
                                         const T& tau) {
-  c.check(s), detail::check_regular(s);
+  detail::check_regular(c, s);
   detail::take(c, s, q, v, detail::not_given{}, tau);
   return detail::accelerations_under(c, s,
                                      [&](int i) { return static_cast<double>(tau[static_cast<std::size_t>(i)]); });
@@ -69,7 +69,7 @@ inline pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain& c, runtime_state&
   }
   const auto& f = s.tree().forest;
   const auto& place = f.frame(x.what, x.index);
-  place_ancestors(s, place.slot);
+  place_ancestors(c, s, place.slot);
   tree::dense_pose<double> seen;
   const int base = tree::pose_in_base(f, s.work, place, seen);
   pose<mat3<vec3<>>, vec3<>> in_world = seen;

@@ -15,9 +15,9 @@ inline const Eigen::VectorXd& static_forces(const kte_map_chain& c, runtime_stat
   return inverse_dynamics(c, s);
 }
 inline const Eigen::VectorXd& gravity_forces(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s), detail::check_positions(s);
+  detail::check_regular(c, s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
-  detail::forces_of_bodies(s, true);
+  detail::forces_of_bodies(c, s, true);
   return detail::applied_forces(s);
 }
 inline const Eigen::VectorXd& nonlinear_effects(const kte_map_chain& c, runtime_state& s) {
@@ -26,9 +26,9 @@ inline const Eigen::VectorXd& nonlinear_effects(const kte_map_chain& c, runtime_
   return inverse_dynamics(c, s);
 }
 inline const Eigen::VectorXd& coriolis_forces(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s), detail::check_state_velocities(s);
+  detail::check_regular(c, s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
-  detail::forces_of_bodies(s, false);
+  detail::forces_of_bodies(c, s, false);
   return detail::applied_forces(s);
 }
 
@@ -42,11 +42,11 @@ inline double kinetic_energy(const kte_map_chain& c, runtime_state& s) {
 }
 /// Of springs, and of all bodies under the chain's gravity: zero at the origin. J.
 inline double potential_energy(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s), detail::check_positions(s);
+  detail::check_regular(c, s), detail::check_positions(s);
   c.doMotion(s);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->potential_energy(s);
-  detail::carry(s);
+  detail::carry(c, s);
   return detail::checked_energy<double>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment));
 }
 inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
@@ -56,27 +56,27 @@ inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
 
 /// By composite inertias, with those of the mass matrix.
 inline mass_centre<> centre_of_mass(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s), detail::check_positions(s);
-  detail::carry(s);
+  detail::check_regular(c, s), detail::check_positions(s);
+  detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   return {w.mass, detail::divided_by_mass<double>(w.mass, w.moment)};
 }
 inline vec3<> centre_of_mass_velocity(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s), detail::check_state_velocities(s);
-  detail::carry(s);
+  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::carry(c, s);
   return detail::divided_by_mass<double>(tree::weight_in_world(s.tree().forest, s.work).mass,
                                          detail::momentum_of_coordinates(s).force);
 }
 inline linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s), detail::check_state_velocities(s);
-  detail::carry(s);
+  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const auto h = detail::momentum_of_coordinates(s);
   return detail::checked<double>(h.force, h.torque - cross(detail::divided_by_mass<double>(w.mass, w.moment), h.force));
 }
 inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s), detail::check_positions(s);
-  detail::carry(s);
+  detail::check_regular(c, s), detail::check_positions(s);
+  detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const vec3<> centre = detail::divided_by_mass<double>(w.mass, w.moment);
   runtime_jacobian a = runtime_jacobian::Zero(6, s.tree().plan.coordinates);
@@ -86,7 +86,7 @@ inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s)
     column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
     column[3] += k.x, column[4] += k.y, column[5] += k.z;
   });
-  return detail::folded(s, std::move(a));
+  return detail::folded(c, s, std::move(a));
 }
 
 // The same at q, or q and v, which are put into the state.

@@ -16,8 +16,7 @@ namespace kte {
 namespace detail {
 /// Throws unless the derivatives of a chain are known element by element.
 inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
-  c.check(s);
-  check_regular(s);
+  check_regular(c, s);
   for (const auto& e : c.wiring().elements)
     if (!e.has_derivatives)
       throw bad_argument(
@@ -41,16 +40,16 @@ inline void invert_articulated(runtime_state& s, Eigen::MatrixXd& inverse) {
   });
   for (const int row : s.tree().plan.lone_rows) inverse(row, row) = 1 / s.tree().own_mass[static_cast<std::size_t>(row)];
 }
-inline void inverse_of_masses(runtime_state& s, Eigen::MatrixXd& inverse) {
+inline void inverse_of_masses(const kte_map_chain& c, runtime_state& s, Eigen::MatrixXd& inverse) {
   const auto& t = s.tree();
   auto& w = s.work;
   if (!t.plan.tree) {
-    mass_of_coordinates(s);
+    mass_of_coordinates(c, s);
     inverse.resize(s.dofs(), s.dofs());
     invert_by_factors(w.mass, inverse);
     return;
   }
-  place_bodies(s);
+  place_bodies(c, s);
   for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
   std::fill(w.force.begin(), w.force.end(), 0.0);
   tree::start_articulated(t.forest, w, false);
@@ -64,16 +63,16 @@ inline void inverse_of_masses(runtime_state& s, Eigen::MatrixXd& inverse) {
 
 /// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
 inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s) {
-  c.check(s), detail::check_regular(s);
+  detail::check_regular(c, s);
   detail::check_positions(s);
-  detail::inverse_of_masses(s, s.work.inverse);
+  detail::inverse_of_masses(c, s, s.work.inverse);
   detail::check_masses(s, s.work.inverse);
   return s.work.inverse;
 }
 /// The same at q, which is put into the state.
 template <indexable Q>
 const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s, const Q& q) {
-  c.check(s), detail::check_regular(s);
+  detail::check_regular(c, s);
   detail::take(c, s, q);
   return mass_matrix_inverse(c, s);
 }
@@ -83,7 +82,6 @@ inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(con
   const auto& f = s.tree().forest;
   auto& w = s.work;
   coordinate_forces(c, s);
-  tree::move_bodies<true>(f, w);  // with linear velocities
   auto& r = w.of_forces;
   const Eigen::Index n = s.dofs();
   r.tau.resize(n);
@@ -99,7 +97,7 @@ inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(con
     r.by_q(a, b) = by_q, r.by_v(a, b) = by_v, r.by_a(a, b) = by_a;
   });
   w.derivatives = &r;
-  for (const int e : s.tree().on_coordinates) element_of(s, e).derive_forces(s);
+  for (const int e : s.tree().on_coordinates) element_of(c, e).derive_forces(s);
   check_result(r.tau, static_cast<std::size_t>(n), [&s] { blame("a force", s); });
   return r;
 }
@@ -131,8 +129,8 @@ inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_deri
   r.a = s.work.forces;
   r.by_q.resize(n, n), r.by_v.resize(n, n);
   invert_articulated(s, r.by_tau);
-  const auto& of_forces = forces_derived(c, s);
-  solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
+  const auto& forces = forces_derived(c, s);
+  solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
   return r;
 }
 }  // namespace detail
@@ -162,8 +160,7 @@ hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_cha
                                                                const V& v, const X& known,
                                                                const std::vector<std::string_view>& prescribed) {
   using namespace detail;
-  c.check(s);
-  check_regular(s);
+  check_regular(c, s);
   if (!s.tree().plan.tree)
     throw bad_argument("kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
   const auto n = static_cast<std::size_t>(s.dofs());

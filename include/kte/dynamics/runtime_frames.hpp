@@ -29,9 +29,9 @@ inline void check_state_velocities(const runtime_state& s) {
 
 /// Columns of all coordinates over the degrees of freedom: those of followers count for what they follow, those of
 /// coordinates that are given are left out.
-inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(runtime_state& s, Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
+inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const kte_map_chain& c, runtime_state& s, Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
   if (a.cols() == s.dofs()) return a;
-  hand_on(s, [&a](int base, int end, double ratio) { a.col(base) += ratio * a.col(end); });
+  hand_on(c, s, [&a](int base, int end, double ratio) { a.col(base) += ratio * a.col(end); });
   return a.leftCols(s.dofs());
 }
 }  // namespace detail
@@ -108,8 +108,8 @@ using runtime_jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 namespace detail {
 /// At positions that are good.
-inline runtime_jacobian jacobian_of(runtime_state& s, const runtime_frame& x, bool world) {
-  place_bodies(s);
+inline runtime_jacobian jacobian_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x, bool world) {
+  place_bodies(c, s);
   const auto& t = s.tree();
   const auto& row = t.forest.row;
   runtime_jacobian j = runtime_jacobian::Zero(6, t.plan.coordinates);
@@ -130,21 +130,21 @@ inline runtime_jacobian jacobian_of(runtime_state& s, const runtime_frame& x, bo
       j.col(k) << v.x, v.y, v.z, w.x, w.y, w.z;
     }
   }
-  return folded(s, std::move(j));
+  return folded(c, s, std::move(j));
 }
 inline runtime_jacobian jacobian_at_state(const kte_map_chain& c, runtime_state& s, std::string_view frame,
                                           bool world) {
-  c.check(s), check_regular(s);
+  check_regular(c, s);
   const auto x = find_frame(c, frame);
   check_positions(s);
-  return jacobian_of(s, x, world);
+  return jacobian_of(c, s, x, world);
 }
 template <class Q>
 runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame, bool world) {
-  c.check(s), check_regular(s);
+  check_regular(c, s);
   const auto x = find_frame(c, frame);
   take(c, s, q);
-  return jacobian_of(s, x, world);
+  return jacobian_of(c, s, x, world);
 }
 }  // namespace detail
 

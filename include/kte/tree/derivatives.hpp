@@ -5,7 +5,9 @@
 
 /// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
 /// using spatial vector algebra, 2022), in world axes at the origin of each body. Spatial vectors: a motion is
-/// (linear, angular), the velocity of the point of the body at the origin and its rotation.
+/// (linear, angular), the velocity of the point of the body at the origin and its rotation. Each body is seen by an
+/// observer who moves on with its origin at the speed that it has now, so that no large speed is ever subtracted from
+/// another.
 namespace kte::tree {
 
 template <class S>
@@ -36,9 +38,11 @@ struct axis_variation {
 /// Of a body with all it carries: inertia M, and 2 B, which acts on angular parts alone,
 ///
 ///   B = (v x* M - M v x + (M v) x*) / 2          (2)
+///
+/// `passing`: the speed of its origin to the observer of its parent.
 template <class S>
 struct body_variation {
-  spatial_motion<S> velocity, acceleration;
+  vec3<S> ang_velocity, acceleration, ang_acceleration, passing;
   dense_composite<S> inertia;
   mat3<vec3<S>> force, torque;
 };
@@ -48,15 +52,16 @@ struct variation_memory {
   std::vector<body_variation<S>> bodies;  ///< of slots
 };
 
-/// (1), (2) of each body alone. After `move_bodies<true>`, `place_in_world`.
+/// (1), (2) of each body alone. After `move_bodies`, `place_in_world`.
 template <class P, class S>
 KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   const auto take_motion = [&](std::size_t slot) {
     const mat3<vec3<S>>& r = m.world[slot].rotation;
     const body_motion<S>& b = m.bodies[slot];
-    v.bodies[slot].velocity = {r * b.velocity, r * b.ang_velocity};
-    v.bodies[slot].acceleration = {r * (b.acceleration - cross(b.ang_velocity, b.velocity)), r * b.ang_acceleration};
+    body_variation<S>& x = v.bodies[slot];
+    x.ang_velocity = r * b.ang_velocity, x.acceleration = r * b.acceleration;
+    x.ang_acceleration = r * b.ang_acceleration;
   };
   for (std::size_t b = 0; b < bases; ++b) take_motion(b);
   for (std::size_t i = 0; i < f.records.size(); ++i) {
@@ -66,10 +71,17 @@ KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, vari
     take_motion(slot);
     body_variation<S>& b = v.bodies[slot];
     const body_variation<S>& parent = v.bodies[static_cast<std::size_t>(r.parent)];
-    const auto moved = [&place](const spatial_motion<S>& x) {
-      return spatial_motion<S>{x.linear + cross(x.angular, place.step), x.angular};
-    };
-    const spatial_motion<S> v_p = moved(parent.velocity), a_p = moved(parent.acceleration);
+    const vec3<S>& w_p = parent.ang_velocity;
+    vec3<S> slides{};  // of the joint
+    if (r.moves != joint::revolute)
+      for (int k = r.first; k < r.first + r.axes; ++k)
+        slides = slides + m.rate[static_cast<std::size_t>(k)] * m.axes[static_cast<std::size_t>(k)].linear;
+    const vec3<S> turned = cross(w_p, place.step);
+    b.passing = turned + slides;
+    const spatial_motion<S> v_p{-slides, w_p};
+    const spatial_motion<S> a_p{parent.acceleration + (cross(parent.ang_acceleration, place.step) +
+                                                       cross(w_p, vec3<S>(turned + slides))),
+                                parent.ang_acceleration};
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const world_axis<S>& s = m.axes[static_cast<std::size_t>(k)];
       axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
@@ -77,21 +89,17 @@ KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, vari
       const spatial_motion<S> first = cross(v_p, x.axis);
       x.first = first.angular;
       x.second = cross(a_p, x.axis) + cross(v_p, first);
-      x.mixed = first + (r.moves == joint::several ? cross(b.velocity, x.axis) : first);  // (1)
+      x.mixed = first + cross(spatial_motion<S>{{}, b.ang_velocity}, x.axis);  // (1)
     }
     const rigid_body<P, vec3<P>, sym3<P>>& body = r.body;
-    const vec3<S> c = place.rotation * body.com, h = body.mass * c;
-    const vec3<S>& w = b.velocity.angular;
+    const vec3<S> c = place.rotation * body.com;
+    const vec3<S>& w = b.ang_velocity;
     const sym3<S> inertia = congruence(place.rotation, body.inertia);
-    const auto dense = full(inertia);
-    const vec3<S> v_c = b.velocity.linear + cross(w, c);
-    const vec3<S> momentum = inertia * w;
-    b.inertia = {S(body.mass), h, detail::shifted(inertia, c, detail::half(S(body.mass)) * c)};
-    const vec3<S> p = S(-2) * (body.mass * v_c);
-    b.force = as<S>(cross_matrix(p));
-    // w x J - J w x - [J w]x; w x J and (J w x)^T differ by a sign
-    const mat3<vec3<S>> wj = as<S>(cross_matrix(w) * dense);
-    b.torque = as<S>(wj + transpose(wj) - cross_matrix(momentum) + cross_matrix(c) * b.force);
+    b.inertia = {S(body.mass), body.mass * c, detail::shifted(inertia, c, detail::half(S(body.mass)) * c)};
+    b.force = as<S>(cross_matrix(vec3<S>(S(-2) * (body.mass * cross(w, c)))));
+    // w x J - J w x - [J w] x; transposed, w x J is -J w x
+    const mat3<vec3<S>> wj = as<S>(cross_matrix(w) * full(inertia));
+    b.torque = as<S>(wj + transpose(wj) - cross_matrix(vec3<S>(inertia * w)) + cross_matrix(c) * b.force);
   }
 }
 
@@ -101,7 +109,11 @@ KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, vari
 ///   d tau_i / d q_j = s_i . (2B s_j' + M s_j'')                and for axes of one body                      (4)
 ///   d tau_j / d v_i = s_j . (2B s_i + M mixed_i),   d tau_i / d v_j likewise,   d tau_j / d a_i = s_j . M s_i   (5)
 ///
-/// B and M of body i and all beyond it. put(j, i, by_q, by_v, by_a): change of tau_j by coordinate i.
+/// B and M of body i and all beyond it. To an observer by whom all pass at u more, 2B is
+///
+///   force -2 m [u]x,   torque -2 [h]x [u]x          (6)
+///
+/// more. put(j, i, by_q, by_v, by_a): change of tau_j by coordinate i.
 template <class P, class S, class Put>
 KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
@@ -128,12 +140,13 @@ KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation
       if (r.parent < f.bases) continue;
       by_q = {by_q.force + cross(s.angular, needs.force),
               by_q.torque + (cross(s.angular, needs.torque) + cross(s.linear, needs.force))};
-      const vec3<S> to_rate = transpose(b.force) * s.linear + transpose(b.torque) * s.angular;
+      vec3<S> to_rate = transpose(b.force) * s.linear + transpose(b.torque) * s.angular;
       for (std::size_t slot = bases + i;;) {
         const vec3<S>& step = m.world[slot].step;
         by_q.torque = by_q.torque + cross(step, by_q.force);
         by_v.torque = by_v.torque + cross(step, by_v.force);
         by_a.torque = by_a.torque + cross(step, by_a.force);
+        to_rate = to_rate + S(2) * cross(v.bodies[slot].passing, by_a.force);  // what (6) makes of it
         slot = static_cast<std::size_t>(f.records[slot - bases].parent);
         const record<P>& before = f.records[slot - bases];
         for (int j = before.first; j < before.first + before.axes; ++j) {
@@ -152,8 +165,10 @@ KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation
     const auto& [mass, h, inertia] = b.inertia;
     const sym3<S> seen = detail::shifted(inertia, p, h + detail::half(mass) * p);
     to.inertia = {to.inertia.mass + mass, to.inertia.moment + (h + mass * p), to.inertia.inertia + seen};
-    to.force = to.force + b.force;
-    to.torque = as<S>(to.torque + (b.torque + cross_matrix(p) * b.force));
+    const auto pass = cross_matrix(vec3<S>(S(-2) * b.passing));
+    const mat3<vec3<S>> force = as<S>(b.force + mass * pass);
+    to.force = to.force + force;
+    to.torque = as<S>(to.torque + (b.torque + (cross_matrix(h) * pass + cross_matrix(p) * force)));  // (6)
   }
 }
 

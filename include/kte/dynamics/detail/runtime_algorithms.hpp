@@ -16,8 +16,8 @@ inline void check_masses(const runtime_state& s, const Eigen::MatrixXd& m) {
 }
 
 /// The change of what a follower writes by a coordinate that it follows: of q_dot, when that has a rate of one.
-inline double ratio_of(runtime_state& s, int follower, gen_coord<>& followed) {
-  auto& e = s.made_for()->elements[static_cast<std::size_t>(follower)];
+inline double ratio_of(const kte_map_chain& c, runtime_state& s, int follower, gen_coord<>& followed) {
+  const auto& e = connection_of(c, follower);
   auto& end = s.get<kind::gen>(e.index.back());
   const gen_coord<> before = followed, end_before = end;
   const auto rate_at = [&](double rate) {
@@ -31,28 +31,27 @@ inline double ratio_of(runtime_state& s, int follower, gen_coord<>& followed) {
 }
 /// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
 template <class Add>
-void hand_on(runtime_state& s, const Add& add) {
+void hand_on(const kte_map_chain& c, runtime_state& s, const Add& add) {
   const auto& t = s.tree();
   for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
-    const auto& e = s.made_for()->elements[static_cast<std::size_t>(*f)];
+    const auto& e = connection_of(c, *f);
     const int end = t.plan.row_of_gen[static_cast<std::size_t>(e.index.back())];
     for (std::size_t p = 0; p + 1 < e.index.size(); ++p)
       if (e.ports[p].what == kind::gen)
         add(t.plan.row_of_gen[static_cast<std::size_t>(e.index[p])], end,
-            ratio_of(s, *f, s.get<kind::gen>(e.index[p])));
+            ratio_of(c, s, *f, s.get<kind::gen>(e.index[p])));
   }
 }
 
 /// The inertias of bodies with all they carry, and axes, in the world.
-inline void carry(runtime_state& s) {
-  place_bodies(s);
+inline void carry(const kte_map_chain& c, runtime_state& s) {
+  place_bodies(c, s);
   place_in_world(s);
   tree::carry_bodies(s.tree().forest, s.work);
 }
 /// The mass matrix, into the working memory.
-inline void mass_of_coordinates(runtime_state& s) {
-  check_regular(s);
-  carry(s);
+inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
+  carry(c, s);
   const auto& t = s.tree();
   const auto& row = t.forest.row;
   auto& w = s.work;
@@ -67,7 +66,7 @@ inline void mass_of_coordinates(runtime_state& s) {
   });
   for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
-  hand_on(s, [&m](int base, int end, double ratio) {
+  hand_on(c, s, [&m](int base, int end, double ratio) {
     m.row(base) += ratio * m.row(end);
     m.col(base) += ratio * m.col(end);
   });
@@ -77,19 +76,18 @@ inline void mass_of_coordinates(runtime_state& s) {
 /// By the factorised mass matrix.
 template <class Tau>
 void accelerate_by_mass(const kte_map_chain& c, runtime_state& s, const Tau& tau) {
-  check_regular(s);
   for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](double& a) { a = 0; }); });
   coordinate_forces(c, s);
   auto& a = s.work.forces;
   read_listed_numbers<vector_of::f>(s, a);
   for (int i = 0; i < s.dofs(); ++i) a[i] += tau(i);
-  mass_of_coordinates(s);
+  mass_of_coordinates(c, s);
   solve_in_place(s.work.mass, a);
 }
 
 /// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
 /// of articulated bodies.
-inline void push_by_rates(runtime_state& s) {
+inline void push_by_rates(const kte_map_chain& c, runtime_state& s) {
   const auto& t = s.tree();
   auto& w = s.work;
   clear_coordinates(s);
@@ -106,22 +104,23 @@ inline void push_by_rates(runtime_state& s) {
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, false);
-    for (const int e : t.on_frames) element_of(s, e).doForce(s);
+    for (const int e : t.on_frames) element_of(c, e).doForce(s);
     for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<double>& x) {
       auto& load = w.articulated[slot].load;
       load = {load.force + x.force, load.torque + x.torque};
     });
   }
-  for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) element_of(s, *e).doForce(s);
+  for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) element_of(c, *e).doForce(s);
 }
 /// By articulated bodies, in trees. Accelerations of rows that are `prescribed` are those of the state.
 template <class Tau>
-void accelerate_articulated(runtime_state& s, const Tau& tau, std::span<const char> prescribed) {
+void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau& tau,
+                            std::span<const char> prescribed) {
   const auto& t = s.tree();
   auto& w = s.work;
-  w.prescribed.assign(static_cast<std::size_t>(s.dofs()), 0);
+  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
   std::copy(prescribed.begin(), prescribed.end(), w.prescribed.begin());
-  place_bodies(s);
+  place_bodies(c, s);
   take_rates(s), take_accelerations(s), take_bases(s);
   for (std::size_t i = 0; i < t.forest.records.size(); ++i) {
     const auto& r = t.forest.records[i];
@@ -131,7 +130,7 @@ void accelerate_articulated(runtime_state& s, const Tau& tau, std::span<const ch
   tree::start_articulated(t.forest, w, true);
   w.forces.setZero();
   if (!t.on_coordinates.empty() || !t.on_frames.empty()) {
-    push_by_rates(s);
+    push_by_rates(c, s);
     read_listed_numbers<vector_of::f>(s, w.forces);
   }
   for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
@@ -144,8 +143,8 @@ void accelerate_articulated(runtime_state& s, const Tau& tau, std::span<const ch
     if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];
   for (const int row : t.plan.lone_rows) {
     if (w.prescribed[static_cast<std::size_t>(row)]) {
-      for_each_listed_freedom(s, [&](const auto& c, const freedom& at) {
-        if (at.v == row) visit_a(c, [&](const auto& a) { w.forces[row] = a; });
+      for_each_listed_freedom(s, [&](const auto& x, const freedom& at) {
+        if (at.v == row) visit_a(x, [&](const auto& a) { w.forces[row] = a; });
       });
       continue;
     }
@@ -161,9 +160,8 @@ void accelerate_articulated(runtime_state& s, const Tau& tau, std::span<const ch
 template <class Tau>
 const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& tau,
                                            std::span<const char> prescribed = {}) {
-  check_regular(s);
   if (s.tree().plan.tree)
-    accelerate_articulated(s, tau, prescribed);
+    accelerate_articulated(c, s, tau, prescribed);
   else
     accelerate_by_mass(c, s, tau);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {

@@ -43,8 +43,8 @@ inline const Eigen::VectorXd& applied_forces(runtime_state& s) {
 }
 
 /// Inverse dynamics of the bodies alone, without accelerations of coordinates.
-inline void forces_of_bodies(runtime_state& s, bool accelerated_bases) {
-  forces_on_coordinates(s, acting::bodies, accelerated_bases);
+inline void forces_of_bodies(const kte_map_chain& c, runtime_state& s, bool accelerated_bases) {
+  forces_on_coordinates(c, s, acting::bodies, accelerated_bases);
 }
 
 /// visit(row of an axis among all coordinates, momentum of its unit rate about the origin of the world).

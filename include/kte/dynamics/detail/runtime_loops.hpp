@@ -11,15 +11,23 @@
 /// Between the state of a runtime chain and the loops over records: coordinates, bases and the forces of elements.
 namespace kte::detail {
 
-inline const kte_element& element_of(const runtime_state& s, int number) {
-  return *s.made_for()->elements[static_cast<std::size_t>(number)].element;
+/// Elements are those of the chain at hand: a state may have been made for one of which this is a copy.
+inline const topology::connection& connection_of(const kte_map_chain& c, int number) {
+  return c.wiring().elements[static_cast<std::size_t>(number)];
 }
-/// Throws `bad_argument` where passes alone know the chain.
-inline void check_regular(const runtime_state& s) {
+inline const kte_element& element_of(const kte_map_chain& c, int number) { return *connection_of(c, number).element; }
+/// Throws `bad_argument` unless the state is of this chain, which is no part of another.
+inline void check_whole(const kte_map_chain& c, const runtime_state& s) {
+  (void)c.wiring();
+  c.check(s);
+}
+/// The same where passes alone know the chain.
+inline void check_regular(const kte_map_chain& c, const runtime_state& s) {
+  check_whole(c, s);
   const auto& t = s.tree();
   if (t.irregular >= 0) [[unlikely]]
     throw bad_argument("kte: this algorithm takes joints and links by their `relative` alone, and " +
-                       element_of(s, t.irregular).record().type + t.why);
+                       element_of(c, t.irregular).record().type + t.why);
 }
 
 /// visit(coordinate of a record).
@@ -49,10 +57,10 @@ inline constexpr auto of_accelerations = [](auto& c, const auto& visit) { visit_
 inline constexpr auto of_forces = [](auto& c, const auto& visit) { visit_f(c, visit); };
 
 /// Coordinates that follow others.
-inline void follow(runtime_state& s) {
+inline void follow(const kte_map_chain& c, runtime_state& s) {
   for (const int e : s.tree().followers) {
-    element_of(s, e).doMotion(s);
-    update_angle(s.get<kind::gen>(s.made_for()->elements[static_cast<std::size_t>(e)].index.back()));
+    element_of(c, e).doMotion(s);
+    update_angle(s.get<kind::gen>(connection_of(c, e).index.back()));
   }
 }
 
@@ -68,8 +76,8 @@ inline void place_several(runtime_state& s, const tree::record<double>& r, tree:
   });
 }
 /// Bodies to where the coordinates of the state are.
-inline void place_bodies(runtime_state& s) {
-  if (!s.tree().followers.empty()) follow(s);
+inline void place_bodies(const kte_map_chain& c, runtime_state& s) {
+  if (!s.tree().followers.empty()) follow(c, s);
   auto& w = s.work;
   const auto& records = s.tree().forest.records;
   const auto& angles = s.tree().angles;
@@ -96,8 +104,8 @@ inline void place_bodies(runtime_state& s) {
 }
 
 /// The same of a slot and all that it stands on. Followers: of all.
-inline void place_ancestors(runtime_state& s, int slot) {
-  if (!s.tree().followers.empty()) follow(s);
+inline void place_ancestors(const kte_map_chain& c, runtime_state& s, int slot) {
+  if (!s.tree().followers.empty()) follow(c, s);
   auto& w = s.work;
   const auto& f = s.tree().forest;
   // Angles are gathered in order of the way.
@@ -228,10 +236,11 @@ enum class acting { all, bodies };
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
 /// of the state; of bodies alone, with bases that are accelerated or not.
-inline void forces_on_coordinates(runtime_state& s, acting who, bool accelerated_bases = true) {
+inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acting who,
+                                  bool accelerated_bases = true) {
   const auto& t = s.tree();
   auto& w = s.work;
-  place_bodies(s);
+  place_bodies(c, s);
   take_rates(s), take_accelerations(s), take_bases(s);
   if (!accelerated_bases)
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
@@ -246,7 +255,7 @@ inline void forces_on_coordinates(runtime_state& s, acting who, bool accelerated
     tree::load_bodies(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, true);
-    for (const int e : others) element_of(s, e).doForce(s);
+    for (const int e : others) element_of(c, e).doForce(s);
     for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<double>& x) {
       auto& needs = w.bodies[slot].needs;
       needs = {needs.force - x.force, needs.torque - x.torque};
@@ -258,21 +267,21 @@ inline void forces_on_coordinates(runtime_state& s, acting who, bool accelerated
   // What acts on coordinates, and followers, which hand on what is on them: from the last.
   auto f = t.followers.rbegin();
   const auto pass_on = [&](int until) {
-    for (; f != t.followers.rend() && *f > until; ++f) element_of(s, *f).doForce(s);
+    for (; f != t.followers.rend() && *f > until; ++f) element_of(c, *f).doForce(s);
   };
   if (who == acting::all)
     for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) {
       pass_on(*e);
-      element_of(s, *e).doForce(s);
+      element_of(c, *e).doForce(s);
     }
   pass_on(-1);
 }
 
 /// Inverse dynamics, into the state.
 inline void coordinate_forces(const kte_map_chain& c, runtime_state& s) {
-  c.check(s);
+  check_whole(c, s);
   if (s.tree().irregular < 0) [[likely]] {
-    forces_on_coordinates(s, acting::all);
+    forces_on_coordinates(c, s, acting::all);
   } else {
     c.doMotion(s), c.clearForce(s), c.doForce(s);
   }
