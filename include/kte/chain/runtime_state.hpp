@@ -5,6 +5,7 @@
 #include <kte/chain/state.hpp>
 #include <kte/kernels/derivatives.hpp>
 #include <kte/tree/derivatives.hpp>
+#include <kte/tree/inverse_mass.hpp>
 
 #include <memory>
 
@@ -34,6 +35,7 @@ struct runtime_memory : tree::memory<double, double> {
   /// As large as M or larger: made by the first call that gives them.
   Eigen::MatrixXd mass, inverse;
   Eigen::MatrixXd all;  ///< masses of all coordinates, if there are others than degrees of freedom
+  tree::inverse_memory<double> inverting;
   tree::variation_memory<double> variations;
   inverse_dynamics_result<double, Eigen::Dynamic> of_forces;
   forward_dynamics_result<double, Eigen::Dynamic> of_accelerations;

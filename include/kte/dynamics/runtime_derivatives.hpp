@@ -34,7 +34,7 @@ inline void invert_articulated(runtime_state& s, Eigen::MatrixXd& inverse) {
   const auto& f = s.tree().forest;
   inverse.setZero(s.dofs(), s.dofs());
   place_in_world(s);
-  tree::inverse_masses(f, s.work, [&](int j, int k, double x) {
+  tree::inverse_masses(f, s.work, s.work.inverting, [&](int j, int k, double x) {
     const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
     if (a < s.dofs() && b < s.dofs()) inverse(a, b) = inverse(b, a) = x;
   });

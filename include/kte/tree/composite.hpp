@@ -70,9 +70,11 @@ KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_c
   along_axes(r, one.data(), a, al);
   return {c.mass * a + cross(al, c.moment), c.inertia * al + cross(c.moment, a)};
 }
-template <class S>
-KTE_INLINE S power(const world_axis<S>& s, const dense_wrench<S>& w) {
-  return dot(s.linear, w.force) + dot(s.angular, w.torque);
+/// The power of a wrench on the unit rate of an axis, in world axes.
+template <class P, class S>
+KTE_INLINE S power_in_world(const record<P>& r, const world_axis<S>& s, const dense_wrench<S>& w) {
+  const S turning = dot(s.angular, w.torque);
+  return r.moves == joint::revolute ? turning : turning + dot(s.linear, w.force);
 }
 
 /// The composite-rigid-body algorithm (CRBA; Featherstone 2008, section 6.2): with F the wrench that accelerates what
@@ -84,23 +86,23 @@ KTE_INLINE S power(const world_axis<S>& s, const dense_wrench<S>& w) {
 /// `place_in_world`, `carry_bodies`.
 template <class P, class S, class Put>
 KTE_INLINE void masses(const forest<P>& f, const memory<P, S>& m, const Put& put) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
-  for (std::size_t i = f.records.size(); i-- > 0;) {
-    const record<P>& r = f.records[i];
-    for (int k = 0; k < r.axes; ++k) {
-      const dense_wrench<S> own = accelerating(r, k, m.carried[bases + i]);
-      for (int j = 0; j <= k; ++j) put(r.first + j, r.first + k, power_along(r, j, own));
-      if (r.parent < f.bases) continue;
-      const mat3<vec3<S>>& rotation = m.world[bases + i].rotation;
+  const int bases = f.bases;
+  const record<P>* const records = f.records.data() - bases;  // by slot
+  for (int slot = bases + static_cast<int>(f.records.size()); slot-- > bases;) {
+    const record<P>& r = records[slot];
+    const auto at = static_cast<std::size_t>(slot);
+    for (int k = r.first; k < r.first + r.axes; ++k) {
+      const dense_wrench<S> own = accelerating(r, k - r.first, m.carried[at]);
+      for (int j = r.first; j <= k; ++j) put(j, k, power_along(r, j - r.first, own));
+      if (r.parent < bases) continue;
+      const mat3<vec3<S>>& rotation = m.world[at].rotation;
       dense_wrench<S> w{rotation * own.force, rotation * own.torque};
-      for (std::size_t slot = bases + i;;) {
-        w.torque = w.torque + cross(m.world[slot].step, w.force);
-        slot = static_cast<std::size_t>(f.records[slot - bases].parent);
-        if (slot < bases) break;
-        const record<P>& before = f.records[slot - bases];
-        for (int j = 0; j < before.axes; ++j)
-          put(before.first + j, r.first + k, power(m.axes[static_cast<std::size_t>(before.first + j)], w));
-        if (before.parent < f.bases) break;
+      for (int in = slot; records[in].parent >= bases;) {
+        w.torque = w.torque + cross(m.world[static_cast<std::size_t>(in)].step, w.force);
+        in = records[in].parent;
+        const record<P>& before = records[in];
+        const world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(before.first)];
+        for (int j = 0; j < before.axes; ++j) put(before.first + j, k, power_in_world(before, axis[j], w));
       }
     }
   }

@@ -3,7 +3,18 @@
 #include <kte/tree/articulated.hpp>
 #include <kte/tree/composite.hpp>
 
+#include <array>
+#include <vector>
+
 namespace kte::tree {
+
+/// What the inverse of the mass matrix works with: by axis, padded to fours.
+template <class S>
+struct inverse_memory {
+  std::vector<S> left;   ///< e_lk at l n + k
+  std::vector<S> rates;  ///< e_lk / D_l of one k, and the l for which there is one
+  std::vector<int> way;
+};
 
 /// The inverse of the mass matrix from articulated inertias. A unit force on axis k leaves e_lk on axis l of its own
 /// and of all bodies it stands on: with W the load that goes in, at first none,
@@ -12,61 +23,59 @@ namespace kte::tree {
 ///   M^-1 = E^T D^-1 E                                       (2)
 ///
 /// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) put(j, k, x) for
-/// j <= k. After `place_in_world`, `articulate`, whose gains are then in world axes; for chains in which all joints yield.
+/// j <= k. After `place_in_world`, `articulate`, whose gains are then in world axes; of joints that all yield or rest.
 template <class P, class S, class Put>
-KTE_INLINE void inverse_masses(const forest<P>& f, memory<P, S>& m, const Put& put) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases), n = f.axes();
-  m.left.assign(2 * n * n, S(0));
-  S* const left = m.left.data();       // e_lk at l n + k
-  S* const sums = m.left.data() + n * n;
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const mat3<vec3<S>>& rotation = m.world[bases + i].rotation;
-    for (int k = f.records[i].first; k < f.records[i].first + f.records[i].axes; ++k) {
-      dense_wrench<S>& gain = m.answers[static_cast<std::size_t>(k)].gain;
-      gain = {rotation * gain.force, rotation * gain.torque};
-    }
-  }
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
+KTE_INLINE void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x, const Put& put) {
+  const int bases = f.bases;
+  const record<P>* const records = f.records.data() - bases;  // by slot
+  const char* const yields = m.yields.data() - bases;
+  const std::size_t n = (f.axes() + 3) / 4 * 4;
+  x.left.assign(n * n, S(0)), x.rates.resize(n), x.way.resize(n);
+  S* const left = x.left.data();
+  const int slots = static_cast<int>(f.slots());
+  for (int slot = bases; slot < slots; ++slot) {
+    const record<P>& r = records[slot];
+    if (!yields[slot]) continue;
+    const mat3<vec3<S>>& rotation = m.world[static_cast<std::size_t>(slot)].rotation;
     for (int k = r.first; k < r.first + r.axes; ++k) {
-      if (!m.yields[i]) continue;
-      dense_wrench<S> w{};
-      int axis = k;
-      std::size_t slot = bases + i;
-      left[static_cast<std::size_t>(k) * n + static_cast<std::size_t>(k)] = S(1);
-      S e = S(1);
-      for (;;) {
-        const dense_wrench<S>& gain = m.answers[static_cast<std::size_t>(axis)].gain;
-        if (m.yields[slot - bases])
+      auto& own = m.answers[static_cast<std::size_t>(k)];
+      own.gain = {rotation * own.gain.force, rotation * own.gain.torque};
+      std::size_t steps = 0;
+      const auto leave = [&](int l, const S& e) {
+        left[static_cast<std::size_t>(l) * n + static_cast<std::size_t>(k)] = e;
+        x.rates[steps] = e * m.answers[static_cast<std::size_t>(l)].inverse, x.way[steps] = l;
+        ++steps;
+      };
+      leave(k, S(1));
+      dense_wrench<S> w{-own.gain.force, -own.gain.torque};
+      for (int in = slot, l = k;;) {
+        while (l-- > records[in].first) {
+          const auto& [gain, rate, inverse] = m.answers[static_cast<std::size_t>(l)];
+          const S e = power_in_world(records[in], m.axes[static_cast<std::size_t>(l)], w);
+          leave(l, e);
           w = {w.force - e * gain.force, w.torque - e * gain.torque};
-        if (axis == f.records[slot - bases].first) {
-          const int parent = f.records[slot - bases].parent;
-          if (parent < f.bases) break;
-          w.torque = w.torque + cross(m.world[slot].step, w.force);
-          slot = static_cast<std::size_t>(parent);
-          const record<P>& before = f.records[slot - bases];
-          axis = before.first + before.axes;
         }
-        --axis;
-        e = m.yields[slot - bases] ? power(m.axes[static_cast<std::size_t>(axis)], w) : S(0);
-        left[static_cast<std::size_t>(axis) * n + static_cast<std::size_t>(k)] = e;
+        do {  // what does not yield hands all of it on
+          if (records[in].parent < bases) {
+            in = -1;
+            break;
+          }
+          w.torque = w.torque + cross(m.world[static_cast<std::size_t>(in)].step, w.force);
+          in = records[in].parent;
+        } while (!yields[in]);
+        if (in < 0) break;
+        l = records[in].first + records[in].axes;
+      }
+      for (int j = 0; j <= k; j += 4) {  // (2)
+        std::array<S, 4> sum{};
+        for (std::size_t i = 0; i < steps; ++i) {
+          const S* const row = left + static_cast<std::size_t>(x.way[i]) * n + static_cast<std::size_t>(j);
+          for (std::size_t c = 0; c < 4; ++c) sum[c] += x.rates[i] * row[c];
+        }
+        for (int c = 0; c < 4 && j + c <= k; ++c) put(j + c, k, sum[static_cast<std::size_t>(c)]);
       }
     }
   }
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
-    if (!m.yields[i]) continue;
-    for (int l = r.first; l < r.first + r.axes; ++l) {
-      const S* const row = left + static_cast<std::size_t>(l) * n;
-      for (int j = l; j < r.last; ++j) {
-        const S x = m.answers[static_cast<std::size_t>(l)].inverse * row[j];
-        S* const sum = sums + static_cast<std::size_t>(j) * n;
-        for (int k = j; k < r.last; ++k) sum[k] += x * row[k];
-      }
-    }
-  }
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t k = j; k < n; ++k) put(static_cast<int>(j), static_cast<int>(k), sums[j * n + k]);
 }
 
 }  // namespace kte::tree

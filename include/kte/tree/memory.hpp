@@ -74,7 +74,6 @@ struct memory {
   std::vector<dense_composite<S>> carried;  ///< of slots
   std::vector<articulated_body<S>> articulated;
   std::vector<axis_answer<S>> answers;
-  std::vector<S> left;  ///< square
 
   explicit memory(const forest<P>& f)
       : spots(f.records.size()),

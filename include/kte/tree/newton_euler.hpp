@@ -4,11 +4,20 @@
 
 namespace kte::tree {
 
-/// The motions of all bodies (RNEA, first half): classical accelerations in body axes, as `compose` of
+/// The wrench that a body needs for its motion (Newton and Euler), at its origin:
+///
+///   f = m (a + al x c + w x (w x c)),   n = I al + w x I w + c x f          (1)
+template <class P, class S>
+KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, const body_motion<S>& x) {
+  const vec3<S>&w = x.ang_velocity, &al = x.ang_acceleration;
+  const vec3<S> f = b.mass * (x.acceleration + (cross(al, b.com) + cross(w, cross(w, b.com))));
+  return {f, b.inertia * al + (cross(w, b.inertia * w) + cross(b.com, f))};
+}
+/// The motions of all bodies, and what they need for them (RNEA, first half): classical accelerations in body axes, as `compose` of
 /// frames/motion.hpp. With its parent at w, al, a, the joint at v_J, w_J relative to its seat:
 ///
-///   w_i  = R^T w + w_J,   al_i = R^T al + (R^T w) x w_J + s q_ddot                            (1)
-///   a_i  = R^T (a + al x p + w x (w x p)) + 2 (R^T w) x v_J + w_J x v_J + s q_ddot             (2)
+///   w_i  = R^T w + w_J,   al_i = R^T al + (R^T w) x w_J + s q_ddot                            (2)
+///   a_i  = R^T (a + al x p + w x (w x p)) + 2 (R^T w) x v_J + w_J x v_J + s q_ddot             (3)
 ///
 /// where only poses have v_J together with w_J. Linear velocities on request.
 template <bool Velocities, class P, class S>
@@ -29,40 +38,24 @@ KTE_INLINE void move_bodies(const forest<P>& f, memory<P, S>& m) {
     vec3<S> v{};
     if constexpr (Velocities) v = at.in(base.velocity + cross(base.ang_velocity, p));
     if (r.moves == joint::revolute) {
-      al.x += w.y * *rate, al.y -= w.x * *rate, al.z += *change;  // (1)
+      al.x += w.y * *rate, al.y -= w.x * *rate, al.z += *change;  // (2)
       x.ang_velocity = {w.x, w.y, w.z + *rate};
     } else {
       vec3<S> v_j{}, w_j{}, a_j{}, al_j{};
       along_axes(r, rate, v_j, w_j);
       along_axes(r, change, a_j, al_j);
       al = al + (cross(w, w_j) + al_j);
-      a = a + (S(2) * cross(w, v_j) + cross(w_j, v_j) + a_j);  // (2)
+      a = a + (S(2) * cross(w, v_j) + cross(w_j, v_j) + a_j);  // (3)
       x.ang_velocity = w + w_j;
       v = v + v_j;
     }
     x.ang_acceleration = al;
     x.acceleration = a;
     if constexpr (Velocities) x.velocity = v;
+    x.needs = wrench_of(r.body, x);
   }
 }
 
-/// The wrench that a body needs for its motion (Newton and Euler), at its origin:
-///
-///   f = m (a + al x c + w x (w x c)),   n = I al + w x I w + c x f          (3)
-template <class P, class S>
-KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, const body_motion<S>& x) {
-  const vec3<S>&w = x.ang_velocity, &al = x.ang_acceleration;
-  const vec3<S> f = b.mass * (x.acceleration + (cross(al, b.com) + cross(w, cross(w, b.com))));
-  return {f, b.inertia * al + (cross(w, b.inertia * w) + cross(b.com, f))};
-}
-template <class P, class S>
-KTE_INLINE void load_bodies(const forest<P>& f, memory<P, S>& m) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    body_motion<S>& x = m.bodies[bases + i];
-    x.needs = wrench_of(f.records[i].body, x);
-  }
-}
 /// What bodies need goes in along the tree (RNEA, second half); of an axis its power into `force`.
 template <class P, class S>
 KTE_INLINE void take_needs(const forest<P>& f, memory<P, S>& m) {

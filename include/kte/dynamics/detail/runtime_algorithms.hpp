@@ -58,12 +58,15 @@ inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
   const bool others = t.plan.coordinates > s.dofs();
   auto& m = others ? w.all : w.mass;
   m.setZero(t.plan.coordinates, t.plan.coordinates);
-  // Where joints share a coordinate, both triangles meet on the diagonal.
+  // Into either triangle; where joints share a coordinate, both meet on the diagonal.
+  double* const data = m.data();
+  const Eigen::Index n = m.rows();
   tree::masses(t.forest, w, [&](int j, int k, double x) {
     const int a = row[static_cast<std::size_t>(j)], b = row[static_cast<std::size_t>(k)];
-    m(a, b) += x;
-    if (j != k) m(b, a) += x;
+    data[b * n + a] += a == b && j != k ? 2 * x : x;
   });
+  for (Eigen::Index b = 0; b < n; ++b)
+    for (Eigen::Index a = 0; a < b; ++a) data[b * n + a] = data[a * n + b] = data[b * n + a] + data[a * n + b];
   for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
   hand_on(c, s, [&m](int base, int end, double ratio) {
@@ -93,7 +96,7 @@ inline void push_by_rates(const kte_map_chain& c, runtime_state& s) {
   clear_coordinates(s);
   for (const auto& r : t.forest.records)
     if (w.yields[static_cast<std::size_t>(&r - t.forest.records.data())])
-      each_axis(s, r, of_accelerations, [](double& a, std::size_t) { a = 0; });
+      each_axis(s, r, of_accelerations, [](double& x, std::size_t) { x = 0; });
   for (const int row : t.plan.lone_rows)
     if (!w.prescribed[static_cast<std::size_t>(row)])
       for_each_listed_freedom(s, [row](auto& x, const freedom& at) {
@@ -121,7 +124,7 @@ void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau&
   std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
   std::copy(prescribed.begin(), prescribed.end(), w.prescribed.begin());
   place_bodies(c, s);
-  take_rates(s), take_accelerations(s), take_bases(s);
+  take_rates(s), take_bases(s);
   for (std::size_t i = 0; i < t.forest.records.size(); ++i) {
     const auto& r = t.forest.records[i];
     const int row = t.forest.row[static_cast<std::size_t>(r.first)];
@@ -137,7 +140,7 @@ void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau&
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : 0;
   bool good = tree::articulate(t.forest, w);
-  take_accelerations(s);  // of what does not yield
+  if (!t.on_frames.empty()) take_rates(s);  // accelerations of what does not yield
   tree::accelerate(t.forest, w);
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];

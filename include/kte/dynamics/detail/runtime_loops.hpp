@@ -134,12 +134,16 @@ inline void place_ancestors(const kte_map_chain& c, runtime_state& s, int slot) 
 }
 
 inline void take_rates(runtime_state& s) {
-  for (const auto& r : s.tree().forest.records)
-    each_axis(s, r, of_velocities, [&s](double& x, std::size_t k) { s.work.rate[k] = x; });
-}
-inline void take_accelerations(runtime_state& s) {
-  for (const auto& r : s.tree().forest.records)
-    each_axis(s, r, of_accelerations, [&s](double& x, std::size_t k) { s.work.acceleration[k] = x; });
+  for (const auto& r : s.tree().forest.records) {
+    const auto k = static_cast<std::size_t>(r.first);
+    if (r.what == kind::gen) [[likely]] {
+      const auto& c = s.get<kind::gen>(r.slot);
+      s.work.rate[k] = c.q_dot, s.work.acceleration[k] = c.q_ddot;
+    } else {
+      each_axis(s, r, of_velocities, [&s](double& x, std::size_t i) { s.work.rate[i] = x; });
+      each_axis(s, r, of_accelerations, [&s](double& x, std::size_t i) { s.work.acceleration[i] = x; });
+    }
+  }
 }
 
 /// visit(motion of a base as kernels see it, its slot).
@@ -241,7 +245,7 @@ inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acti
   const auto& t = s.tree();
   auto& w = s.work;
   place_bodies(c, s);
-  take_rates(s), take_accelerations(s), take_bases(s);
+  take_rates(s), take_bases(s);
   if (!accelerated_bases)
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = {};
@@ -249,10 +253,8 @@ inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acti
   const auto& others = who == acting::all ? t.on_frames : t.weights;
   if (others.empty()) {
     tree::move_bodies<false>(t.forest, w);
-    tree::load_bodies(t.forest, w);
   } else {
     tree::move_bodies<true>(t.forest, w);
-    tree::load_bodies(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, true);
     for (const int e : others) element_of(c, e).doForce(s);
