@@ -12,8 +12,7 @@ namespace kte {
 /// Inverse dynamics (RNEA) at the state's positions, rates and accelerations. As `inverse_dynamics` on a static chain.
 inline const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s) {
   detail::coordinate_forces(c, s);
-  detail::read_listed_numbers<detail::vector_of::f>(s, s.work.forces);
-  s.work.forces = -s.work.forces;
+  detail::take_needed_forces(s);
   detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::blame("a force", s); });
   return s.work.forces;
 }

@@ -82,19 +82,20 @@ inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(con
   const auto& f = s.tree().forest;
   auto& w = s.work;
   coordinate_forces(c, s);
+  take_needed_forces(s);
   auto& r = w.of_forces;
   const Eigen::Index n = s.dofs();
-  r.tau.resize(n);
-  read_listed_numbers<vector_of::f>(s, r.tau);
-  r.tau = -r.tau;
+  r.tau = w.forces;
   r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
   w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
   place_in_world(s);
   tree::start_variations(f, w, w.variations);
-  tree::vary_forces(f, w, w.variations, [&](int j, int k, double by_q, double by_v, double by_a) {
-    const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
-    if (a >= n || b >= n) return;  // a coordinate that is given
-    r.by_q(a, b) = by_q, r.by_v(a, b) = by_v, r.by_a(a, b) = by_a;
+  double *const q = r.by_q.data(), *const v = r.by_v.data(), *const a = r.by_a.data();
+  const int* const row = f.row.data();
+  tree::vary_forces(f, w, w.variations, [=](int j, int k, double by_q, double by_v, double by_a) KTE_INLINE_LAMBDA {
+    if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
+    const Eigen::Index at = row[k] * n + row[j];
+    q[at] = by_q, v[at] = by_v, a[at] = by_a;
   });
   w.derivatives = &r;
   for (const int e : s.tree().on_coordinates) element_of(c, e).derive_forces(s);

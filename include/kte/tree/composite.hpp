@@ -62,14 +62,29 @@ KTE_INLINE void carry_bodies(const forest<P>& f, memory<P, S>& m) {
 /// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
 template <class P, class S>
 KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_composite<S>& c) {
-  if (r.moves == joint::revolute)
-    return {{-c.moment.y, c.moment.x, S(0)}, {c.inertia.xz, c.inertia.yz, c.inertia.zz}};
-  vec3<S> a{}, al{};
-  std::array<S, 6> one{};
-  one[static_cast<std::size_t>(k)] = S(1);
-  along_axes(r, one.data(), a, al);
-  return {c.mass * a + cross(al, c.moment), c.inertia * al + cross(c.moment, a)};
+  const auto& [mass, h, i] = c;
+  const auto along = [&](int n) KTE_INLINE_LAMBDA {
+    switch (n) {
+      case 0:
+        return dense_wrench<S>{{mass, S(0), S(0)}, {S(0), h.z, -h.y}};
+      case 1:
+        return dense_wrench<S>{{S(0), mass, S(0)}, {-h.z, S(0), h.x}};
+      case 2:
+        return dense_wrench<S>{{S(0), S(0), mass}, {h.y, -h.x, S(0)}};
+      case 3:
+        return dense_wrench<S>{{S(0), -h.z, h.y}, {i.xx, i.xy, i.xz}};
+      case 4:
+        return dense_wrench<S>{{h.z, S(0), -h.x}, {i.xy, i.yy, i.yz}};
+      default:
+        return dense_wrench<S>{{-h.y, h.x, S(0)}, {i.xz, i.yz, i.zz}};
+    }
+  };
+  if (r.moves == joint::revolute) return along(5);
+  if (r.moves != joint::screw) return along(r.axis[static_cast<std::size_t>(k)]);
+  const dense_wrench<S> turn = along(5), slide = along(2);
+  return {r.turns * turn.force + r.slides * slide.force, r.turns * turn.torque + r.slides * slide.torque};
 }
+
 /// The power of a wrench on the unit rate of an axis, in world axes.
 template <class P, class S>
 KTE_INLINE S power_in_world(const record<P>& r, const world_axis<S>& s, const dense_wrench<S>& w) {

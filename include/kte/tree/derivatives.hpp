@@ -44,8 +44,17 @@ template <class S>
 struct body_variation {
   vec3<S> ang_velocity, acceleration, ang_acceleration, passing;
   dense_composite<S> inertia;
-  mat3<vec3<S>> force, torque;
+  vec3<S> force;         ///< 2 B gives the force `force` x w
+  mat3<vec3<S>> torque;  ///< and the torque `torque` w
 };
+/// [a]x [b]x
+template <class S>
+KTE_INLINE mat3<vec3<S>> cross_twice(const vec3<S>& a, const vec3<S>& b) {
+  const S d = dot(a, b);
+  mat3<vec3<S>> m{b.x * a, b.y * a, b.z * a};
+  m.x.x -= d, m.y.y -= d, m.z.z -= d;
+  return m;
+}
 template <class S>
 struct variation_memory {
   std::vector<axis_variation<S>> axes;
@@ -86,6 +95,12 @@ KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, vari
       const world_axis<S>& s = m.axes[static_cast<std::size_t>(k)];
       axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
       x.axis = {s.linear, s.angular};
+      if (r.moves == joint::revolute) {  // what is linear is nothing; w x s is s'
+        x.first = cross(w_p, s.angular);
+        x.second = {cross(a_p.linear, s.angular), cross(a_p.angular, s.angular) + cross(w_p, x.first)};
+        x.mixed = {{}, S(2) * x.first};
+        continue;
+      }
       const spatial_motion<S> first = cross(v_p, x.axis);
       x.first = first.angular;
       x.second = cross(a_p, x.axis) + cross(v_p, first);
@@ -96,10 +111,10 @@ KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, vari
     const vec3<S>& w = b.ang_velocity;
     const sym3<S> inertia = congruence(place.rotation, body.inertia);
     b.inertia = {S(body.mass), body.mass * c, detail::shifted(inertia, c, detail::half(S(body.mass)) * c)};
-    b.force = as<S>(cross_matrix(vec3<S>(S(-2) * (body.mass * cross(w, c)))));
+    b.force = S(-2) * (body.mass * cross(w, c));
     // w x J - J w x - [J w] x; transposed, w x J is -J w x
     const mat3<vec3<S>> wj = as<S>(cross_matrix(w) * full(inertia));
-    b.torque = as<S>(wj + transpose(wj) - cross_matrix(vec3<S>(inertia * w)) + cross_matrix(c) * b.force);
+    b.torque = as<S>((wj + transpose(wj)) + (cross_twice(c, b.force) - cross_matrix(vec3<S>(inertia * w))));
   }
 }
 
@@ -123,16 +138,23 @@ KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation
     const body_variation<S>& b = v.bodies[bases + i];
     const dense_wrench<S> needs{place.rotation * m.bodies[bases + i].needs.force,
                                 place.rotation * m.bodies[bases + i].needs.torque};
-    const auto pushed = [&b](const vec3<S>& w, const spatial_motion<S>& a) {
-      const auto& [mass, h, inertia] = b.inertia;
-      return dense_wrench<S>{b.force * w + (mass * a.linear + cross(a.angular, h)),
-                             b.torque * w + (inertia * a.angular + cross(h, a.linear))};
+    const auto& [mass, h, inertia] = b.inertia;
+    const bool turns = r.moves == joint::revolute;
+    const auto accelerated = [&](const spatial_motion<S>& a) KTE_INLINE_LAMBDA {
+      return dense_wrench<S>{mass * a.linear + cross(a.angular, h), inertia * a.angular + cross(h, a.linear)};
+    };
+    const auto turning = [&](const vec3<S>& al) KTE_INLINE_LAMBDA {
+      return dense_wrench<S>{cross(al, h), inertia * al};
+    };
+    const auto pushed = [&](const vec3<S>& w, const dense_wrench<S>& x) KTE_INLINE_LAMBDA {
+      return dense_wrench<S>{x.force + cross(b.force, w), x.torque + b.torque * w};
     };
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
       const auto& s = x.axis;
-      dense_wrench<S> by_q = pushed(x.first, x.second), by_v = pushed(s.angular, x.mixed);
-      dense_wrench<S> by_a = pushed(vec3<S>{}, s);
+      dense_wrench<S> by_q = pushed(x.first, accelerated(x.second));
+      dense_wrench<S> by_v = pushed(s.angular, turns ? turning(x.mixed.angular) : accelerated(x.mixed));
+      dense_wrench<S> by_a = turns ? turning(s.angular) : accelerated(s);
       for (int j = r.first; j < r.first + r.axes; ++j) {
         const auto& own = v.axes[static_cast<std::size_t>(j)].axis;
         put(j, k, power(own, by_q), power(own, by_v), power(own, by_a));
@@ -140,7 +162,7 @@ KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation
       if (r.parent < f.bases) continue;
       by_q = {by_q.force + cross(s.angular, needs.force),
               by_q.torque + (cross(s.angular, needs.torque) + cross(s.linear, needs.force))};
-      vec3<S> to_rate = transpose(b.force) * s.linear + transpose(b.torque) * s.angular;
+      vec3<S> to_rate = transpose(b.torque) * s.angular - cross(b.force, s.linear);
       for (std::size_t slot = bases + i;;) {
         const vec3<S>& step = m.world[slot].step;
         by_q.torque = by_q.torque + cross(step, by_q.force);
@@ -151,24 +173,26 @@ KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation
         const record<P>& before = f.records[slot - bases];
         for (int j = before.first; j < before.first + before.axes; ++j) {
           const axis_variation<S>& y = v.axes[static_cast<std::size_t>(j)];
-          const S mass = power(y.axis, by_a);
-          put(j, k, power(y.axis, by_q), power(y.axis, by_v), mass);
-          put(k, j, dot(to_rate, y.first) + power(y.second, by_a), dot(to_rate, y.axis.angular) + power(y.mixed, by_a),
-              mass);
+          const vec3<S>& z = y.axis.angular;
+          S at_q = dot(z, by_q.torque), at_v = dot(z, by_v.torque), at_a = dot(z, by_a.torque);
+          S from_v = dot(to_rate, z) + dot(y.mixed.angular, by_a.torque);
+          if (before.moves != joint::revolute) {
+            at_q += dot(y.axis.linear, by_q.force), at_v += dot(y.axis.linear, by_v.force);
+            at_a += dot(y.axis.linear, by_a.force), from_v += dot(y.mixed.linear, by_a.force);
+          }
+          put(j, k, at_q, at_v, at_a);
+          put(k, j, dot(to_rate, y.first) + power(y.second, by_a), from_v, at_a);
         }
         if (before.parent < f.bases) break;
       }
     }
     if (r.parent < f.bases) continue;
     body_variation<S>& to = v.bodies[static_cast<std::size_t>(r.parent)];
-    const vec3<S>& p = place.step;
-    const auto& [mass, h, inertia] = b.inertia;
+    const vec3<S>&p = place.step, force = b.force - (S(2) * mass) * b.passing;
     const sym3<S> seen = detail::shifted(inertia, p, h + detail::half(mass) * p);
     to.inertia = {to.inertia.mass + mass, to.inertia.moment + (h + mass * p), to.inertia.inertia + seen};
-    const auto pass = cross_matrix(vec3<S>(S(-2) * b.passing));
-    const mat3<vec3<S>> force = as<S>(b.force + mass * pass);
     to.force = to.force + force;
-    to.torque = as<S>(to.torque + (b.torque + (cross_matrix(h) * pass + cross_matrix(p) * force)));  // (6)
+    to.torque = to.torque + (b.torque + (cross_twice(h, vec3<S>(S(-2) * b.passing)) + cross_twice(p, force)));  // (6)
   }
 }
 

@@ -58,16 +58,19 @@ inline void mass_of_coordinates(const kte_map_chain& c, runtime_state& s) {
   const bool others = t.plan.coordinates > s.dofs();
   auto& m = others ? w.all : w.mass;
   m.setZero(t.plan.coordinates, t.plan.coordinates);
-  // Into either triangle; where joints share a coordinate, both meet on the diagonal.
   double* const data = m.data();
   const Eigen::Index n = m.rows();
-  tree::masses(t.forest, w, [&](int j, int k, double x) {
+  tree::masses(t.forest, w, [&, once = t.plan.tree](int j, int k, double x) {
     const int a = row[static_cast<std::size_t>(j)], b = row[static_cast<std::size_t>(k)];
-    data[b * n + a] += a == b && j != k ? 2 * x : x;
+    if (once) [[likely]] {
+      data[b * n + a] = data[a * n + b] = x;
+    } else {  // where joints share a coordinate, both triangles meet on the diagonal
+      data[b * n + a] += x;
+      if (j != k) data[a * n + b] += x;
+    }
   });
-  for (Eigen::Index b = 0; b < n; ++b)
-    for (Eigen::Index a = 0; a < b; ++a) data[b * n + a] = data[a * n + b] = data[b * n + a] + data[a * n + b];
-  for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
+  if (t.has_own_mass)
+    for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
   hand_on(c, s, [&m](int base, int end, double ratio) {
     m.row(base) += ratio * m.row(end);
@@ -131,12 +134,13 @@ void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau&
     w.yields[i] = r.yields && !w.prescribed[static_cast<std::size_t>(row)];
   }
   tree::start_articulated(t.forest, w, true);
-  w.forces.setZero();
-  if (!t.on_coordinates.empty() || !t.on_frames.empty()) {
+  if (t.on_coordinates.empty() && t.on_frames.empty()) {
+    for (int i = 0; i < s.dofs(); ++i) w.forces[i] = tau(i);
+  } else {
     push_by_rates(c, s);
     read_listed_numbers<vector_of::f>(s, w.forces);
+    for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
   }
-  for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : 0;
   bool good = tree::articulate(t.forest, w);

@@ -56,7 +56,7 @@ inline void check_positions(const runtime_state& s) {
 }
 /// Of a vector, for a state.
 template <indexable Q>
-void check_positions(const runtime_state& s, const Q& q) {
+KTE_INLINE void check_positions(const runtime_state& s, const Q& q) {
   check_configuration(s.nq(), s.dofs(), q);
   position_check all;
   if (s.nq() == s.dofs()) {
@@ -76,7 +76,7 @@ void check_positions(const runtime_state& s, const Q& q) {
 struct not_given {};
 
 template <class X>
-void check_numbers(const runtime_state& s, const X& x, const char* name, const char* what) {
+KTE_INLINE void check_numbers(const runtime_state& s, const X& x, const char* name, const char* what) {
   if constexpr (!std::is_same_v<X, not_given>) {
     const auto n = static_cast<std::size_t>(s.dofs());
     check_size(n, x, name);
@@ -98,11 +98,12 @@ void take(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v = {},
   check_numbers(s, v, "v", "a velocity");
   check_numbers(s, a, "a", "an acceleration");
   check_numbers(s, tau, "tau", "a force");
-  for_each_listed_freedom(s, [&](auto& x, const freedom& at) {
+  const auto put_all = [&](auto& x, const freedom& at) KTE_INLINE_LAMBDA {
     put<vector_of::q>(x, at, q);
     if constexpr (!std::is_same_v<V, not_given>) put<vector_of::v>(x, at, v);
     if constexpr (!std::is_same_v<A, not_given>) put<vector_of::a>(x, at, a);
-  });
+  };
+  for_each_listed_freedom(s, put_all);
 }
 
 }  // namespace kte::detail

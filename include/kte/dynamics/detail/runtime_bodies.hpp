@@ -36,8 +36,7 @@ class rates_aside {
 };
 
 inline const Eigen::VectorXd& applied_forces(runtime_state& s) {
-  read_listed_numbers<vector_of::f>(s, s.work.forces);
-  s.work.forces = -s.work.forces;
+  take_needed_forces(s);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
   return s.work.forces;
 }

@@ -249,6 +249,18 @@ inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acti
   if (!accelerated_bases)
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = {};
+  if (t.only_bodies) {
+    tree::move_bodies<false>(t.forest, w);
+    tree::take_needs(t.forest, w);
+    for (const auto& r : t.forest.records) {
+      const auto k = static_cast<std::size_t>(r.first);
+      if (r.what == kind::gen) [[likely]]
+        s.get<kind::gen>(r.slot).f = -w.force[k];
+      else
+        each_axis(s, r, of_forces, [&w](double& f, std::size_t i) { f = -w.force[i]; });
+    }
+    return;
+  }
   clear_coordinates(s);
   const auto& others = who == acting::all ? t.on_frames : t.weights;
   if (others.empty()) {
@@ -279,6 +291,17 @@ inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acti
   pass_on(-1);
 }
 
+/// After that, what must be applied for the motion to happen, into `forces` of the working memory.
+inline void take_needed_forces(runtime_state& s) {
+  const auto& t = s.tree();
+  auto& f = s.work.forces;
+  if (t.only_bodies) {
+    for (std::size_t k = 0; k < t.forest.row.size(); ++k) f[t.forest.row[k]] = s.work.force[k];
+  } else {
+    read_listed_numbers<vector_of::f>(s, f);
+    f = -f;
+  }
+}
 /// Inverse dynamics, into the state.
 inline void coordinate_forces(const kte_map_chain& c, runtime_state& s) {
   check_whole(c, s);
