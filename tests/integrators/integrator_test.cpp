@@ -1,5 +1,6 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
+#include <kte/integrators/solution.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -58,6 +59,49 @@ TEST_CASE("Samples are counted, not summed, and end exactly") {
   for (std::size_t i = 0; i < 20000; ++i) REQUIRE(times[i] == static_cast<double>(i) * 0.001);
   CHECK(times.back() == 20.0);
   CHECK(solver.statistics().steps < 1000);
+}
+
+TEST_CASE("A grid of times ends where it is told, without a rest of rounding errors") {
+  const auto intervals = [](double start, double end, double spacing) {
+    const time_grid<double> grid(start, end, spacing, "step");
+    CHECK(grid[0] == start);
+    CHECK(grid[grid.intervals()] == end);
+    return grid.intervals();
+  };
+  CHECK(intervals(0, 1, 0.3) == 4);
+  CHECK(intervals(0, 3 * 0.1, 0.1) == 3);  // 3 * 0.1 is above 0.3
+  CHECK(intervals(3 * 0.1, 0, 0.1) == 3);
+  CHECK(intervals(300, std::nextafter(300, 301.0), 0.1) == 1);  // as short as it may be
+  CHECK(intervals(5, 5, 0.1) == 0);
+  // spacings of a few roundings of the times
+  CHECK_THROWS_WITH(intervals(1e6, 1e6 + 1e-9, 5e-10), contains_text("is too small to go from 1000000 to 1000000"));
+  CHECK_THROWS_AS(intervals(-1e6, -1e6 - 1e-9, 5e-10), bad_argument);
+  CHECK(intervals(1e6, 1e6 + 1e-8, 5e-9) == 2);
+}
+
+TEST_CASE("A solution goes backward as well, but does not turn back") {
+  const Eigen::Vector2d start(1, 0), other(0, 1);
+  dormand_prince45 solver(oscillator, 2.0, start, {.absolute = 1e-9, .relative = 1e-9, .initial_step = 1 / 64.0});
+  solution x(solver);
+  CHECK(x(2) == start);
+  auto sampled = solver;
+  solver.integrate(-3, x);
+  CHECK(x.steps() == static_cast<std::size_t>(solver.statistics().steps));
+  CHECK(x(2) == start);
+  CHECK(x(-3) == solver.state());
+  double gap = 0;
+  sampled.integrate(-3, every(1 / 128.0), [&](double t, const auto& at_t) {  // also in the middle of the first step
+    const double d = (x(t) - at_t).norm();
+    if (!(d <= gap)) gap = d;
+  });
+  CHECK(gap < 1e-14);  // rounding of numbers up to 1
+  CHECK_THROWS_WITH(x(2.5), contains_text("goes from t = 2 to -3, not to 2.5"));
+  CHECK_THROWS_WITH(solver.integrate(0, x), contains_text("a solution does not turn back"));
+  solver.restart(-3, other);
+  solver.integrate(-3, x);
+  CHECK(x(-3) == other);
+  solver.integrate(-4, x);
+  CHECK(x(-3) == other);
 }
 
 TEST_CASE("Samples leave the steps as they are") {

@@ -123,6 +123,7 @@ TEST_CASE("packs: arithmetic and functions", "[math][pack]") {
       REQUIRE(each(sqrt(a), [&](std::size_t i) { return std::sqrt(a[i]); }));
       REQUIRE(each(abs(a), [&](std::size_t i) { return std::fabs(a[i]); }));
       REQUIRE(each(fabs(a), [&](std::size_t i) { return std::fabs(a[i]); }));
+      REQUIRE(each(exp(a), [&](std::size_t i) { return std::exp(a[i]); }));
       REQUIRE(each(2.0 * a, [&](std::size_t i) { return T(2) * a[i]; }));
       REQUIRE(each(a - 0.1, [&](std::size_t i) { return a[i] - T(0.1); }));
       REQUIRE(each(1 / a, [&](std::size_t i) { return T(1) / a[i]; }));
