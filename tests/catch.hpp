@@ -36,6 +36,12 @@ class within {
 /// The same with a margin relative to the expected number.
 inline within within_relative(double expected, double epsilon) { return {expected, epsilon * std::abs(expected)}; }
 
+/// The larger of two errors. NaN is worse than all numbers and stays: of std::max(x, NaN) nothing is left but x.
+template <class T>
+T worse(const T& a, const T& b) {
+  return a != a || b <= a ? a : b;
+}
+
 /// Matches an error whose text contains `part`: `CHECK_THROWS_MATCHES(f(x), bad_argument, says("no finite number"))`.
 inline auto says(const std::string& part) {
   return Catch::Matchers::Predicate<std::exception>(

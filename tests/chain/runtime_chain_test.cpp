@@ -98,6 +98,20 @@ TEST_CASE("chains nest and are values") {
   CHECK(record_of(outer).elements.size() == 4);
 }
 
+TEST_CASE("a coordinate may be named before the joint that turns by it") {
+  using namespace kte;
+  kte_map_chain c;
+  c << inertia_gen("q", 0.5) << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5))
+    << inertia_2D("tip", point_mass(1.0));
+  c.gravity(along_y(-9.81));
+  auto s = c.make_state();
+  for (const double q : {0.3, -2.0}) {
+    s.coordinate("q").q = q;
+    CHECK(inverse_dynamics(c, s)[0] == within(9.81 * 0.5 * std::cos(q), 4e-15));  // four roundings of up to 5
+    CHECK(mass_matrix(c, s)(0, 0) == within(0.5 + 0.25, 4e-16));
+  }
+}
+
 TEST_CASE("gravity stays when chains nest") {
   using namespace kte;
   const vec3<> earth{0.0, -9.81, 0.0}, moon{0.0, -1.62, 0.0};

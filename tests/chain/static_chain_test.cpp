@@ -102,6 +102,8 @@ TEST_CASE("a chain has the gravity of the first part that has one") {
   STATIC_REQUIRE(chain(arm, loose.gravity(along_y(-9.81))).gravity() == arm.gravity());
   STATIC_REQUIRE(chain(arm, weightless).gravity() == vec3{0.0, -9.81, 0.0});
   STATIC_REQUIRE(chain(pendulum.gravity(along_y(0.0)), loose.gravity(along_y(-9.81))).gravity() == arm.gravity());
+  STATIC_REQUIRE(chain(pendulum.gravity(vec3{0.0, 0.0, 0.0}), loose.gravity(along_y(-9.81))).gravity() ==
+                 vec3{0.0, -9.81, 0.0});
   STATIC_REQUIRE(chain(arm, loose.gravity(vec3{0.0, -9.81, 0.0})).gravity() == vec3{0.0, -9.81, 0.0});
   STATIC_REQUIRE(std::is_same_v<decltype(chain(pendulum, loose).gravity()), const zero3&>);
 

@@ -59,7 +59,7 @@ double gap(const std::vector<T>& batched, std::size_t k, const X& x) {
   const auto m = static_cast<std::size_t>(x.size());
   for (std::size_t i = 0; i < m; ++i) {
     const T y = x.data()[i];
-    difference = std::max(difference, std::fabs(batched[k * m + i] - y));
+    difference = kte::test::worse(difference, std::fabs(batched[k * m + i] - y));
     size = std::max(size, std::fabs(y));
   }
   return static_cast<double>(difference / size);

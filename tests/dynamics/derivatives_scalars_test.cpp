@@ -43,11 +43,10 @@ double gap_between(const Chain& c) {
     T most = 0, size = 0;
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const T d = T(x.data()[i]) - y.data()[i], e = d < 0 ? T(-d) : d, z = y.data()[i];
-      if (!(e <= most)) most = e;
+      most = test::worse(most, e);
       size = std::max(size, z < 0 ? T(-z) : z);
     }
-    const auto r = static_cast<double>(T(most / size));
-    if (!(r <= worst)) worst = r;
+    worst = test::worse(worst, static_cast<double>(T(most / size)));
   };
   const auto [x, y] = both([&](const auto&... z) { return inverse_dynamics_derivatives(c, z...); });
   compare(x.tau, y.tau), compare(x.by_q, y.by_q), compare(x.by_v, y.by_v), compare(x.by_a, y.by_a);

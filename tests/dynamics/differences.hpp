@@ -9,10 +9,8 @@ namespace kte::test {
 
 using big = boost::multiprecision::cpp_bin_float_50;
 
-/// Keeps the worse of both; worst is what is no number.
-inline void note(double& worst, double d) {
-  if (!(d <= worst)) worst = d;
-}
+/// Keeps the worse of both.
+inline void note(double& worst, double d) { worst = worse(worst, d); }
 
 /// Central differences of f(state) by q, v or a, along each velocity; steps of 1e-16 err by 1e-32 times a third
 /// derivative and lose 1e-34.

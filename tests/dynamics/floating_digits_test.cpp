@@ -22,7 +22,7 @@ void check_digits(const Chain& c, unsigned seed, int rounds) {
     const auto error_of = [](const auto& x, const auto& exact) {
       big difference = 0, size = 0;
       for (Eigen::Index i = 0; i < exact.size(); ++i) {
-        difference = std::max(difference, big(abs(big(x.data()[i]) - exact.data()[i])));
+        difference = kte::test::worse(difference, big(abs(big(x.data()[i]) - exact.data()[i])));
         size = std::max(size, big(abs(exact.data()[i])));
       }
       return static_cast<double>(difference / size);

@@ -16,7 +16,7 @@ template <class X>
 long double error(const X& x, const long double* reference, std::size_t n) {
   long double difference = 0, size = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    difference = std::max(difference, std::fabs(static_cast<long double>(x[i]) - reference[i]));
+    difference = kte::test::worse(difference, std::fabs(static_cast<long double>(x[i]) - reference[i]));
     size = std::max(size, std::fabs(reference[i]));
   }
   return difference / size;

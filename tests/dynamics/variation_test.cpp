@@ -101,8 +101,7 @@ template <class X, class Y>
 double gap(const X& x, const Y& y) {
   big most = 0;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const big d = abs(x.data()[i] - y.data()[i]);
-    if (!(d <= most)) most = d;
+    most = test::worse(most, big(abs(x.data()[i] - y.data()[i])));
   }
   return static_cast<double>(most);
 }
@@ -110,8 +109,7 @@ struct worst_gap {
   double value = 0;
   template <class X, class Y>
   void operator()(const X& x, const Y& y) {
-    const double d = gap(x, y);
-    if (!(d <= value)) value = d;
+    value = test::worse(value, gap(x, y));
   }
   void below(double bound) const {
 #ifdef KTE_PRINT

@@ -1,6 +1,9 @@
 #include <kte/events/detail/crossing_search.hpp>
 
 #include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "catch.hpp"
 
@@ -27,6 +30,32 @@ TEST_CASE("The inner Bernstein coefficients of t and of t^4") {
   CHECK(inner_bernstein(std::array{0.0, 0.25, 0.5, 0.75, 1.0}) == std::array{0.25, 0.5, 0.75});
   CHECK(inner_bernstein(std::array{0.0, 1.0, 16.0, 81.0, 256.0}) == std::array{0.0, 0.0, 0.0});
   CHECK(inner_bernstein(std::array{256.0, 81.0, 16.0, 1.0, 0.0}) == std::array{0.0, 0.0, 0.0});
+}
+
+TEST_CASE("A sign change is found within four steps a bit, however f is shaped") {
+  constexpr double eps = std::numeric_limits<double>::epsilon(), root = 0.3;
+  const auto check = [](const char* name, double size, const auto& f) {
+    CAPTURE(name, size);
+    int steps = 0;
+    const auto counted = [&](double x) {
+      if (++steps > 4 * 53) throw std::runtime_error("too many steps");
+      return f(x - root);
+    };
+    const auto forward = find_sign_change(counted, 0.0, f(-root), 1.0, f(1 - root));
+    steps = 0;
+    const auto backward = find_sign_change([&](double x) { return -counted(x); }, 1.0, -f(1 - root), 0.0, -f(-root));
+    for (const auto& x : {forward, backward}) {
+      CHECK((x.f_before > 0 && x.f_after <= 0));
+      CHECK((std::abs(x.after - x.before) <= 4 * eps * root || x.f_after == 0));
+    }
+  };
+  for (const double size : {1e-200, 1e-9, 1.0, 1e9}) {
+    check("jump", size, [&](double x) { return x < 0 ? 1 : -size; });
+    check("kink", size, [&](double x) { return x < 0 ? -x : -size * x; });
+    check("flat", size, [&](double x) { return -size * std::pow(x, 31); });
+    check("steep", size, [&](double x) { return -size * std::cbrt(x); });
+    check("exponential", size, [&](double x) { return size * (1 - std::exp(40 * x)); });
+  }
 }
 
 TEST_CASE("A short flight is seen: what leaves zero and comes back after a time T") {

@@ -73,7 +73,7 @@ std::pair<long double, long double> errors_with(long double h) {
                                                                      scalar_state<long double>(1.0L), h);
   long double most = 0;
   solver.integrate(2.0L + h / 3, every(h / 4), [&](long double t, const auto& x) {
-    most = std::max(most, std::fabs(x[0] - rational_solution(t)));
+    most = test::worse(most, std::fabs(x[0] - rational_solution(t)));
   });
   return {std::fabs(solver.state()[0] - rational_solution(2.0L + h / 3)), most};
 }

@@ -28,7 +28,7 @@ std::pair<long double, long double> errors_with(long double step) {
   Method<decltype(damped), pair> solver(damped, 0.0L, pair(0, 0), step);
   long double between = 0;
   solver.integrate(2.0L, every(step / 4),
-                   [&](long double t, const pair& x) { between = std::max(between, std::fabs(x[0] - exact(t))); });
+                   [&](long double t, const pair& x) { between = test::worse(between, std::fabs(x[0] - exact(t))); });
   return {std::fabs(solver.state()[0] - exact(2)), between};
 }
 template <template <class, class> class Method>
@@ -49,7 +49,7 @@ std::pair<double, double> wandering(Solver solver) {
   double halves[]{0, 0};
   solver.integrate(10000, [&](double t, const Eigen::Vector2d& x) {
     double& most = halves[t > 5000];
-    most = std::max(most, std::abs(energy(x) - start));
+    most = test::worse(most, std::abs(energy(x) - start));
   });
   return {halves[0], halves[1]};
 }

@@ -1,13 +1,16 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
+#include <kte/integrators/solution.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "catch.hpp"
 
 using namespace kte;
-using kte::test::contains_text;
+using kte::test::contains_text, kte::test::worse;
 
 namespace {
 
@@ -58,6 +61,49 @@ TEST_CASE("Samples are counted, not summed, and end exactly") {
   for (std::size_t i = 0; i < 20000; ++i) REQUIRE(times[i] == static_cast<double>(i) * 0.001);
   CHECK(times.back() == 20.0);
   CHECK(solver.statistics().steps < 1000);
+}
+
+TEST_CASE("A grid of times ends where it is told, without a rest of rounding errors") {
+  const auto intervals = [](double start, double end, double spacing) {
+    const time_grid<double> grid(start, end, spacing, "step");
+    CHECK(grid[0] == start);
+    CHECK(grid[grid.intervals()] == end);
+    return grid.intervals();
+  };
+  CHECK(intervals(0, 1, 0.3) == 4);
+  CHECK(intervals(0, 3 * 0.1, 0.1) == 3);  // 3 * 0.1 is above 0.3
+  CHECK(intervals(3 * 0.1, 0, 0.1) == 3);
+  CHECK(intervals(300, std::nextafter(300, 301.0), 0.1) == 1);  // as short as it may be
+  CHECK(intervals(5, 5, 0.1) == 0);
+  // spacings of a few roundings of the times
+  CHECK_THROWS_WITH(intervals(1e6, 1e6 + 1e-9, 5e-10), contains_text("is too small to go from 1000000 to 1000000"));
+  CHECK_THROWS_AS(intervals(-1e6, -1e6 - 1e-9, 5e-10), bad_argument);
+  CHECK(intervals(1e6, 1e6 + 1e-8, 5e-9) == 2);
+}
+
+TEST_CASE("A solution goes backward as well, but does not turn back") {
+  const Eigen::Vector2d start(1, 0), other(0, 1);
+  constexpr double first = 1 / 64.0;
+  dormand_prince45 solver(oscillator, 0.0, start, {.absolute = 1e-9, .relative = 1e-9, .initial_step = first});
+  solution x(solver);
+  CHECK(x(0) == start);
+  auto sampled = solver;
+  solver.integrate(-5, x);
+  CHECK(x.steps() == static_cast<std::size_t>(solver.statistics().steps));
+  CHECK(x(0) == start);
+  CHECK(x(-5) == solver.state());
+  double gap = 0;
+  sampled.integrate(-5, every(0.01), [&](double t, const auto& at_t) { gap = worse(gap, (x(t) - at_t).norm()); });
+  CHECK(gap < 1e-14);                                                     // rounding of numbers up to 1
+  const double kept = (1 - std::cos(std::numbers::pi / 2)) / 2 * -first;  // a time that it keeps
+  CHECK((x(kept) - Eigen::Vector2d(std::cos(kept), -std::sin(kept))).norm() < 1e-9);
+  CHECK_THROWS_WITH(x(0.5), contains_text("goes from t = 0 to -5, not to 0.5"));
+  CHECK_THROWS_WITH(solver.integrate(0, x), contains_text("a solution does not turn back"));
+  solver.restart(-5, other);
+  solver.integrate(-5, x);
+  CHECK(x(-5) == other);
+  solver.integrate(-6, x);
+  CHECK(x(-5) == other);
 }
 
 TEST_CASE("Samples leave the steps as they are") {

@@ -32,7 +32,7 @@ long double dense_error_with(long double step) {
   Method<decltype(right_hand_side), scalar> solver(right_hand_side, 0.0L, scalar(1.0L), step);
   long double most = 0;
   solver.integrate(2.0L, every(step / 4),
-                   [&](long double t, const scalar& x) { most = std::max(most, std::fabs(x[0] - exact(t))); });
+                   [&](long double t, const scalar& x) { most = test::worse(most, std::fabs(x[0] - exact(t))); });
   return most;
 }
 template <template <class, class> class Method>

@@ -46,7 +46,8 @@ real50 error_within_step(const real50& h) {
   for (int i = 1; i < 16; ++i) {
     const real50 t = h * i / 16;
     const state<real50> x = solver.interpolate(t);
-    most = std::max({most, real50(abs(x[0] - cos(real50(start + t)))), real50(abs(x[1] + sin(real50(start + t))))});
+    for (const real50& d : {real50(x[0] - cos(real50(start + t))), real50(x[1] + sin(real50(start + t)))})
+      most = worse(most, real50(abs(d)));
   }
   return most;
 }

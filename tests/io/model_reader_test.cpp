@@ -110,6 +110,7 @@ TEST_CASE("numbers may be texts, numbers, or lists of numbers") {
   CHECK(bad("1e").starts_with("4:5: 'p' is neither"));
   CHECK(bad("01") == "4:6: ',' or '}' is due here");
   CHECK(bad("1 2") == "4:7: ',' or '}' is due here");
+  CHECK(bad("[1 2]") == "4:8: ',' or ']' is due here");
   CHECK(bad("[1,]") == "4:8: something is due behind the comma");
   CHECK(bad("\"1x\"") == "4:5: element 1: 'p': '1x' is not a list of numbers");
   CHECK(bad("\"1,2\"") == "4:5: element 1: 'p': '1,2' is not a list of numbers");
@@ -206,6 +207,7 @@ TEST_CASE("texts: escapes, blanks, remarks") {
   CHECK(in_json("\\u001b[0m") == "3:9: this escape stands for a control character");
   CHECK(in_json("\\ud800") == "3:9: this escape stands for no character");
   CHECK(in_json("\\udc00\\ud800") == "3:9: this escape stands for no character");
+  CHECK(in_json("\\ud800\\ue000") == "3:9: this escape stands for no character");
   CHECK(in_json("\\ud800\\u0041") == "3:9: this escape stands for no character");
   CHECK(in_json("\\x41") == "3:9: this is no escape for a text");
   CHECK(in_json("\\b") == "3:9: this is no escape for a text");
@@ -228,6 +230,7 @@ TEST_CASE("texts: escapes, blanks, remarks") {
   CHECK(in_xml("1<?c?>&#50;") == "3:13: the text of 'type' goes on behind a comment");
   CHECK(in_xml("<!-- a -- b -->x") == "3:16: '--' must not stand within a comment");
   CHECK(in_xml(" ") == "3:7: element 1: 'type' is empty");
+  CHECK(xml(xml_element("<type/><version>1</version>")) == "3:8: element 1: 'type' is empty");
   CHECK(in_xml("a\nb") == "3:7: element 1: 'type' has a control character");
 }
 

@@ -91,6 +91,21 @@ TEST_CASE("Rows that the header does not count are not read") {
   CHECK(read_table(file.path)["t"] == std::vector<double>{7});
 }
 
+TEST_CASE("Headers of version 2.0 say their length by four bytes") {
+  const std::string header = "{'descr': [('t', '<f8')], 'fortran_order': False, 'shape': (1,), }\n";
+  scratch file(".npy", "\x93NUMPY" + std::string("\x02\x00", 2) + little(header.size(), 4) + header + doubles({7}));
+  CHECK(read_table(file.path)["t"] == std::vector<double>{7});
+}
+
+TEST_CASE("Headers are padded to the next multiple of 64 bytes, not to the one after") {
+  for (std::size_t n = 1; n <= 64; ++n) {
+    const std::string name(n, 'x'), text = "{'descr': [('" + name + "', '<f8')], 'fortran_order': False, 'shape': (";
+    scratch file(".npy");
+    table_writer(file.path, {name}).close();
+    CHECK(file.text().size() < 10 + text.size() + 25 + 1 + 64);  // 25: room for any number of rows
+  }
+}
+
 TEST_CASE("Blanks in a header do not matter") {
   scratch file(".npy", npy("{ 'descr' : [ ( 't' , '<f8' ) , ('q', '<f8'), ] , 'fortran_order' : False,\n"
                            "'shape':( 1, ) }",

@@ -146,6 +146,7 @@ TEST_CASE("functions of two dual numbers by their gradients", "[math][dual]") {
   gradient(hypot(x, b), a / h, 0);
   gradient(pow(x, seeded<2>(p, 1)), p * std::pow(a, p - 1), std::pow(a, p) * std::log(a));
   gradient(pow(2.0, x), std::pow(2.0, a) * std::log(2.0), 0);
+  gradient(pow(0.0, x), 0, 0);
   CHECK(atan2(y, x).value == std::atan2(b, a));
   CHECK(hypot(x, y).value == std::hypot(a, b));
   CHECK(pow(x, 0).derivative[0] == 0);

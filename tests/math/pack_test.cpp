@@ -123,6 +123,7 @@ TEST_CASE("packs: arithmetic and functions", "[math][pack]") {
       REQUIRE(each(sqrt(a), [&](std::size_t i) { return std::sqrt(a[i]); }));
       REQUIRE(each(abs(a), [&](std::size_t i) { return std::fabs(a[i]); }));
       REQUIRE(each(fabs(a), [&](std::size_t i) { return std::fabs(a[i]); }));
+      REQUIRE(each(exp(a), [&](std::size_t i) { return std::exp(a[i]); }));
       REQUIRE(each(2.0 * a, [&](std::size_t i) { return T(2) * a[i]; }));
       REQUIRE(each(a - 0.1, [&](std::size_t i) { return a[i] - T(0.1); }));
       REQUIRE(each(1 / a, [&](std::size_t i) { return T(1) / a[i]; }));
@@ -250,11 +251,11 @@ double largest_error(const std::vector<typename P::value_type>& angles) {
       // Long double has 11 bits more than double; where it has not, 50 digits judge.
       if constexpr (std::numeric_limits<long double>::digits > 53) {
         const auto x = static_cast<long double>(angles[k + i]);
-        worst = std::max({worst, static_cast<double>(std::fabs(static_cast<long double>(s[i]) - std::sin(x))),
-                          static_cast<double>(std::fabs(static_cast<long double>(c[i]) - std::cos(x)))});
+        for (const long double d : {s[i] - std::sin(x), c[i] - std::cos(x)})
+          worst = test::worse(worst, static_cast<double>(std::fabs(d)));
       } else {
         const digits50 x = angles[k + i];
-        worst = std::max({worst, off(s[i], sin(x)), off(c[i], cos(x))});
+        worst = test::worse(worst, test::worse(off(s[i], sin(x)), off(c[i], cos(x))));
       }
     }
   }

@@ -1,7 +1,6 @@
 #include <kte/math/axis.hpp>
 #include <kte/math/plane_rotation.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,13 +8,14 @@
 #include "random.hpp"
 
 using namespace kte;
+using kte::test::worse;
 
 namespace {
 
 double gap(double a, double b) { return std::fabs(a - b); }
-double largest(const vec3<>& a, const vec3<>& b) { return std::max({gap(a.x, b.x), gap(a.y, b.y), gap(a.z, b.z)}); }
+double largest(const vec3<>& a, const vec3<>& b) { return worse(worse(gap(a.x, b.x), gap(a.y, b.y)), gap(a.z, b.z)); }
 double largest(const mat3<>& a, const mat3<>& b) {
-  return std::max({largest(a.x, b.x), largest(a.y, b.y), largest(a.z, b.z)});
+  return worse(worse(largest(a.x, b.x), largest(a.y, b.y)), largest(a.z, b.z));
 }
 double largest(const sym3<>& a, const sym3<>& b) { return largest(full(a), full(b)); }
 

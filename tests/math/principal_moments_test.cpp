@@ -1,5 +1,7 @@
 #include <kte/math/principal_moments.hpp>
 
+#include <cmath>
+
 #include "catch.hpp"
 
 using namespace kte;
@@ -20,6 +22,10 @@ TEST_CASE("principal moments", "[math][principal_moments]") {
   // Characteristic equation (2 - x)((2 - x)^2 - 2) = 0.
   const double root2 = 1.4142135623730951;
   check({2, 1, 0, 2, 1, 2}, {2 + root2, 2, 2 - root2}, 4);
+  // Small products: they count where moments are equal, and by their squares where they are not.
+  check({1, 1e-12, 0, 1, 0, 0.5}, {1 + 1e-12, 1 - 1e-12, 0.5}, 1);
+  const double p = 0.00045, half = std::sqrt(0.25 + p * p);
+  check({1, p, 0, 2, 0, 0.5}, {1.5 + half, 1.5 - half, 0.5}, 2);
   // Of any size: nothing is squared that is not a ratio.
   check({1e300, 2e300, 0, 1e300, 0, 1e300}, {3e300, 1e300, -1e300}, 3e300);
   check({1e-300, 2e-300, 0, 1e-300, 0, 1e-300}, {3e-300, 1e-300, -1e-300}, 3e-300);

@@ -22,7 +22,7 @@ exact up(const vec3<S>& v) {
 template <class S>
 S length(const vec3<S>& v) {
   using std::sqrt;
-  const S most = larger(larger(size(v.x), size(v.y)), size(v.z));
+  const S most = worse(worse(size(v.x), size(v.y)), size(v.z));
   if (most == 0) return S(0);
   const vec3<S> u{v.x / most, v.y / most, v.z / most};
   return most * sqrt(dot(u, u));
@@ -107,7 +107,7 @@ void check_exponential(random_numbers& draw, const vec3<S>& w, const S& scale) {
   CHECK(apart(x.position, position_of(up(v), up(w)), length(up(v))) <= few<S>);
   // The quaternion of length 1; its axis to a few eps of its own length, however small.
   const digits100 half = t / 2, k = t == 0 ? digits100(0.5) : digits100(sin(half) / t);
-  const digits100 sign = cos(half) < 0 ? -1 : 1, phase = larger(digits100(1), half);
+  const digits100 sign = cos(half) < 0 ? -1 : 1, phase = worse(digits100(1), half);
   CHECK(size(digits100(digits100(x.rotation.w) - sign * cos(half))) <= few<S> * phase);
   CHECK(apart(vec3<S>{x.rotation.x, x.rotation.y, x.rotation.z}, (sign * k) * up(w),
               t > 1 ? phase : digits100(k * t)) <= few<S>);

@@ -99,8 +99,12 @@ TEST_CASE("quaternions of any length are brought to length 1", "[math][rotation]
   for (const double size : {5e-324, 1e-308, 1e-160, 1.0, 1e160, 1e308}) {
     CHECK(gap(normalized(size, -size, size, -size), {0.5, -0.5, 0.5, -0.5}) <= eps);
     CHECK(normalized(0.0, size, 0.0, 0.0) == unit_quaternion{0.0, 1.0, 0.0, 0.0});
+    CHECK(gap(matrix_of_any_length(unit_quaternion{size, -size, size, -size}),
+              matrix(unit_quaternion{0.5, -0.5, 0.5, -0.5})) <= 4 * eps);
   }
   CHECK(normalized(-3, 0, 4, 0) == unit_quaternion{-0.6, 0.0, 0.8, 0.0});
+  for (const double bad : {0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    CHECK(std::isnan(matrix_of_any_length(unit_quaternion{0.0, bad, 0.0, 0.0}).x.x));
 }
 
 TEST_CASE("what is no rotation is rejected", "[math][rotation]") {

@@ -42,7 +42,7 @@ double largest_error(const std::vector<double>& angles) {
     const auto r = of(x);
     for (std::size_t j = 0; j < N; ++j) {
       const long double t = x[j];
-      worst = std::max({worst, off(r.sin[j], std::sin(t)), off(r.cos[j], std::cos(t))});
+      worst = test::worse(worst, test::worse(off(r.sin[j], std::sin(t)), off(r.cos[j], std::cos(t))));
     }
   }
   return worst;

@@ -20,7 +20,7 @@ double change_error(const Chain& c, const random_motion_of<big, Chain>& m, const
   for (int i = 0; i < both.rows(); ++i)
     for (int j = 0; j < both.cols(); ++j) {
       const big d = derivative([&](const big& t) { return big(at(integrate(c, m.q, m.v, t))(i, j)); });
-      worst = std::max(worst, static_cast<double>(abs(big(both(i, j) - d)) / (1 + abs(d))));
+      worst = test::worse(worst, static_cast<double>(abs(big(both(i, j) - d)) / (1 + abs(d))));
     }
   return worst;
 }

@@ -64,6 +64,8 @@ TEST_CASE("Models know their Jacobian, also where there are rotations; stiff met
   puck_with_arm.gravity(weight);
   manipulator_dynamics_model in_plane(puck_with_arm);
   check_jacobian(in_plane, in_plane.make_x(std::array{0.3, -0.2, 0.7, 0.4}, std::array{0.5, -1.0, 2.0, 1.5}));
+  Eigen::MatrixXd j;
+  CHECK_FALSE(vector_form(std::ref(runtime)).jacobian(0, Eigen::VectorXd(x), j));  // of displacements, not of numbers
   manipulator_dynamics_model sprung(models::element_by_element(floating_with_springs));
   CHECK_THROWS_AS(sprung.jacobian(0, sprung.make_x(m.q, m.v)), bad_argument);
 
