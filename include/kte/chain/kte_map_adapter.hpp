@@ -40,13 +40,8 @@ class kte_map_adapter final : public kte_element {
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.stiff = detail::is_transmission<Core>;
-    c.reads_positions = detail::reads_positions<Core>;
     c.has_derivatives = detail::has_derivatives<Core>;
-    c.plain_loads = detail::loads_by_relative<Core>;
-    t.reads_positions |= c.reads_positions;
     t.has_derivatives &= c.has_derivatives;
-    t.plain_loads &= c.plain_loads;
-    t.is_stiff &= c.stiff || Core::ports.back().how != access::out || !is_frame(Core::ports.back().what);
   }
   element_record record() const override { return record_of(core_, names_); }
 

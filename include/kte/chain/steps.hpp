@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kte/chain/working_articulated.hpp>
-#include <kte/chain/working_jacobian.hpp>
 #include <kte/chain/working_mass.hpp>
 #include <kte/chain/working_variation.hpp>
 
@@ -79,11 +78,6 @@ struct vary : step_of<working_variation, who::all> {
 };
 struct vary_coordinates : step_of<working_variation, who::weights> {
   static constexpr auto act = [](const auto& e) { e.vary_coordinates(); };
-};
-
-/// The Jacobian of a frame: columns, and the frame seen from one element further in.
-struct inward : step_of<working_jacobian, who::movers> {
-  static constexpr auto act = [](const auto& e) { e.inward(); };
 };
 }  // namespace steps
 

@@ -33,19 +33,14 @@ class topology {
     std::vector<int> index;        ///< of what each port is connected to
     std::span<const port> ports;   ///< of the element
     bool stiff = false;            ///< whether it is a joint or a link
-    bool reads_positions = false;  ///< whether its forces depend on positions or linear velocities of frames
     bool has_derivatives = false;  ///< whether the derivatives of its forces are known (kernels/variation.hpp)
-    bool plain_loads = true;       ///< whether its loads, if it is a joint or a link, follow from its `relative`
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
   std::vector<detail::freedom> free;                  ///< the coordinates that are degrees of freedom, in order
   int nq = 0, nv = 0;                                 ///< numbers of a configuration; degrees of freedom
   std::vector<connection> elements;                   ///< in order
-  bool reads_positions = false;                       ///< some element does
   bool has_derivatives = true;                        ///< all elements do
-  bool plain_loads = true;                            ///< all elements have them
-  bool is_stiff = true;                               ///< joints and links alone write frames
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 

@@ -178,15 +178,4 @@ struct working_element {
   }
 };
 
-/// Whether an element says so if its forces depend on positions.
-template <class Core, class State>
-inline constexpr bool knows_its_needs = [] {
-  if constexpr (reads_positions<Core> || Core::ports.back().how == access::out) {
-    return true;
-  } else {
-    using element = working_element<Core, State>;
-    return !has_skip<decltype(std::declval<const element&>().loads(typename element::inputs{}))>;
-  }
-}();
-
 }  // namespace kte::detail

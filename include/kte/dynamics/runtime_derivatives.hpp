@@ -17,18 +17,19 @@ namespace detail {
 /// Throws unless the derivatives of a chain are known element by element.
 inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
   check_regular(c, s);
+  const auto refuse = [](const kte_element& e) {
+    throw bad_argument(
+        "kte: derivatives of runtime chains are known of joints, links, bodies and forces on coordinates, not of " +
+        e.record().type);
+  };
   for (const auto& e : c.wiring().elements)
-    if (!e.has_derivatives)
-      throw bad_argument(
-          "kte: derivatives of runtime chains are known of joints, links, bodies and forces on coordinates, not of " +
-          e.element->record().type);
+    if (!e.has_derivatives) refuse(*e.element);
+  for (const int e : s.tree().weights) refuse(element_of(c, e));
   if (!s.tree().plan.tree)
     throw bad_argument(
         "kte: derivatives of runtime chains need trees, in which no coordinate follows another or moves two joints");
 }
-}  // namespace detail
 
-namespace detail {
 /// After articulated inertias, whose loads are used up.
 inline void invert_articulated(runtime_state& s, Eigen::MatrixXd& inverse) {
   const auto& f = s.tree().forest;

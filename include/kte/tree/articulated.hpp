@@ -12,7 +12,7 @@ namespace kte::tree {
 /// I and W of every body alone; what velocities alone add to accelerations, at bodies of which `yields` is false also
 /// what is given. Needs the motions of bases; without `moving` there are no velocities and nothing is given.
 template <class P, class S>
-KTE_INLINE void start_articulated(const forest<P>& f, memory<P, S>& m, bool moving) {
+void start_articulated(const forest<P>& f, memory<P, S>& m, bool moving) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t b = 0; b < bases; ++b) {
     m.articulated[b].acceleration = m.bodies[b].acceleration;
@@ -143,7 +143,7 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
 /// The same by any joint, axis by axis from the last; a further mass m on an axis keeps something of I along it. Where
 /// the acceleration of the joint is given, all that its body carries goes on.
 template <class P, class S>
-KTE_INLINE bool give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const S* own_mass,
+[[gnu::noinline]] bool give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const S* own_mass,
                          articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
   auto& [a, h, j] = x.inertia;
   bool good = true;
@@ -179,7 +179,7 @@ KTE_INLINE bool give_way(const record<P>& r, const spot<S>& at, bool yields, con
 
 /// Articulated inertias of all bodies, from the last. Returns whether every axis has something to move.
 template <class P, class S>
-KTE_INLINE bool articulate(const forest<P>& f, memory<P, S>& m) {
+bool articulate(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   bool good = true;
   for (std::size_t i = f.records.size(); i-- > 0;) {
@@ -201,7 +201,7 @@ KTE_INLINE bool articulate(const forest<P>& f, memory<P, S>& m) {
 ///
 /// Along a unit axis without a mass of its own A is rate - gain . (rest of A'), whatever A' is.
 template <class P, class S>
-KTE_INLINE void accelerate(const forest<P>& f, memory<P, S>& m) {
+void accelerate(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];

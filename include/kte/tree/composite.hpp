@@ -6,7 +6,7 @@ namespace kte::tree {
 
 /// Axes of all bodies in the world, their origins, and the axes of their joints.
 template <class P, class S>
-KTE_INLINE void place_in_world(const forest<P>& f, memory<P, S>& m) {
+void place_in_world(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
@@ -41,7 +41,7 @@ KTE_INLINE void place_in_world(const forest<P>& f, memory<P, S>& m) {
 
 /// The inertia of each body with all that it carries, at its origin in its axes; of bases in theirs.
 template <class P, class S>
-KTE_INLINE void carry_bodies(const forest<P>& f, memory<P, S>& m) {
+void carry_bodies(const forest<P>& f, memory<P, S>& m) {
   const auto start = [](dense_composite<S>& to, const auto& w) {
     to = {S(w.mass), as<S>(w.moment), as<S>(w.inertia)};
   };
@@ -62,7 +62,9 @@ KTE_INLINE void carry_bodies(const forest<P>& f, memory<P, S>& m) {
 /// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
 template <class P, class S>
 KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_composite<S>& c) {
-  const auto& [mass, h, i] = c;
+  const S& mass = c.mass;
+  const vec3<S>& h = c.moment;
+  const sym3<S>& i = c.inertia;
   const auto along = [&](int n) KTE_INLINE_LAMBDA {
     switch (n) {
       case 0:
@@ -100,7 +102,7 @@ KTE_INLINE S power_in_world(const record<P>& r, const world_axis<S>& s, const de
 /// F goes in from body to body in world axes, where only its torque changes. put(j, k, x) for axes j <= k. After
 /// `place_in_world`, `carry_bodies`.
 template <class P, class S, class Put>
-KTE_INLINE void masses(const forest<P>& f, const memory<P, S>& m, const Put& put) {
+void masses(const forest<P>& f, const memory<P, S>& m, const Put& put) {
   const int bases = f.bases;
   const record<P>* const records = f.records.data() - bases;  // by slot
   for (int slot = bases + static_cast<int>(f.records.size()); slot-- > bases;) {

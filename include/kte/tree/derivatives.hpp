@@ -63,7 +63,7 @@ struct variation_memory {
 
 /// (1), (2) of each body alone. After `move_bodies`, `place_in_world`.
 template <class P, class S>
-KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
+void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   const auto take_motion = [&](std::size_t slot) {
     const mat3<vec3<S>>& r = m.world[slot].rotation;
@@ -130,7 +130,7 @@ KTE_INLINE void start_variations(const forest<P>& f, const memory<P, S>& m, vari
 ///
 /// more. put(j, i, by_q, by_v, by_a): change of tau_j by coordinate i.
 template <class P, class S, class Put>
-KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
+void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
@@ -138,7 +138,9 @@ KTE_INLINE void vary_forces(const forest<P>& f, const memory<P, S>& m, variation
     const body_variation<S>& b = v.bodies[bases + i];
     const dense_wrench<S> needs{place.rotation * m.bodies[bases + i].needs.force,
                                 place.rotation * m.bodies[bases + i].needs.torque};
-    const auto& [mass, h, inertia] = b.inertia;
+    const S& mass = b.inertia.mass;
+    const vec3<S>& h = b.inertia.moment;
+    const sym3<S>& inertia = b.inertia.inertia;
     const bool turns = r.moves == joint::revolute;
     const auto accelerated = [&](const spatial_motion<S>& a) KTE_INLINE_LAMBDA {
       return dense_wrench<S>{mass * a.linear + cross(a.angular, h), inertia * a.angular + cross(h, a.linear)};

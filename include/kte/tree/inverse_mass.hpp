@@ -25,7 +25,7 @@ struct inverse_memory {
 /// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) put(j, k, x) for
 /// j <= k. After `place_in_world`, `articulate`, whose gains are then in world axes; of joints that all yield or rest.
 template <class P, class S, class Put>
-KTE_INLINE void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x, const Put& put) {
+void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x, const Put& put) {
   const int bases = f.bases;
   const record<P>* const records = f.records.data() - bases;  // by slot
   const char* const yields = m.yields.data() - bases;

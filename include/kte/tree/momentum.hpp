@@ -12,7 +12,7 @@ struct mass_moment {
 };
 /// Of all bodies, in world axes. After `place_in_world`, `carry_bodies`.
 template <class P, class S>
-KTE_INLINE mass_moment<S> weight_in_world(const forest<P>& f, const memory<P, S>& m) {
+mass_moment<S> weight_in_world(const forest<P>& f, const memory<P, S>& m) {
   mass_moment<S> sum;
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) {
     const auto& x = m.world[b];
@@ -23,7 +23,7 @@ KTE_INLINE mass_moment<S> weight_in_world(const forest<P>& f, const memory<P, S>
 }
 /// put(k, momentum of the unit rate of axis k about the origin of the world, in its axes).
 template <class P, class S, class Put>
-KTE_INLINE void momenta(const forest<P>& f, const memory<P, S>& m, const Put& put) {
+void momenta(const forest<P>& f, const memory<P, S>& m, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];

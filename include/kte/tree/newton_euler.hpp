@@ -21,7 +21,7 @@ KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, c
 ///
 /// where only poses have v_J together with w_J. Linear velocities on request.
 template <bool Velocities, class P, class S>
-KTE_INLINE void move_bodies(const forest<P>& f, memory<P, S>& m) {
+void move_bodies(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
@@ -58,7 +58,7 @@ KTE_INLINE void move_bodies(const forest<P>& f, memory<P, S>& m) {
 
 /// What bodies need goes in along the tree (RNEA, second half); of an axis its power into `force`.
 template <class P, class S>
-KTE_INLINE void take_needs(const forest<P>& f, memory<P, S>& m) {
+void take_needs(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];

@@ -5,6 +5,28 @@
 /// Components of a body in the axes of its parent, and back.
 namespace kte::tree {
 
+// Calls: joints of several axes are few, and would otherwise be in the code of all others.
+template <class S>
+[[gnu::noinline]] vec3<S> rotated(const mat3<vec3<S>>& r, const vec3<S>& u) {
+  return r * u;
+}
+template <class S>
+[[gnu::noinline]] vec3<S> rotated_back(const mat3<vec3<S>>& r, const vec3<S>& u) {
+  return transpose(r) * u;
+}
+template <class S>
+[[gnu::noinline]] sym3<S> rotated(const mat3<vec3<S>>& r, const sym3<S>& a) {
+  return congruence(r, a);
+}
+template <class S>
+[[gnu::noinline]] mat3<vec3<S>> rotated(const mat3<vec3<S>>& r, const mat3<vec3<S>>& a) {
+  return transpose(r * transpose(r * a));
+}
+template <class S>
+[[gnu::noinline]] mat3<vec3<S>> product(const mat3<vec3<S>>& r, const mat3<vec3<S>>& a) {
+  return r * a;
+}
+
 /// A record where its spot has it.
 template <class P, class S>
 struct placed {
@@ -13,26 +35,32 @@ struct placed {
 
   /// To axes of the parent: vectors u, and A to R A R^T.
   KTE_INLINE vec3<S> out(vec3<S> u) const {
-    if (r.moves == joint::several) u = at.rotation * u;
+    if (r.moves == joint::several) [[unlikely]]
+      u = rotated(at.rotation, u);
     return seat(u);
   }
   KTE_INLINE sym3<S> out(sym3<S> a) const {
-    if (r.moves == joint::several) a = congruence(at.rotation, a);
+    if (r.moves == joint::several) [[unlikely]]
+      a = rotated(at.rotation, a);
     return seat(a);
   }
   KTE_INLINE mat3<vec3<S>> out(mat3<vec3<S>> a) const {
-    if (r.moves == joint::several) a = transpose(at.rotation * transpose(at.rotation * a));
+    if (r.moves == joint::several) [[unlikely]]
+      a = rotated(at.rotation, a);
     return seat(a);
   }
   /// To axes of the body.
   KTE_INLINE vec3<S> in(vec3<S> u) const {
     if (r.turned) u = in_z(r.before, u);
     u = in_z(at.angle, in_x(r.tilt, u));
-    return r.moves == joint::several ? transpose(at.rotation) * u : u;
+    if (r.moves == joint::several) [[unlikely]]
+      u = rotated_back(at.rotation, u);
+    return u;
   }
   /// R A: columns of A to axes of the parent.
   KTE_INLINE mat3<vec3<S>> columns_out(mat3<vec3<S>> a) const {
-    if (r.moves == joint::several) a = at.rotation * a;
+    if (r.moves == joint::several) [[unlikely]]
+      a = product(at.rotation, a);
     a = rows_out_x(r.tilt, rows_out_z(at.angle, a));
     return r.turned ? rows_out_z(r.before, a) : a;
   }

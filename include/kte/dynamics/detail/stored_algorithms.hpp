@@ -111,7 +111,7 @@ template <class Elements, class State, class Matrix>
 void invert_columns(const Elements& e, State& s, Matrix& inverse) {
   using S = typename State::scalar;
   auto& w = s.work;
-  w.all_left.setZero(s.dofs(), s.dofs()), w.left.resize(s.dofs()), w.rate.resize(s.dofs());
+  w.all_left.setZero();
   for (std::size_t joint = 0; joint < s.plan.places.size(); ++joint) {
     const place& at = s.plan.places[joint];
     if (!at.free) continue;

@@ -10,7 +10,6 @@ namespace kte::detail {
 template <class Chain>
 struct sizes_of {
   using wiring = typename Chain::wiring;
-  static constexpr bool fixed = true;
   static constexpr std::size_t in_plane = static_cast<std::size_t>(wiring::count(kind::frame_2D));
   static constexpr std::size_t in_space = static_cast<std::size_t>(wiring::count(kind::frame_3D));
   static constexpr std::size_t dofs = static_cast<std::size_t>(wiring::dofs);
