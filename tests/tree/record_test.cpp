@@ -130,13 +130,13 @@ constexpr double rounding = 2e-14;
 TEST_CASE("joints of users' own move along and about z of their records", "[tree]") {
   const kte_map_chain run = models::by_own_elements(own_joints);
   auto s = run.make_state();
-  test::random_numbers random(1);
+  random_numbers random(1);
   for (int round = 0; round < 5; ++round) {
     std::array<double, 6> q;
     std::array<double, 5> v, x;
     for (auto* numbers : {v.data(), x.data()})
-      for (int i = 0; i < 5; ++i) numbers[i] = random(-1, 1);
-    for (auto& number : q) number = random(-1, 1);
+      for (int i = 0; i < 5; ++i) numbers[i] = random();
+    for (auto& number : q) number = random();
     CHECK(gap(inverse_dynamics(run, s, q, v, x), inverse_dynamics(own_joints, q, v, x)) < rounding);
     CHECK(gap(mass_matrix(run, s, q), mass_matrix(own_joints, q)) < rounding);
     CHECK(gap(forward_dynamics(run, s, q, v, x), forward_dynamics(own_joints, q, v, x)) < 10 * rounding);
@@ -182,8 +182,7 @@ TEST_CASE("a mass that is no rigid body has the law it says", "[tree]") {
   CHECK(mass_matrix(run, s, q)(0, 0) == within(0.5, 1e-16));
   const std::array tau{needed};
   CHECK(forward_dynamics(run, s, q, v, tau)[0] == within(x[0], 2e-14));
-  CHECK_THROWS_WITH(inverse_dynamics_derivatives(run, s, q, v, x),
-                    Catch::Contains("not of dragged_3D"));
+  CHECK_THROWS_WITH(inverse_dynamics_derivatives(run, s, q, v, x), Catch::Contains("not of dragged_3D"));
 }
 
 TEST_CASE("forces in runtime chains see positions without a word", "[tree]") {

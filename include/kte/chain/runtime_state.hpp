@@ -51,9 +51,7 @@ class runtime_state {
   using scalar = double;
 
   explicit runtime_state(shared_topology t)
-      : topology_(std::move(t)),
-        tree_(std::make_shared<detail::runtime_tree>(*topology_)),
-        work(*topology_, *tree_) {
+      : topology_(std::move(t)), tree_(std::make_shared<detail::runtime_tree>(*topology_)), work(*topology_, *tree_) {
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);

@@ -26,16 +26,16 @@ class runtime_tree {
  public:
   tree::forest<double> forest;
   runtime_plan plan;
-  std::vector<int> slot_of_base;             ///< of plan.bases
-  std::vector<double> own_mass;              ///< on coordinates, by row
+  std::vector<int> slot_of_base;  ///< of plan.bases
+  std::vector<double> own_mass;   ///< on coordinates, by row
   bool has_own_mass = false;
-  bool only_bodies = false;                  ///< a tree of degrees of freedom with nothing but bodies on it
-  std::vector<int> angles;                   ///< records of which sine and cosine are wanted
-  std::vector<int> followers;                ///< elements, in order
-  std::vector<int> on_coordinates;           ///< elements that act on coordinates alone, in order
-  std::vector<int> on_frames;                ///< elements that act on frames and are no rigid bodies
-  std::vector<int> weights;                  ///< those of them that have a mass
-  std::vector<std::pair<kind, int>> touched; ///< the frames that these act on
+  bool only_bodies = false;                   ///< a tree of degrees of freedom with nothing but bodies on it
+  std::vector<int> angles;                    ///< records of which sine and cosine are wanted
+  std::vector<int> followers;                 ///< elements, in order
+  std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
+  std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies
+  std::vector<int> weights;                   ///< those of them that have a mass
+  std::vector<std::pair<kind, int>> touched;  ///< the frames that these act on
   /// An element that is more than records say, and why; -1: none. Passes alone know such chains.
   int irregular = -1;
   const char* why = "";
@@ -60,8 +60,8 @@ class runtime_tree {
       if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
     }
     for (const double m : own_mass) has_own_mass |= m != 0;
-    only_bodies = plan.tree && plan.coordinates == t.nv && plan.lone_rows.empty() && on_coordinates.empty() &&
-                  on_frames.empty() && followers.empty();
+    only_bodies = irregular < 0 && plan.tree && plan.coordinates == t.nv && plan.lone_rows.empty() &&
+                  on_coordinates.empty() && on_frames.empty() && followers.empty();
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   }

@@ -39,7 +39,8 @@ inline void invert_articulated(runtime_state& s, Eigen::MatrixXd& inverse) {
     const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
     if (a < s.dofs() && b < s.dofs()) inverse(a, b) = inverse(b, a) = x;
   });
-  for (const int row : s.tree().plan.lone_rows) inverse(row, row) = 1 / s.tree().own_mass[static_cast<std::size_t>(row)];
+  for (const int row : s.tree().plan.lone_rows)
+    inverse(row, row) = 1 / s.tree().own_mass[static_cast<std::size_t>(row)];
 }
 inline void inverse_of_masses(const kte_map_chain& c, runtime_state& s, Eigen::MatrixXd& inverse) {
   const auto& t = s.tree();

@@ -29,7 +29,8 @@ inline void check_state_velocities(const runtime_state& s) {
 
 /// Columns of all coordinates over the degrees of freedom: those of followers count for what they follow, those of
 /// coordinates that are given are left out.
-inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const kte_map_chain& c, runtime_state& s, Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
+inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const kte_map_chain& c, runtime_state& s,
+                                                       Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
   if (a.cols() == s.dofs()) return a;
   hand_on(c, s, [&a](int base, int end, double ratio) { a.col(base) += ratio * a.col(end); });
   return a.leftCols(s.dofs());

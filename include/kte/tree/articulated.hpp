@@ -121,7 +121,8 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
   const turn<P>& tilt = r.tilt;
   const auto cc = z.cos * z.cos, ss = z.sin * z.sin, cs = z.cos * z.sin;
   const S twice = (cs + cs) * jxy;
-  const S kxx = cc * jxx - twice + ss * jyy, kxy = cs * (jxx - jyy) + (cc - ss) * jxy, kyy = ss * jxx + twice + cc * jyy;
+  const S kxx = cc * jxx - twice + ss * jyy, kxy = cs * (jxx - jyy) + (cc - ss) * jxy,
+          kyy = ss * jxx + twice + cc * jyy;
   const vec3<S> mx = out_z(z, hx), my = out_z(z, hy);  // R H, then R H R^T
   const vec3<S> nx = out_x(tilt, vec3<S>(z.cos * mx - z.sin * my)), ny = out_x(tilt, vec3<S>(z.sin * mx + z.cos * my));
   sym3<S> m1 = out_x(tilt, out_z(z, linear));
@@ -139,12 +140,11 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
   return good;
 }
 
-
 /// The same by any joint, axis by axis from the last; a further mass m on an axis keeps something of I along it. Where
 /// the acceleration of the joint is given, all that its body carries goes on.
 template <class P, class S>
 [[gnu::noinline]] bool give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const S* own_mass,
-                         articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
+                                articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
   auto& [a, h, j] = x.inertia;
   bool good = true;
   const S linear = trace(a), angular = trace(j);
@@ -186,7 +186,8 @@ bool articulate(const forest<P>& f, memory<P, S>& m) {
     const record<P>& r = f.records[i];
     const auto k = static_cast<std::size_t>(r.first);
     articulated_body<S>& x = m.articulated[bases + i];
-    articulated_body<S>* const parent = r.parent < f.bases ? nullptr : &m.articulated[static_cast<std::size_t>(r.parent)];
+    articulated_body<S>* const parent =
+        r.parent < f.bases ? nullptr : &m.articulated[static_cast<std::size_t>(r.parent)];
     if (r.moves == joint::revolute && m.yields[i] && m.own_mass[k] == S(0))
       good = give_way_about_z(r, m.spots[i], m.force[k], x, m.answers[k], parent) && good;
     else

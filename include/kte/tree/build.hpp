@@ -17,7 +17,7 @@ namespace kte::tree {
 template <class P>
 struct stiff_numbers {
   pose<mat3<vec3<P>>, vec3<P>> at_zero{}, tried{};  ///< tried: of a joint at the coordinate below
-  std::array<vec3<P>, 6> linear{}, angular{};  ///< of the axes
+  std::array<vec3<P>, 6> linear{}, angular{};       ///< of the axes
 };
 
 /// Where (1) and (2) are tried, for no joint may be taken for what it is not: turned by 3-4-5 triangles.
@@ -221,7 +221,8 @@ struct forest_builder {
     }
     for (std::size_t i = n; i-- > 0;)
       if (const int p = records[i].parent - result.bases; p >= 0)
-        records[static_cast<std::size_t>(p)].last = std::max(records[static_cast<std::size_t>(p)].last, records[i].last);
+        records[static_cast<std::size_t>(p)].last =
+            std::max(records[static_cast<std::size_t>(p)].last, records[i].last);
     for (std::size_t k = 0; k < result.row.size(); ++k) result.in_order &= result.row[k] == static_cast<int>(k);
     result.records = std::move(records), seats_ = std::move(seats);
   }

@@ -42,9 +42,7 @@ void place_in_world(const forest<P>& f, memory<P, S>& m) {
 /// The inertia of each body with all that it carries, at its origin in its axes; of bases in theirs.
 template <class P, class S>
 void carry_bodies(const forest<P>& f, memory<P, S>& m) {
-  const auto start = [](dense_composite<S>& to, const auto& w) {
-    to = {S(w.mass), as<S>(w.moment), as<S>(w.inertia)};
-  };
+  const auto start = [](dense_composite<S>& to, const auto& w) { to = {S(w.mass), as<S>(w.moment), as<S>(w.inertia)}; };
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t b = 0; b < bases; ++b) start(m.carried[b], f.base_weight[b]);
   for (std::size_t i = 0; i < f.records.size(); ++i) start(m.carried[bases + i], f.records[i].weight);

@@ -88,9 +88,9 @@ void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memor
     const vec3<S> turned = cross(w_p, place.step);
     b.passing = turned + slides;
     const spatial_motion<S> v_p{-slides, w_p};
-    const spatial_motion<S> a_p{parent.acceleration + (cross(parent.ang_acceleration, place.step) +
-                                                       cross(w_p, vec3<S>(turned + slides))),
-                                parent.ang_acceleration};
+    const spatial_motion<S> a_p{
+        parent.acceleration + (cross(parent.ang_acceleration, place.step) + cross(w_p, vec3<S>(turned + slides))),
+        parent.ang_acceleration};
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const world_axis<S>& s = m.axes[static_cast<std::size_t>(k)];
       axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];

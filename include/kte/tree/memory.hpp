@@ -63,13 +63,13 @@ template <class P, class S>
 struct memory {
   // From outside: where bodies are (`place`), rates, accelerations and forces of axes, their own masses, the motions of
   // bases.
-  std::vector<spot<S>> spots;               ///< of records
-  std::vector<S> rate, acceleration, force; ///< of axes
+  std::vector<spot<S>> spots;                ///< of records
+  std::vector<S> rate, acceleration, force;  ///< of axes
   std::vector<S> own_mass;
-  std::vector<char> yields;                 ///< of records
-  std::vector<body_motion<S>> bodies;       ///< of slots
+  std::vector<char> yields;            ///< of records
+  std::vector<body_motion<S>> bodies;  ///< of slots
 
-  std::vector<world_place<S>> world;        ///< of slots
+  std::vector<world_place<S>> world;  ///< of slots
   std::vector<world_axis<S>> axes;
   std::vector<dense_composite<S>> carried;  ///< of slots
   std::vector<articulated_body<S>> articulated;

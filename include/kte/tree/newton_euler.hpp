@@ -13,8 +13,8 @@ KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, c
   const vec3<S> f = b.mass * (x.acceleration + (cross(al, b.com) + cross(w, cross(w, b.com))));
   return {f, b.inertia * al + (cross(w, b.inertia * w) + cross(b.com, f))};
 }
-/// The motions of all bodies, and what they need for them (RNEA, first half): classical accelerations in body axes, as `compose` of
-/// frames/motion.hpp. With its parent at w, al, a, the joint at v_J, w_J relative to its seat:
+/// The motions of all bodies, and what they need for them (RNEA, first half): classical accelerations in body axes, as
+/// `compose` of frames/motion.hpp. With its parent at w, al, a, the joint at v_J, w_J relative to its seat:
 ///
 ///   w_i  = R^T w + w_J,   al_i = R^T al + (R^T w) x w_J + s q_ddot                            (2)
 ///   a_i  = R^T (a + al x p + w x (w x p)) + 2 (R^T w) x v_J + w_J x v_J + s q_ddot             (3)

@@ -65,9 +65,7 @@ struct placed {
     return r.turned ? rows_out_z(r.before, a) : a;
   }
   /// A R, for the axes of the parent as columns of A: those of the body.
-  KTE_INLINE mat3<vec3<S>> axes_in(const mat3<vec3<S>>& a) const {
-    return {in(a.x), in(a.y), in(a.z)};
-  }
+  KTE_INLINE mat3<vec3<S>> axes_in(const mat3<vec3<S>>& a) const { return {in(a.x), in(a.y), in(a.z)}; }
   KTE_INLINE dense_wrench<S> out(const dense_wrench<S>& w) const {
     const vec3<S> f = out(w.force);
     return {f, out(w.torque) + cross(at.position, f)};

@@ -41,12 +41,12 @@ struct record {
   bool yields = true;                    ///< whether its coordinate is a degree of freedom
   std::array<unsigned char, 6> axis{5};  ///< unit axes of the body: 0, 1, 2 along x, y, z; 3, 4, 5 about them
   int axes = 1;
-  int parent = 0;                        ///< slot: bases come first, then records
-  int first = 0, last = 0;               ///< its own axes, and those of all bodies beyond it, which stand in a row
-  kind what = kind::gen;                 ///< its coordinate: thing `slot` of that kind
+  int parent = 0;           ///< slot: bases come first, then records
+  int first = 0, last = 0;  ///< its own axes, and those of all bodies beyond it, which stand in a row
+  kind what = kind::gen;    ///< its coordinate: thing `slot` of that kind
   int slot = 0;
-  rigid_body<P, vec3<P>, sym3<P>> body{};               ///< what moves as Newton and Euler say, about its centre of mass
-  composite<P, vec3<P>, sym3<P>> weight{};              ///< all masses, about the origin
+  rigid_body<P, vec3<P>, sym3<P>> body{};   ///< what moves as Newton and Euler say, about its centre of mass
+  composite<P, vec3<P>, sym3<P>> weight{};  ///< all masses, about the origin
 };
 
 /// Where a frame stands: in the body of a slot.

@@ -49,12 +49,8 @@ template <class T, class S>
 KTE_INLINE sym3<S> out_z(const turn<T>& t, const sym3<S>& a) {
   const T cc = t.cos * t.cos, ss = t.sin * t.sin, cs = t.cos * t.sin;
   const S twice = (cs + cs) * a.xy;
-  return {cc * a.xx - twice + ss * a.yy,
-          cs * (a.xx - a.yy) + (cc - ss) * a.xy,
-          t.cos * a.xz - t.sin * a.yz,
-          ss * a.xx + twice + cc * a.yy,
-          t.sin * a.xz + t.cos * a.yz,
-          a.zz};
+  return {cc * a.xx - twice + ss * a.yy, cs * (a.xx - a.yy) + (cc - ss) * a.xy, t.cos * a.xz - t.sin * a.yz,
+          ss * a.xx + twice + cc * a.yy, t.sin * a.xz + t.cos * a.yz,           a.zz};
 }
 template <class T, class S>
 KTE_INLINE sym3<S> out_x(const turn<T>& t, const sym3<S>& a) {

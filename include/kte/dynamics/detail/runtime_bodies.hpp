@@ -50,17 +50,15 @@ inline void forces_of_bodies(const kte_map_chain& c, runtime_state& s, bool acce
 template <class F>
 void for_each_momentum(runtime_state& s, const F& visit) {
   const auto& f = s.tree().forest;
-  tree::momenta(f, s.work, [&](int k, const tree::dense_wrench<double>& h) {
-    visit(f.row[static_cast<std::size_t>(k)], h);
-  });
+  tree::momenta(f, s.work,
+                [&](int k, const tree::dense_wrench<double>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
 }
 /// Momentum at the origin of the world, after `carry`; coordinates that are given rest.
 inline tree::dense_wrench<double> momentum_of_coordinates(runtime_state& s) {
   const auto& f = s.tree().forest;
   take_rates(s);
   for (const auto& r : f.records)
-    if (r.what == kind::gen && !r.yields &&
-        s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
+    if (r.what == kind::gen && !r.yields && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
       s.work.rate[static_cast<std::size_t>(r.first)] = 0;
   tree::dense_wrench<double> sum{};
   tree::momenta(f, s.work, [&](int k, const tree::dense_wrench<double>& h) {

@@ -240,8 +240,7 @@ enum class acting { all, bodies };
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
 /// of the state; of bodies alone, with bases that are accelerated or not.
-inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acting who,
-                                  bool accelerated_bases = true) {
+inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acting who, bool accelerated_bases = true) {
   const auto& t = s.tree();
   auto& w = s.work;
   place_bodies(c, s);
