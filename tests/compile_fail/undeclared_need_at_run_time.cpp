@@ -1,6 +1,5 @@
 // expect: error: .*kte: this element.s force depends on a position, rotation or linear velocity
 // expect: reads_positions = true
-// lines: 16
 #include <kte/chain/checks.hpp>
 #include <kte/chain/kte_map_chain.hpp>
 

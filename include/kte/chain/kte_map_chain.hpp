@@ -164,7 +164,9 @@ class kte_map_chain : public kte_map {
     return all;
   }
   vec3<> with_gravity_of(const vec3<>& part) const {
-    return gravity_is_written_ ? gravity_ : detail::gravity_of_both(gravity_, part);
+    if (gravity_is_written_) return gravity_;
+    detail::check_one_gravity(boost::hana::make_tuple(gravity_, part));
+    return detail::gravity_of_both(gravity_, part);
   }
   /// All or none: `all` is then moved from, or the chain is as before.
   void add(std::span<std::unique_ptr<kte_map>> all, const vec3<>& part) {

@@ -43,6 +43,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   KTE_INLINE constexpr local_articulated(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {}
   /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
   KTE_INLINE void accelerate(const vector& tau, vector& a) {
+    static_assert(sizeof(need) > 0);
     const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;
     tau_ = &tau, a_ = &a;
@@ -67,16 +68,18 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   // ---- what elements put on frames and coordinates
   template <std::size_t I>
   struct load_of_element {
+    static constexpr bool usable = true;
     using type = nothing;
   };
   template <std::size_t I>
   requires(!stiff<I>) struct load_of_element<I> {
+    static constexpr bool usable = types::template loads<I>::usable;
     using type = typename types::template loads<I>::type;
   };
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
     if constexpr (!stiff<I>) {
-      if constexpr (types::template loads<I>::usable)
+      if constexpr (load_of_element<I>::usable)
         boost::hana::at_c<I>(loads_) = this->chain_.template core<I>().doForce(this->template seen<I, P>()...);
     }
   }
@@ -250,6 +253,9 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   bool good_ = true;
   boost::hana::tuple<typename load_of_element<E>::type...> loads_;
   boost::hana::tuple<typename response_of_element<E>::type...> responses_;
+
+ public:
+  using need = typename types::template need<first_false({load_of_element<E>::usable..., false})>::type;  // local_pass
 };
 
 }  // namespace kte::detail
