@@ -34,7 +34,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   } else {
     a = tau + coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = local_mass_matrix<S>(c, at, base);
-    solve_in_place(m, a);
+    solve_in_place(m, a, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
     check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
   }
   return a;

@@ -129,10 +129,27 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
   }
 }
 
+/// Whether all joints so far move something: a bool, or which is the first that does not.
+template <class S>
+struct unmoved {
+  int row = 0;     ///< of the joint at hand
+  int first = -1;  ///< of the first that moves next to nothing, if there is one
+  S amount{};      ///< what it moves: no finite number where that is too large
+};
+template <class S>
+KTE_INLINE constexpr void judge(bool& good, bool moves, const S&, const S&) {
+  good = good && moves;
+}
+template <class S>
+KTE_INLINE constexpr void judge(unmoved<S>& x, bool moves, const S& d, const S& least) {
+  if (!moves && x.first < 0) [[unlikely]]
+    x.first = x.row, x.amount = d + least;
+}
+
 /// (1), and gain again with its typed entries.
-template <class S, class Core, class C, class I, class W, class U, class F, class M, int N>
+template <class S, class Core, class C, class I, class W, class U, class F, class M, int N, class Good>
 KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I, W>& b, const U& u, const F& f,
-                                  const M& m, joint_response<S, N>& r, bool& good) {
+                                  const M& m, joint_response<S, N>& r, Good& good) {
   const auto& j = b.inertia;
   // Below this, what moves along an axis is nothing but rounding of what does not.
   const auto least = [&](const auto& s) KTE_INLINE_LAMBDA {
@@ -143,7 +160,8 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
   if constexpr (N == 1) {
     const auto s = axis_of<0>(core, at);
     const S d = as<S>(power(s, axis_at<0>(u)) + m);
-    good = good && all(d > least(s));
+    const S smallest = least(s);
+    judge(good, all(d > smallest), d, smallest);
     const S inverse = S(1) / d;
     r.inverse[0][0] = inverse;
     r.rate[0] = inverse * as<S>(f.template operator()<0>() + power(s, b.load));
@@ -169,11 +187,18 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
       (void)done;
     };
     fill(std::make_integer_sequence<int, N>{});
-    good = factorise(d) && good;
-    const auto check = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      good = (good && ... && all(d(K, K) > least(axis_of<K>(core, at))));
+    const bool regular = factorise(d);
+    const auto check = [&]<int K>() KTE_INLINE_LAMBDA {
+      const S smallest = least(axis_of<K>(core, at));
+      judge(good, all(d(K, K) > smallest), S(d(K, K)), smallest);
+      return 0;
     };
-    check(std::make_integer_sequence<int, N>{});
+    [[maybe_unused]] const auto check_all = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+      const int done[]{check.template operator()<K>()...};
+      (void)done;
+    };
+    check_all(std::make_integer_sequence<int, N>{});
+    judge(good, regular, S(0), S(0));
     substitute(d, x);
     joint_matrix<S, N> one = joint_matrix<S, N>::Identity();
     for (int k = 0; k < N; ++k) {
@@ -210,11 +235,11 @@ KTE_INLINE constexpr auto carried_stiffly(const Pose& x, const Motion& c, const 
 ///
 ///   I' = I - U D^-1 U^T,  W' = W - I' c - U D^-1 (f + s . W)                                        (3)
 ///
-/// D and U as in (1), D with m on its diagonal. Along coordinate axes I' is nothing and W' is -f. `good` becomes false
-/// where an axis has next to nothing to move.
-template <class S, class Core, class C, class Motion, class I, class W, class F, class M, int N>
+/// D and U as in (1), D with m on its diagonal. Along coordinate axes I' is nothing and W' is -f. `good` is judged
+/// by whether an axis has more than next to nothing to move.
+template <class S, class Core, class C, class Motion, class I, class W, class F, class M, int N, class Good>
 KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const Motion& c, const burden<I, W>& b,
-                                           const F& f, const M& m, joint_response<S, N>& response, bool& good) {
+                                           const F& f, const M& m, joint_response<S, N>& response, Good& good) {
   constexpr auto split = division<Core, C, M>();
   const auto u = for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA {
     const auto s = axis_of<K>(core, at);

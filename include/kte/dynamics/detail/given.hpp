@@ -41,25 +41,6 @@ struct turning {
   }();
 };
 
-// ---- the numbers of v or a: at<i>()
-
-/// From something with operator[].
-template <class S, class V>
-struct each {
-  const V& v;
-  template <int I>
-  KTE_INLINE S at() const {
-    return S(v[static_cast<std::size_t>(I)]);
-  }
-};
-/// The same typed constant, or `skip`, for all.
-template <class T>
-struct same {
-  template <int I>
-  KTE_INLINE static constexpr T at() {
-    return {};
-  }
-};
 /// Three of them.
 template <int I, class V>
 KTE_INLINE auto vector_at(const V& v) {
@@ -274,15 +255,12 @@ KTE_INLINE void check_forces(const X& x, const Given& g) {
   check_result(x, std::size_t{Wiring::dofs},
                [&]() KTE_INLINE_LAMBDA { blame<Wiring>("a force", g.at.q, g.v, g.a, "a"); });
 }
-/// The same of a matrix that is positive definite: none of its numbers is larger than the largest of its diagonal.
+/// The same of a mass matrix.
 template <class Wiring, class Matrix, class At>
 KTE_INLINE void check_masses(const Matrix& m, const At& at) {
-  struct diagonal {
-    const Matrix& m;
-    auto operator[](std::size_t i) const { return m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)); }
-  };
-  check_result(diagonal{m}, std::size_t{Wiring::dofs},
-               [&]() KTE_INLINE_LAMBDA { blame<Wiring>("a mass", at.q, same<zero_t>{}, same<zero_t>{}, "a"); });
+  using S = typename Matrix::Scalar;
+  if (!all((m.array() * S(0)).sum() == S(0))) [[unlikely]]
+    blame_mass<Wiring>(first_endless(m), false, at.q);
 }
 template <class Wiring, class X, class Given, class Tau>
 KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {

@@ -56,8 +56,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
  protected:
   KTE_INLINE void check_good() const {
-    if (!good_) [[unlikely]]
-      raise_singular_mass_matrix();
+    if (unmoved_.first >= 0) [[unlikely]]
+      blame_mass<wiring>(unmoved_.first, all_finite(&unmoved_.amount, 1), this->given_.at.q);
   }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
@@ -178,10 +178,11 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
       constexpr kind k = kind_of<I>;
       constexpr int slot = slot_of<I>, v = wiring::template at<k, slot>.v;
       const auto f = coordinate_load<k, slot>(readers<k, slot>);
+      unmoved_.row = v;
       return carried_by_joint<S>(
           this->chain_.template core<I>(), coordinate<I>(), bias<I>(), b,
           [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(),
-          boost::hana::at_c<I>(responses_), good_);
+          boost::hana::at_c<I>(responses_), unmoved_);
     } else {
       return carried_stiffly(pose<I>(), bias<I>(), b);
     }
@@ -241,7 +242,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
         (*a_)[at.v] = this->given_.a.template at<at.v>();
       } else {
         const S m = as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
-        good_ = good_ && all(m > S(0));
+        unmoved_.row = at.v;
+        judge(unmoved_, all(m > S(0)), m, m);
         const auto f = coordinate_load<at.what, at.slot>(readers<at.what, at.slot>);
         (*a_)[at.v] = as<S>((*tau_)[at.v] + number_of<at.what, 0>(f)) / m;
       }
@@ -250,7 +252,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
   const vector* tau_ = nullptr;
   vector* a_ = nullptr;
-  bool good_ = true;
+  unmoved<S> unmoved_;
   boost::hana::tuple<typename load_of_element<E>::type...> loads_;
   boost::hana::tuple<typename response_of_element<E>::type...> responses_;
 
