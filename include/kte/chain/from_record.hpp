@@ -112,7 +112,8 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
   parameter_check::breach broken;
   const parameter_check where{Core::type, Core::ports, names, broken};
   e.core.check(where);
-  require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+  const auto text = [&] { return "kte: " + at.text + ": " + where().substr(5); };
+  require<bad_parameter>(!broken.rule, text, broken.rule, broken.value);
 }
 
 }  // namespace detail

@@ -74,11 +74,12 @@ class kte_map_chain : public kte_map {
 
   /// Gravity in the axes of the bases, m/s^2; a new state starts with bases accelerated against it. Written here it
   /// holds for the whole, whatever its parts have; else the chain takes that of the first part appended that has one,
-  /// not zero, and refuses another (`bad_wiring`). Throws `bad_parameter` for what is not finite.
+  /// not zero, and refuses another (`bad_wiring`). States made before are refused where it changes. Throws
+  /// `bad_parameter` for what is not finite.
   template <class X, class Y, class Z>
   kte_map_chain& gravity(const vec3<X, Y, Z>& g) {
     detail::check_gravity(g);
-    gravity_ = as<double>(g), gravity_is_written_ = true;
+    put_gravity(as<double>(g)), gravity_is_written_ = true;
     return *this;
   }
   template <class Number>
@@ -143,7 +144,9 @@ class kte_map_chain : public kte_map {
   /// Throws `bad_argument` unless the state was made for this chain as it is now.
   void check(const runtime_state& s) const {
     if (use_ != use::part && s.made_for()->layout != wiring().layout) [[unlikely]]
-      throw bad_argument("kte: this state was made for another chain, or before the last element was appended");
+      throw bad_argument(
+          "kte: this state was made for another chain, or before the last element was appended or gravity was "
+          "changed");
   }
 
  private:
@@ -168,10 +171,17 @@ class kte_map_chain : public kte_map {
     detail::check_one_gravity(boost::hana::make_tuple(gravity_, part));
     return detail::gravity_of_both(gravity_, part);
   }
+  /// States hold the accelerations of bases against the gravity with which they were made.
+  void put_gravity(const vec3<>& g) {
+    if (g == gravity_) return;
+    if (use_ == use::whole) topology_.edit().layout = std::make_shared<char>();
+    gravity_ = g;
+  }
   /// All or none: `all` is then moved from, or the chain is as before.
   void add(std::span<std::unique_ptr<kte_map>> all, const vec3<>& part) {
     const auto layout = wiring().layout;
     const vec3<> g = with_gravity_of(part);
+    if (all.empty()) return put_gravity(g);
     if (const std::size_t size = elements_.size() + all.size(); size > elements_.capacity())
       elements_.reserve(std::max(size, 2 * elements_.capacity()));
     topology& t = topology_.edit();
@@ -190,7 +200,9 @@ class kte_map_chain : public kte_map {
   void take(kte_map_chain& c) {
     if (elements_.empty() && c.use_ == use::whole) {
       (void)wiring();
-      gravity_ = with_gravity_of(c.gravity_);
+      const vec3<> g = with_gravity_of(c.gravity_);
+      c.put_gravity(g);
+      gravity_ = g;
       elements_.swap(c.elements_), topology_ = std::move(c.topology_);
     } else {
       add(c.elements_, c.gravity_);

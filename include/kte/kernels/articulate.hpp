@@ -5,7 +5,9 @@
 #include <kte/kernels/solve.hpp>
 #include <kte/math/articulated.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
 /// The articulated-body algorithm (ABA; Featherstone 1983; Rigid Body Dynamics Algorithms, 2008, section 7.3), one
@@ -129,22 +131,16 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
   }
 }
 
-/// Whether all joints so far move something: a bool, or which is the first that does not.
-template <class S>
+/// Which coordinates move next to nothing: a bit for each, the last for all from the 64th on. (Branches at each joint
+/// take longer.)
 struct unmoved {
-  int row = 0;     ///< of the joint at hand
-  int first = -1;  ///< of the first that moves next to nothing, if there is one
-  S amount{};      ///< what it moves: no finite number where that is too large
+  std::uint64_t here = 0;  ///< the bit of the joint at hand
+  std::uint64_t all = 0;
+  constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << std::min(coordinate, std::size_t{63}); }
 };
-template <class S>
-KTE_INLINE constexpr void judge(bool& good, bool moves, const S&, const S&) {
-  good = good && moves;
-}
-template <class S>
-KTE_INLINE constexpr void judge(unmoved<S>& x, bool moves, const S& d, const S& least) {
-  if (!moves && x.first < 0) [[unlikely]]
-    x.first = x.row, x.amount = d + least;
-}
+/// `good` is a bool, or says more.
+KTE_INLINE constexpr void judge(bool& good, bool moves) { good = good && moves; }
+KTE_INLINE constexpr void judge(unmoved& x, bool moves) { x.all |= moves ? 0 : x.here; }
 
 /// (1), and gain again with its typed entries.
 template <class S, class Core, class C, class I, class W, class U, class F, class M, int N, class Good>
@@ -160,8 +156,7 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
   if constexpr (N == 1) {
     const auto s = axis_of<0>(core, at);
     const S d = as<S>(power(s, axis_at<0>(u)) + m);
-    const S smallest = least(s);
-    judge(good, all(d > smallest), d, smallest);
+    judge(good, all(d > least(s)));
     const S inverse = S(1) / d;
     r.inverse[0][0] = inverse;
     r.rate[0] = inverse * as<S>(f.template operator()<0>() + power(s, b.load));
@@ -187,18 +182,11 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
       (void)done;
     };
     fill(std::make_integer_sequence<int, N>{});
-    const bool regular = factorise(d);
-    const auto check = [&]<int K>() KTE_INLINE_LAMBDA {
-      const S smallest = least(axis_of<K>(core, at));
-      judge(good, all(d(K, K) > smallest), S(d(K, K)), smallest);
-      return 0;
+    judge(good, factorise(d));
+    const auto check = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+      judge(good, (... && all(d(K, K) > least(axis_of<K>(core, at)))));
     };
-    [[maybe_unused]] const auto check_all = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      const int done[]{check.template operator()<K>()...};
-      (void)done;
-    };
-    check_all(std::make_integer_sequence<int, N>{});
-    judge(good, regular, S(0), S(0));
+    check(std::make_integer_sequence<int, N>{});
     substitute(d, x);
     joint_matrix<S, N> one = joint_matrix<S, N>::Identity();
     for (int k = 0; k < N; ++k) {

@@ -5,7 +5,9 @@
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/kernels/solve.hpp>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 
@@ -84,7 +86,7 @@ struct too_large {
     raise<bad_argument>(std::string("kte: ").append(what).append(" is no finite number: an argument is too large"));
   }
 };
-/// The first row of a matrix in which a number is not finite, a column at a time.
+/// The first row of a matrix in which a number is not finite, a column at a time; else -1.
 template <class Matrix>
 int first_endless(const Matrix& m) {
   const auto n = static_cast<int>(m.rows());
@@ -93,7 +95,7 @@ int first_endless(const Matrix& m) {
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
       if (!all_finite(&m(i, j), 1)) return j;
-  return 0;
+  return -1;
 }
 
 // ---- of static chains
@@ -161,6 +163,17 @@ template <class Wiring, class Q>
   const argument positions{"q", {x.data(), std::size_t{Wiring::nq}}, true};
   if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
   raise_endless_mass(name_of_row(layout, row));
+}
+template <class Wiring, class Matrix, class Q>
+[[gnu::cold, gnu::noinline]] void blame_if_endless(const Matrix& m, Q q) {
+  if (const int row = first_endless(m); row >= 0) blame_mass<Wiring>(row, false, q);
+}
+/// The same by bits (kernels/articulate.hpp): of the last coordinate, which carries none of the others.
+template <class Wiring, class Q>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_masses(std::uint64_t nothing, std::uint64_t endless, Q q) {
+  const auto last = static_cast<std::size_t>(std::bit_width(nothing)) - 1;
+  if (Wiring::freedoms > 64 && last == 63) raise_singular_mass_matrix();
+  blame_mass<Wiring>(Wiring::table.free[last].v, (endless >> last & 1) == 0, q);
 }
 /// Of one vector of arguments, or of two configurations.
 template <class Wiring, class X>

@@ -56,8 +56,26 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
  protected:
   KTE_INLINE void check_good() const {
-    if (unmoved_.first >= 0) [[unlikely]]
-      blame_mass<wiring>(unmoved_.first, all_finite(&unmoved_.amount, 1), this->given_.at.q);
+    if (unmoved_.all != 0) [[unlikely]]
+      blame_masses<wiring>(unmoved_.all, overflowing(), this->given_.at.q);
+  }
+  /// The coordinates of which what they move is too large: its inverse is 0, or with one axis no number.
+  [[gnu::cold, gnu::noinline]] std::uint64_t overflowing() const {
+    std::uint64_t bits = 0;
+    const int done[]{(look_at<E>(bits), 0)..., 0};
+    (void)done;
+    return bits;
+  }
+  template <std::size_t I>
+  void look_at(std::uint64_t& bits) const {
+    if constexpr (yields<I>) {
+      const auto& inverse = boost::hana::at_c<I>(responses_).inverse;
+      unmoved x;
+      x.at(number_of_freedom<kind_of<I>, slot_of<I>>);
+      for (std::size_t n = 0; n < inverse.size(); ++n)
+        judge(x, all(inverse[n][n] != S(0)) && (inverse.size() > 1 || all(inverse[n][n] == inverse[n][n])));
+      bits |= x.all;
+    }
   }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
@@ -148,6 +166,14 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     return this->template get<types::template output_kind<I>, types::template output_slot<I>>();
   }
 
+  /// The place of a coordinate among those that are free.
+  template <kind K, int Slot>
+  static constexpr std::size_t number_of_freedom = [] {
+    std::size_t f = 0;
+    while (wiring::table.free[f].what != K || wiring::table.free[f].slot != Slot) ++f;
+    return f;
+  }();
+
   // ---- up the tree
   template <kind K, int Slot>
   static constexpr auto readers = std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{};
@@ -178,7 +204,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
       constexpr kind k = kind_of<I>;
       constexpr int slot = slot_of<I>, v = wiring::template at<k, slot>.v;
       const auto f = coordinate_load<k, slot>(readers<k, slot>);
-      unmoved_.row = v;
+      unmoved_.at(number_of_freedom<k, slot>);
       return carried_by_joint<S>(
           this->chain_.template core<I>(), coordinate<I>(), bias<I>(), b,
           [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(),
@@ -242,8 +268,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
         (*a_)[at.v] = this->given_.a.template at<at.v>();
       } else {
         const S m = as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
-        unmoved_.row = at.v;
-        judge(unmoved_, all(m > S(0)), m, m);
+        unmoved_.at(F);
+        judge(unmoved_, all(m > S(0)));
         const auto f = coordinate_load<at.what, at.slot>(readers<at.what, at.slot>);
         (*a_)[at.v] = as<S>((*tau_)[at.v] + number_of<at.what, 0>(f)) / m;
       }
@@ -252,7 +278,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
   const vector* tau_ = nullptr;
   vector* a_ = nullptr;
-  unmoved<S> unmoved_;
+  unmoved unmoved_;
   boost::hana::tuple<typename load_of_element<E>::type...> loads_;
   boost::hana::tuple<typename response_of_element<E>::type...> responses_;
 
