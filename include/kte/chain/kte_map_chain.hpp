@@ -5,7 +5,6 @@
 #include <kte/detail/type_text.hpp>
 
 #include <algorithm>
-#include <span>
 #include <typeinfo>
 #include <utility>
 #include <vector>
@@ -25,7 +24,7 @@ class kte_map_chain : public kte_map {
   kte_map_chain() = default;
   kte_map_chain(const kte_map_chain& o) : kte_map(o), gravity_(o.gravity_), gravity_is_written_(o.gravity_is_written_) {
     auto all = o.copies();
-    add(all, {});
+    add(all.data(), all.size(), {});
     if (o.use_ == use::whole) topology_.edit().layout = o.topology_->layout;
   }
   kte_map_chain(kte_map_chain&& o) noexcept { swap(o); }
@@ -47,7 +46,7 @@ class kte_map_chain : public kte_map {
   }
   kte_map_chain& operator<<(const kte_map_chain& c) {
     auto all = c.copies();
-    add(all, c.gravity_);
+    add(all.data(), all.size(), c.gravity_);
     return *this;
   }
   template <class Core, class... Keys>
@@ -67,7 +66,7 @@ class kte_map_chain : public kte_map {
       take(static_cast<kte_map_chain&>(part));
       emptied_.push_back(std::move(e));
     } else {
-      add({&e, 1}, part.gravity());
+      add(&e, 1, part.gravity());
     }
     return *this;
   }
@@ -177,23 +176,23 @@ class kte_map_chain : public kte_map {
     if (use_ == use::whole) topology_.edit().layout = std::make_shared<char>();
     gravity_ = g;
   }
-  /// All or none: `all` is then moved from, or the chain is as before.
-  void add(std::span<std::unique_ptr<kte_map>> all, const vec3<>& part) {
+  /// All or none: `all` is then moved from, or the chain is as before. (A span takes 200 templates more.)
+  void add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
     const auto layout = wiring().layout;
     const vec3<> g = with_gravity_of(part);
-    if (all.empty()) return put_gravity(g);
-    if (const std::size_t size = elements_.size() + all.size(); size > elements_.capacity())
+    if (count == 0) return put_gravity(g);
+    if (const std::size_t size = elements_.size() + count; size > elements_.capacity())
       elements_.reserve(std::max(size, 2 * elements_.capacity()));
     topology& t = topology_.edit();
     try {
-      for (const auto& e : all) e->connect(t);
+      for (std::size_t i = 0; i < count; ++i) all[i]->connect(t);
     } catch (...) {
       topology before;
       for (const auto& e : elements_) e->connect(before);
       t = std::move(before), t.layout = layout;
       throw;
     }
-    for (auto& e : all) elements_.push_back(std::move(e));
+    for (std::size_t i = 0; i < count; ++i) elements_.push_back(std::move(all[i]));
     gravity_ = g;
   }
   /// All elements of a chain, which is then of no use.
@@ -205,7 +204,7 @@ class kte_map_chain : public kte_map {
       gravity_ = g;
       elements_.swap(c.elements_), topology_ = std::move(c.topology_);
     } else {
-      add(c.elements_, c.gravity_);
+      add(c.elements_.data(), c.elements_.size(), c.gravity_);
       c.elements_.clear(), c.topology_ = {};
     }
     for (auto& e : c.emptied_) emptied_.push_back(std::move(e));
@@ -213,7 +212,7 @@ class kte_map_chain : public kte_map {
   }
   void swap(kte_map_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
-    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_), std::swap(use_, o.use_);
+    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_), o.use_ = std::exchange(use_, o.use_);
   }
 
   parts elements_;
