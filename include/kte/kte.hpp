@@ -18,7 +18,11 @@
 ///   kte/adapters/odeint.hpp       chains for Boost.Numeric.Odeint
 ///   kte/testing/element_laws.hpp  tests for elements of one's own
 ///   kte/static.hpp                the half of this header that static chains need, without exceptions and RTTI
-#include <kte/chain/checks.hpp>
+#include <kte/chain/checks.hpp>  // this and the next four have sentences for the compiler: little stands above them so
+#include <kte/chain/gravity.hpp>
+#include <kte/chain/state.hpp>
+#include <kte/chain/transmission.hpp>
+#include <kte/detail/raise.hpp>
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/static.hpp>

@@ -177,6 +177,14 @@ TEST_CASE("a state belongs to the chain it was made for") {
   c << base_2D("another");
   CHECK_THROWS_AS(c.doMotion(s), bad_argument);
   CHECK_NOTHROW(copy.doMotion(s));
+  // The bases of a state are accelerated against the gravity with which it was made.
+  auto moon = copy;
+  moon.gravity(along_y(-1.62));
+  CHECK_THROWS_WITH(inverse_dynamics(moon, s), kte::test::contains_text("gravity was changed"));
+  auto there = moon.make_state();
+  moon.gravity(along_y(-1.62));
+  CHECK_NOTHROW(inverse_dynamics(moon, there));
+  CHECK_NOTHROW(copy.doMotion(s));
 }
 
 TEST_CASE("mistakes in a runtime chain are named, and change nothing") {

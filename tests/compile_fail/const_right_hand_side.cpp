@@ -1,5 +1,4 @@
 // expect: error: .*kte: this right-hand side changes when it is called: pass std::ref
-// lines: 16
 #include <kte/integrators/euler.hpp>
 
 struct counting {

@@ -1,5 +1,4 @@
 // expect: error: .*kte: gravity is a vector
-// lines: 16
 #include <kte/chain/static_chain.hpp>
 #include <kte/elements/revolute_joint.hpp>
 

@@ -1,7 +1,14 @@
 // Joints that rub, in the algorithms that would lose their friction; compilers say it once of each type of joint.
-// expect: error: .*kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has
-// a `doForce` of its own expect: rubbing_joint<0>, false> expect: rubbing_joint<1>, false> expect: rubbing_joint<2>,
-// false> expect: rubbing_joint<3>, false> expect: rubbing_joint<4>, false> expect: rubbing_joint<5>, false> lines: 61
+// clang-format off
+// mistakes: 6
+// expect: error: .*kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has a `doForce` of its own
+// expect: rubbing_joint<0>, false>
+// expect: rubbing_joint<1>, false>
+// expect: rubbing_joint<2>, false>
+// expect: rubbing_joint<3>, false>
+// expect: rubbing_joint<4>, false>
+// expect: rubbing_joint<5>, false>
+// clang-format on
 #include <kte/chain/checks.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/derivatives.hpp>

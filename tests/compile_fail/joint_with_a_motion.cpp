@@ -1,6 +1,5 @@
 // expect: error: .*kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own
 // expect: slack_link
-// lines: 16
 #include <kte/chain/static_chain.hpp>
 #include <kte/chain/transmission.hpp>
 

@@ -1,6 +1,6 @@
+// mistakes: 2
 // expect: error: .*kte: a runtime chain is connected by texts
 // expect: error: .*kte: gravity is a vector
-// lines: 20
 #include <kte/chain/kte_map_chain.hpp>
 #include <kte/elements/revolute_joint.hpp>
 

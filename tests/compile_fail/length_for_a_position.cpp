@@ -1,5 +1,4 @@
 // expect: error: .*kte: call it as rigid_link_3D.base, end, position.*position is a vector
-// lines: 16
 #include <kte/chain/static_chain.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>

@@ -1,5 +1,4 @@
 // expect: error: .*kte: call it as inertia_3D.frame, body.; a body is
-// lines: 16
 #include <kte/chain/static_chain.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>

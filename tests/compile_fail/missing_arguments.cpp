@@ -1,3 +1,4 @@
+// mistakes: 29
 // The factories of all elements, each without its last argument.
 // expect: error: .*kte: call it as base_gen.coordinate
 // expect: error: .*kte: call it as base_2D.frame

@@ -1,6 +1,5 @@
 // expect: error: .*kte: this element reads a name that no element of the chain writes: misspelt
 // expect: rigid_link.*elbwo_
-// lines: 15
 #include <kte/kte.hpp>
 
 // clang-format off

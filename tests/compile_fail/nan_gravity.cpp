@@ -1,4 +1,3 @@
-// lines: 16
 // expect: kte: gravity must be finite
 // expect: error:
 

@@ -1,5 +1,5 @@
 // expect: error:
-
+// expect: mass must be finite and not negative
 #include <kte/kte.hpp>
 
 // clang-format off

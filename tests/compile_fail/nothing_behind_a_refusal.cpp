@@ -1,5 +1,4 @@
 // expect: error: static.*kte: call it as rigid_link_2D.base, end, position
-// lines: 15
 #include <kte/kte.hpp>
 
 // clang-format off

@@ -1,6 +1,5 @@
 // expect: error: .*kte: a joint or link in space turns by a matrix or a quaternion
 // expect: sliding_plate
-// lines: 16
 #include <kte/chain/static_chain.hpp>
 #include <kte/chain/transmission.hpp>
 

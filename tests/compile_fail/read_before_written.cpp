@@ -1,6 +1,5 @@
 // expect: error: .*kte: this element reads a name that only a later element writes: move it behind that element
 // expect: rigid_link.*elbow_, hand_
-// lines: 15
 #include <kte/kte.hpp>
 
 // clang-format off

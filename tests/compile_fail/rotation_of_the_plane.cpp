@@ -1,5 +1,4 @@
 // expect: error: .*kte: a joint or link in space turns by a matrix or a quaternion
-// lines: 16
 #include <kte/kte.hpp>
 
 // clang-format off

@@ -2,7 +2,7 @@
 #
 # Comments in x.cpp say what must happen:
 #   // expect: REGEX      it does not compile, and the output matches; any number of these
-#   // lines: N           by g++, the output has fewer than N lines
+#   // mistakes: N        there are N errors; 1 where nothing is said
 #   // expect-success     it does compile: without a control, a wrong flag would pass all cases
 cmake_minimum_required(VERSION 3.25)
 set(command)
@@ -39,11 +39,20 @@ foreach(expectation IN LISTS expectations)
     message(SEND_ERROR "the compiler does not say: ${expectation}")
   endif()
 endforeach()
-if(COMPILER STREQUAL GNU AND text MATCHES "// lines: ([0-9]+)")
-  set(limit ${CMAKE_MATCH_1})
-  string(REGEX MATCHALL "\n" newlines "${output}")
-  list(LENGTH newlines lines)
-  if(NOT lines LESS limit)
-    message(SEND_ERROR "${lines} lines of output, not fewer than ${limit}")
-  endif()
+# A mistake is one error, and no error is longer than a window of a terminal shows at once. clang counts them at the end.
+set(mistakes 1)
+if(text MATCHES "// mistakes: ([0-9]+)")
+  set(mistakes ${CMAKE_MATCH_1})
+endif()
+string(REGEX REPLACE "[0-9]+ errors? generated\\.\n" "" output "${output}")
+string(REGEX MATCHALL " error: " errors "${output}")
+string(REGEX MATCHALL "\n" newlines "${output}")
+list(LENGTH errors count)
+list(LENGTH newlines lines)
+math(EXPR limit "15 * ${mistakes}")
+if(NOT count EQUAL mistakes)
+  message(SEND_ERROR "${count} errors for ${mistakes} mistakes")
+endif()
+if(lines GREATER limit)
+  message(SEND_ERROR "${lines} lines of output, more than ${limit}")
 endif()

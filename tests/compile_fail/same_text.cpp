@@ -1,6 +1,5 @@
 // expect: error: .*kte: this element names something by a text that another key has already
 // expect: other_
-// lines: 15
 #include <kte/kte.hpp>
 
 // clang-format off

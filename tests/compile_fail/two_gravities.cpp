@@ -1,4 +1,3 @@
-// lines: 16
 // expect: kte: parts of a chain have different gravities
 // expect: error:
 // expect: arm, tool

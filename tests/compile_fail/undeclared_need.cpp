@@ -1,4 +1,3 @@
-// lines: 16
 // expect: error: .*kte: this element.s force depends on a position, rotation or linear velocity
 // expect: reads_positions = true
 #include <kte/kte.hpp>

@@ -1,6 +1,5 @@
 // expect: error: .*kte: this chain has nothing of this name
 // expect: hand_
-// lines: 15
 #include <kte/kte.hpp>
 
 // clang-format off

@@ -1,6 +1,5 @@
 // expect: error: .*kte: this element writes a name that an earlier element has written
 // expect: rigid_link.*base_, elbow_
-// lines: 15
 #include <kte/kte.hpp>
 
 // clang-format off

@@ -1,6 +1,5 @@
 // expect: error: .*kte: this port of the element takes a 3D frame
 // expect: flat_
-// lines: 15
 #include <kte/kte.hpp>
 
 // clang-format off

@@ -1,6 +1,6 @@
+// mistakes: 2
 // expect: error: .*kte: q has another number of entries than a configuration of the chain
 // expect: error: .*kte: an argument .v, a, tau. has another number of entries than the chain has degrees of freedom
-// lines: 30
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/elements/revolute_joint.hpp>
 

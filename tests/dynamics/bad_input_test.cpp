@@ -1,3 +1,4 @@
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
 
@@ -12,7 +13,8 @@
 namespace {
 inline constexpr struct ball_ final : kte::rotation_3D_key<"ball"> { } ball; }  // namespace
 
-using models::element_by_element, models::ground, models::hip, models::knee, models::left, models::thigh, models::trunk;
+using models::element_by_element, models::slide, models::ground, models::hip, models::knee, models::left, models::thigh,
+    models::trunk;
 
 TEST_CASE("a coordinate that moves no mass") {
   using namespace kte;
@@ -20,13 +22,26 @@ TEST_CASE("a coordinate that moves no mass") {
   constexpr auto c = chain(revolute_joint_3D(hip, ground, trunk, axis::x), rigid_link_3D(trunk, left, along_y(0.5)),
                            revolute_joint_3D(knee, left, thigh, axis::z), inertia_3D(thigh, point_mass(1.0)));
   const std::array two{0.1, 0.2};
-  CHECK_THROWS_AS(forward_dynamics(c, two, two, two), singular_mass_matrix);
+  const std::string singular = "kte: the mass matrix is singular: '";
+  CHECK_THROWS_MATCHES(forward_dynamics(c, two, two, two), singular_mass_matrix,
+                       test::says(singular + "knee' moves no mass of its own"));
   const auto model = element_by_element(c);
   auto s = model.make_state();
   CHECK_THROWS_AS(forward_dynamics(model, s, two, two, two), singular_mass_matrix);
   CHECK_NOTHROW(inverse_dynamics(c, two, two, two));
   constexpr auto none = chain(revolute_joint_3D(hip, ground, trunk, axis::x));
-  CHECK_THROWS_AS(forward_dynamics(none, std::array{0.1}, std::array{0.1}, std::array{0.1}), singular_mass_matrix);
+  CHECK_THROWS_WITH(forward_dynamics(none, std::array{0.1}, std::array{0.1}, std::array{0.1}),
+                    test::contains_text(singular + "hip'"));
+  // Three coordinates of one joint, and a coordinate with a mass of its own that is nothing.
+  constexpr auto turning = chain(spherical_joint_3D(ball, ground, trunk), inertia_3D(trunk, point_mass(1.0)));
+  CHECK_THROWS_WITH(mass_matrix_inverse(turning, std::array{1.0, 0.0, 0.0, 0.0}),
+                    test::contains_text(singular + "ball'"));
+  // A coordinate that another follows.
+  constexpr auto following =
+      chain(rigid_link_gen(hip, knee, 0.5), revolute_joint_3D(knee, ground, trunk),
+            revolute_joint_3D(slide, trunk, left), inertia_3D(left, rigid_body{1.0, zero3{}, diagonal(1.0, 1.0, 1.0)}));
+  CHECK_THROWS_WITH(forward_dynamics(following, two, two, two), test::contains_text(singular + "slide'"));
+  CHECK_THROWS_WITH(mass_matrix_inverse(following, two), test::contains_text(singular + "slide'"));
 }
 
 TEST_CASE("arguments that are no numbers") {
@@ -135,9 +150,42 @@ TEST_CASE("the argument at fault is named") {
                              inertia_3D(left, point_mass(1.0)));
   const auto long_arm = element_by_element(arm);
   auto l = long_arm.make_state();
-  const std::string mass = "kte: a mass is no finite number: a parameter or an argument is none, or is too large";
-  CHECK_THROWS_WITH(mass_matrix(arm, std::array{0.1}), mass);
-  CHECK_THROWS_WITH(mass_matrix(long_arm, l, std::array{0.1}), mass);
+  const std::array one{0.1};
+  const std::string mass = "kte: a mass is no finite number: ", far = "what 'hip' moves is too heavy, or too far away";
+  CHECK_THROWS_WITH(mass_matrix(arm, one), mass + far);
+  CHECK_THROWS_WITH(mass_matrix(long_arm, l, one), contains_text(mass));
+  CHECK_THROWS_MATCHES(forward_dynamics(arm, one, one, one), bad_argument, test::says(mass + far));
+  CHECK_THROWS_WITH(mass_matrix_inverse(arm, one), mass + far);
+  // Moments of inertia that are good, and products that overflow where they are turned.
+  constexpr auto skew =
+      chain(revolute_joint_3D(hip, ground, trunk, axis::z), revolute_joint_3D(knee, trunk, left, axis::x),
+            inertia_3D(left, rigid_body{1.0, zero3{}, sym3{1.0, 1.5e308, 1.5e308, 1.0, 0.0, 1.0}}.as_published()));
+  CHECK_THROWS_WITH(mass_matrix(skew, std::array{0.5, 0.75}), contains_text(mass));
+}
+
+TEST_CASE("the velocity or configuration at fault is named") {
+  using namespace kte;
+  constexpr auto c =
+      chain(revolute_joint_3D(hip, ground, trunk, axis::x), inertia_3D(trunk, point_mass(1.0, along_y(0.5))));
+  const std::array good{0.5}, nan{std::numeric_limits<double>::quiet_NaN()}, large{1e200};
+  const std::string velocity = "kte: a velocity is no finite number: v[0] of 'hip' is nan";
+  CHECK_THROWS_WITH(kinetic_energy(c, good, nan), velocity);
+  CHECK_THROWS_WITH(energy(c, good, nan), velocity);
+  CHECK_THROWS_WITH(centre_of_mass_velocity(c, good, nan), velocity);
+  CHECK_THROWS_WITH(centroidal_momentum(c, good, nan), velocity);
+  CHECK_THROWS_WITH(frame_velocity(c, good, nan, trunk), velocity);
+  CHECK_THROWS_WITH(frame_acceleration(c, good, good, nan, trunk),
+                    "kte: an acceleration is no finite number: a[0] of 'hip' is nan");
+  const std::string coordinate = "kte: a coordinate is no finite number: ";
+  CHECK_THROWS_WITH(energy(c, nan, good), coordinate + "q[0] of 'hip' is nan");
+  CHECK_THROWS_WITH(jacobian(c, nan, trunk), coordinate + "q[0] of 'hip' is nan");
+  CHECK_THROWS_WITH(centre_of_mass(c, nan), coordinate + "q[0] of 'hip' is nan");
+  CHECK_THROWS_WITH(integrate(c, good, nan, 0.1), coordinate + "v[0] of 'hip' is nan");
+  CHECK_THROWS_WITH(integrate(c, nan, good, 0.1), coordinate + "q[0] of 'hip' is nan");
+  CHECK_THROWS_WITH(difference(c, good, nan), coordinate + "to[0] of 'hip' is nan");
+  CHECK_THROWS_WITH(configuration_rate(c, good, nan), "kte: a rate is no finite number: v[0] of 'hip' is nan");
+  const auto too_large = "v[0] of 'hip' is " + detail::number(1e200) + ", too large";
+  CHECK_THROWS_WITH(kinetic_energy(c, good, large), "kte: an energy is no finite number: " + too_large);
 }
 
 TEST_CASE("quaternions of any length but 0") {

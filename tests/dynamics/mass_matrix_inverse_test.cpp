@@ -59,8 +59,7 @@ TEST_CASE("mass matrices without an inverse", "[mass_matrix_inverse]") {
   const auto throws = [](const auto& c) {
     const joint_vector<double, std::remove_cvref_t<decltype(c)>::nq> q = decltype(q)::Constant(0.25);
     CHECK_THROWS_AS(mass_matrix_inverse(c, q), singular_mass_matrix);
-    CHECK_THROWS_WITH(mass_matrix_inverse(c, q),
-                      "kte: the mass matrix is singular: a coordinate moves no mass of its own");
+    CHECK_THROWS_WITH(mass_matrix_inverse(c, q), test::contains_text("kte: the mass matrix is singular: '"));
     auto s = make_state(c);
     CHECK_THROWS_AS(mass_matrix_inverse(c, s), singular_mass_matrix);
   };

@@ -138,6 +138,13 @@ TEST_CASE("a bad file says where, and gives nothing") {
                       contains_text("kte: m.json:34:21: element 3: inertia_2D has no connection 'body'"));
     CHECK_THROWS_WITH(kte::from_record(golden, kte::from_json(replaced(json, "\"mass\": \"1\"", "\"mass\": []"), "m")),
                       contains_text("kte: m:37:21: element 3 (inertia_2D), mass: holds too few numbers"));
+    const auto heavy = replaced(json, "\"mass\": \"1\"", "\"mass\": \"-1\"");
+    CHECK_THROWS_MATCHES(load(heavy), kte::bad_parameter,
+                         kte::test::says("kte: m.json:31:25: element 3: inertia_2D (frame 'tip'): mass must be"));
+    CHECK_THROWS_MATCHES(kte::from_record(golden, kte::from_json(heavy, "m")), kte::bad_parameter,
+                         kte::test::says("kte: m:31:25: element 3 (inertia_2D): inertia_2D (frame 'tip'): mass must"));
+    CHECK_THROWS_MATCHES(load(replaced(json, "\"base\": \"joint\"", "\"base\": \"jiont\"")), kte::bad_wiring,
+                         kte::test::says("kte: m.json:19:25: element 2: rigid_link_2D (base 'jiont', end 'tip'): it"));
     CHECK(record_of(load(replaced(json, "\"mass\": \"1\"", "\"mass\": 1"))) == record_of(golden));
     CHECK(record_of(load(replaced(json, "\"0.5 0 0\"", "[0.5, 0, 0]"))) == record_of(golden));
     CHECK_THROWS_WITH(load(replaced(json, "\"version\": 1", "\"version\": 2")), contains_text("version 2"));

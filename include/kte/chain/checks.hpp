@@ -6,38 +6,41 @@
 #include <tuple>
 
 /// What is wrong with a chain, as compile errors in the user's words: each names one element and says one sentence.
-/// (This header comes first in kte.hpp, so that little stands above the sentence.)
+/// (This header and others that have some come first in kte.hpp.)
 namespace kte::detail {
 
 /// A rule, about an element and a name; compilers print all three when it is broken.
 template <class Element, class Name, bool Kept>
 inline constexpr bool rule = Kept;
 
-/// Port `Port` of an element, connected to `Key`.
-template <class Core, std::size_t Port, class Key>
+/// An element core that is connected to `Key` where it takes a thing of kind `Wanted`.
+template <class Core, class Key, kind Wanted>
 struct check_kind {
-  static constexpr kind wanted = Core::ports[Port].what;
-  static_assert(rule < Core, Key, wanted != kind::gen || Key::what == wanted >,
+  static constexpr bool fits = Key::what == Wanted;
+  static_assert(rule < Core, Key, fits || Wanted != kind::gen >,
                 "kte: this port of the element takes a coordinate (coord_key)");
-  static_assert(rule < Core, Key, wanted != kind::frame_2D || Key::what == wanted >,
+  static_assert(rule < Core, Key, fits || Wanted != kind::frame_2D >,
                 "kte: this port of the element takes a 2D frame (frame_2D_key)");
-  static_assert(rule < Core, Key, wanted != kind::frame_3D || Key::what == wanted >,
+  static_assert(rule < Core, Key, fits || Wanted != kind::frame_3D >,
                 "kte: this port of the element takes a 3D frame (frame_3D_key)");
-  static_assert(rule < Core, Key, wanted != kind::input || Key::what == wanted >,
+  static_assert(rule < Core, Key, fits || Wanted != kind::input >,
                 "kte: this port of the element takes an input (input_key)");
-  static_assert(rule < Core, Key, wanted != kind::rotation_3D || Key::what == wanted >,
+  static_assert(rule < Core, Key, fits || Wanted != kind::rotation_3D >,
                 "kte: this port of the element takes a rotation in space (rotation_3D_key)");
-  static_assert(rule < Core, Key, wanted != kind::pose_2D || Key::what == wanted >,
+  static_assert(rule < Core, Key, fits || Wanted != kind::pose_2D >,
                 "kte: this port of the element takes a pose in the plane (pose_2D_key)");
-  static_assert(rule < Core, Key, wanted != kind::pose_3D || Key::what == wanted >,
+  static_assert(rule < Core, Key, fits || Wanted != kind::pose_3D >,
                 "kte: this port of the element takes a pose in space (pose_3D_key)");
-  static_assert(rule < Core, Key, wanted != kind::internal || Key::what == wanted >,
+  static_assert(rule < Core, Key, fits || Wanted != kind::internal >,
                 "kte: this port of the element takes an internal state (internal_key)");
 };
-template <class Core, class Ports, class... Keys>
-struct check_kinds;
-template <class Core, std::size_t... Ports, class... Keys>
-struct check_kinds<Core, std::index_sequence<Ports...>, Keys...> : check_kind<Core, Ports, Keys>... {};
+/// The first port that is connected to a thing of another kind, or N.
+template <std::size_t N>
+constexpr std::size_t first_misfit(const std::array<port, N>& ports, const std::array<kind, N>& given) {
+  std::size_t p = 0;
+  while (p < N && ports[p].what == given[p]) ++p;
+  return p;
+}
 
 /// Rules of a chain, and what breaks them.
 enum class problem : unsigned char {
@@ -68,18 +71,6 @@ struct check_need {
   static_assert(Declared,
                 "kte: this element's force depends on a position, rotation or linear velocity, which this algorithm "
                 "leaves out unless the element core says: static constexpr bool reads_positions = true;");
-};
-
-/// A joint or link, and how it turns.
-template <class Core, class Turn, bool FitsSpace, bool FitsPlane, bool MovesByRelative>
-struct check_transmission {
-  static_assert(rule<Core, Turn, FitsSpace>,
-                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation), "
-                "kte::rotation_about(axis, angle)");
-  static_assert(rule<Core, Turn, FitsPlane>,
-                "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
-  static_assert(rule<Core, Turn, MovesByRelative>,
-                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
 };
 
 /// A joint or link in an algorithm that asks it for its `relative` alone.

@@ -14,7 +14,6 @@ namespace kte {
 template <class Core, class... Keys>
 struct element {
   static_assert(sizeof...(Keys) == port_count<Core>);
-  static_assert(sizeof(detail::check_kinds<Core, std::make_index_sequence<sizeof...(Keys)>, Keys...>) > 0);
   using core_type = Core;
   Core core;
 };
@@ -43,18 +42,30 @@ constexpr auto connect(const Core& core, const Names&... names) {
       (key_type<Names> && ...) || (text_type<Names> && ...),
       "kte: an element is connected either by keys (static chain) or by texts (runtime chain), not by a mixture");
   static_assert(sizeof...(Names) == port_count<Core>, "kte: an element is connected by a name for each of its ports");
-  const auto check = [&](const std::array<std::string_view, sizeof...(Names)>& texts) {
-    core.check(parameter_check{Core::type, Core::ports, texts});
-  };
   if constexpr (sizeof...(Names) != port_count<Core> || !detail::check_core<Core>::passed) {
     return detail::refused{};
   } else if constexpr ((key_type<Names> && ...)) {
-    check({Names::name...});
-    return element<Core, Names...>{core};
+    constexpr std::size_t bad = detail::first_misfit(Core::ports, {Names::what...});
+    if constexpr (bad < sizeof...(Names)) {
+      using key = std::tuple_element_t<bad, std::tuple<Names...>>;
+      static_assert(sizeof(detail::check_kind<Core, key, Core::ports[bad].what>) > 0);
+      return detail::refused{};
+    } else {
+      const std::array<std::string_view, sizeof...(Names)> texts{Names::name...};
+      parameter_check::breach broken;
+      const parameter_check where{Core::type, Core::ports, texts, broken};
+      core.check(where);
+      detail::require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+      return element<Core, Names...>{core};
+    }
   } else if constexpr (!(text_type<Names> && ...)) {
     return detail::refused{};
   } else {
-    check({std::string_view(names)...});
+    const std::array<std::string_view, sizeof...(Names)> texts{std::string_view(names)...};
+    parameter_check::breach broken;
+    const parameter_check where{Core::type, Core::ports, texts, broken};
+    core.check(where);
+    detail::require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
     return named_element<Core>{core, {std::string(std::string_view(names))...}};
   }
 }

@@ -109,7 +109,11 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
   });
   if (n != r.parameters.size()) at.fail("has not the parameters of its type");
   const std::array<std::string_view, sizeof...(Keys)> names{Keys::name...};
-  e.core.check(parameter_check{Core::type, Core::ports, names});
+  parameter_check::breach broken;
+  const parameter_check where{Core::type, Core::ports, names, broken};
+  e.core.check(where);
+  const auto text = [&] { return "kte: " + at.text + ": " + where().substr(5); };
+  require<bad_parameter>(!broken.rule, text, broken.rule, broken.value);
 }
 
 }  // namespace detail

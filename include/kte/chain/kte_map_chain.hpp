@@ -5,7 +5,6 @@
 #include <kte/detail/type_text.hpp>
 
 #include <algorithm>
-#include <span>
 #include <typeinfo>
 #include <utility>
 #include <vector>
@@ -25,7 +24,7 @@ class kte_map_chain : public kte_map {
   kte_map_chain() = default;
   kte_map_chain(const kte_map_chain& o) : kte_map(o), gravity_(o.gravity_), gravity_is_written_(o.gravity_is_written_) {
     auto all = o.copies();
-    add(all, {});
+    add(all.data(), all.size(), {});
     if (o.use_ == use::whole) topology_.edit().layout = o.topology_->layout;
   }
   kte_map_chain(kte_map_chain&& o) noexcept { swap(o); }
@@ -46,7 +45,7 @@ class kte_map_chain : public kte_map {
   }
   kte_map_chain& operator<<(const kte_map_chain& c) {
     auto all = c.copies();
-    add(all, c.gravity_);
+    add(all.data(), all.size(), c.gravity_);
     return *this;
   }
   template <class Core, class... Keys>
@@ -66,18 +65,19 @@ class kte_map_chain : public kte_map {
       take(static_cast<kte_map_chain&>(part));
       emptied_.push_back(std::move(e));
     } else {
-      add({&e, 1}, part.gravity());
+      add(&e, 1, part.gravity());
     }
     return *this;
   }
 
   /// Gravity in the axes of the bases, m/s^2; a new state starts with bases accelerated against it. Written here it
   /// holds for the whole, whatever its parts have; else the chain takes that of the first part appended that has one,
-  /// not zero, and refuses another (`bad_wiring`). Throws `bad_parameter` for what is not finite.
+  /// not zero, and refuses another (`bad_wiring`). States made before are refused where it changes. Throws
+  /// `bad_parameter` for what is not finite.
   template <class X, class Y, class Z>
   kte_map_chain& gravity(const vec3<X, Y, Z>& g) {
     detail::check_gravity(g);
-    gravity_ = as<double>(g), gravity_is_written_ = true;
+    put_gravity(as<double>(g)), gravity_is_written_ = true;
     return *this;
   }
   template <class Number>
@@ -142,7 +142,9 @@ class kte_map_chain : public kte_map {
   /// Throws `bad_argument` unless the state was made for this chain as it is now.
   void check(const runtime_state& s) const {
     if (use_ != use::part && s.made_for()->layout != wiring().layout) [[unlikely]]
-      throw bad_argument("kte: this state was made for another chain, or before the last element was appended");
+      throw bad_argument(
+          "kte: this state was made for another chain, or before the last element was appended or gravity was "
+          "changed");
   }
 
  private:
@@ -163,34 +165,45 @@ class kte_map_chain : public kte_map {
     return all;
   }
   vec3<> with_gravity_of(const vec3<>& part) const {
-    return gravity_is_written_ ? gravity_ : detail::gravity_of_both(gravity_, part);
+    if (gravity_is_written_) return gravity_;
+    detail::check_one_gravity(boost::hana::make_tuple(gravity_, part));
+    return detail::gravity_of_both(gravity_, part);
   }
-  /// All or none: `all` is then moved from, or the chain is as before.
-  void add(std::span<std::unique_ptr<kte_map>> all, const vec3<>& part) {
+  /// States hold the accelerations of bases against the gravity with which they were made.
+  void put_gravity(const vec3<>& g) {
+    if (g == gravity_) return;
+    if (use_ == use::whole) topology_.edit().layout = std::make_shared<char>();
+    gravity_ = g;
+  }
+  /// All or none: `all` is then moved from, or the chain is as before. (A span takes 200 templates more.)
+  void add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
     const auto layout = wiring().layout;
     const vec3<> g = with_gravity_of(part);
-    if (const std::size_t size = elements_.size() + all.size(); size > elements_.capacity())
+    if (count == 0) return put_gravity(g);
+    if (const std::size_t size = elements_.size() + count; size > elements_.capacity())
       elements_.reserve(std::max(size, 2 * elements_.capacity()));
     topology& t = topology_.edit();
     try {
-      for (const auto& e : all) e->connect(t);
+      for (std::size_t i = 0; i < count; ++i) all[i]->connect(t);
     } catch (...) {
       topology before;
       for (const auto& e : elements_) e->connect(before);
       t = std::move(before), t.layout = layout;
       throw;
     }
-    for (auto& e : all) elements_.push_back(std::move(e));
+    for (std::size_t i = 0; i < count; ++i) elements_.push_back(std::move(all[i]));
     gravity_ = g;
   }
   /// All elements of a chain, which is then of no use.
   void take(kte_map_chain& c) {
     if (elements_.empty() && c.use_ == use::whole) {
       (void)wiring();
-      gravity_ = with_gravity_of(c.gravity_);
+      const vec3<> g = with_gravity_of(c.gravity_);
+      c.put_gravity(g);
+      gravity_ = g;
       elements_.swap(c.elements_), topology_ = std::move(c.topology_);
     } else {
-      add(c.elements_, c.gravity_);
+      add(c.elements_.data(), c.elements_.size(), c.gravity_);
       c.elements_.clear(), c.topology_ = {};
     }
     for (auto& e : c.emptied_) emptied_.push_back(std::move(e));
@@ -198,7 +211,7 @@ class kte_map_chain : public kte_map {
   }
   void swap(kte_map_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
-    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_), std::swap(use_, o.use_);
+    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_), o.use_ = std::exchange(use_, o.use_);
   }
 
   parts elements_;

@@ -5,30 +5,44 @@
 #include <kte/math/principal_moments.hpp>
 #include <kte/math/rigid_body.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 
 namespace kte {
 
-/// Given to the `check` of an element core: knows which element it is, and rejects bad parameters in its name. In a
-/// constexpr chain a rejection stops the compilation there.
+/// Given to the `check` of an element core: knows which element it is, and keeps the first rule that a parameter
+/// breaks. Who made the core then refuses it, by `bad_parameter` or, of a constexpr chain, at compile time.
 struct parameter_check {
+  struct breach {
+    const char* rule = nullptr;
+    double value = 0;
+    std::array<double, 3> moments{};  ///< of a body, of which `value` says by how much the first is too large
+  };
   std::string_view type;
   std::span<const port> ports;
   std::span<const std::string_view> names;
+  breach& broken;
 
-  /// Rejects `value` unless ok, e.g. require(m >= 0, "mass must not be negative", m).
+  /// Refuses `value` unless ok, e.g. require(m >= 0, "mass must not be negative", m).
   constexpr void require(bool ok, const char* rule, double value) const {
-    if (!ok) reject(rule, value);
+    if (ok || broken.rule) return;
+    broken = {rule, value};
+#if !defined(__clang__)  // g++ prints a line for each call, and only of literals what they are: so here
+    if (std::is_constant_evaluated()) detail::require<bad_parameter>(ok, *this, rule, value);
+#endif
   }
   /// A finite number.
   template <class T>
   constexpr void finite(const T& x, const char* rule) const {
     if constexpr (!typed_constant<T>) {
       const auto v = static_cast<double>(x);
-      require(v - v == 0, rule, v);
+      constexpr double largest = std::numeric_limits<double>::max();
+      require(-largest <= v && v <= largest, rule, v);  // no arithmetic, at which clang stops where it gives NaN
     }
   }
   /// A finite number >= 0.
@@ -45,7 +59,7 @@ struct parameter_check {
   template <class X, class Y, class Z>
   constexpr void unit(const vec3<X, Y, Z>& v, const char* rule) const {
     finite(v, rule);
-    unit_length(dot(as<double>(v), as<double>(v)), rule);
+    if (!broken.rule) unit_length(dot(as<double>(v), as<double>(v)), rule);
   }
   constexpr void rotation(no_rotation, const char*) const {}
   /// Orthonormal with determinant 1, each to 1e-9. A quaternion of any length could give such a matrix.
@@ -54,6 +68,7 @@ struct parameter_check {
     if constexpr (requires { r.w; }) unit_length(as<double>(dot(r, r)), rule);
     const auto m = as<double>(matrix(r));
     unit(m.x, rule), unit(m.y, rule), unit(m.z, rule);
+    if (broken.rule) return;
     const double det = dot(m.x, cross(m.y, m.z));
     require(det > 1 - 1e-8, rule, det);
   }
@@ -67,33 +82,34 @@ struct parameter_check {
   template <class M, class C, class I>
   constexpr void physical(const rigid_body<M, C, I>& body) const {
     finite(body.inertia, "inertia must be finite");
+    if (broken.rule) return;
     const auto i = as<double>(body.inertia);
     const auto c = as<double>(body.com);
     const auto [largest, middle, smallest] = principal_moments(i);
     const double scale = as<double>(body.mass) * dot(c, c) + (i.xx + i.yy + i.zz), excess = largest - middle - smallest;
-    physical_if(excess <= 1e-9 * scale,
-                "inertia must be physical: no principal moment above the sum of the other two "
-                "(rigid_body{...}.as_published() is taken as it is)",
-                largest, middle, smallest, excess);
+    require(excess <= 1e-9 * scale,
+            "inertia must be physical: no principal moment above the sum of the other two "
+            "(rigid_body{...}.as_published() is taken as it is)",
+            excess);
+    if (broken.rule) broken.moments = {largest, middle, smallest};
   }
 
   constexpr void unit_length(double squared, const char* rule) const {
-    if (!(squared > 1 - 2e-9 && squared < 1 + 2e-9)) reject_length(rule, squared);
+    if (squared > 1 - 2e-9 && squared < 1 + 2e-9) return;
+    if (std::is_constant_evaluated())
+      require(false, rule,
+              0 < squared && squared < 1 ? 1 / detail::constexpr_sqrt(1 / squared) : detail::constexpr_sqrt(squared));
+    else
+      require(false, rule, std::sqrt(squared));
   }
-  [[noreturn]] void reject_length(const char* rule, double squared) const { reject(rule, std::sqrt(squared)); }
-  /// The rule is an argument, for compilers show those.
-  constexpr void physical_if(bool ok, const char* rule, double largest, double middle, double smallest,
-                             double excess) const {
-    if (!ok) reject_moments(rule, largest, middle, smallest, excess);
-  }
-  [[noreturn]] void reject_moments(const char* rule, double largest, double middle, double smallest,
-                                   double excess) const {
-    char moments[120];
-    std::snprintf(moments, sizeof moments, "%.6g is above %.6g + %.6g by %.6g", largest, middle, smallest, excess);
-    detail::raise<bad_parameter>("kte: " + describe() + ": " + rule + ", but " + moments);
-  }
-  [[noreturn]] void reject(const char* rule, double value) const {
-    detail::raise<bad_parameter>("kte: " + describe() + ": " + rule + ", got " + detail::number(value));
+  /// What `bad_parameter` says.
+  std::string operator()() const {
+    char moments[120] = "";
+    const auto& [largest, middle, smallest] = broken.moments;
+    std::snprintf(moments, sizeof moments, ", but %.6g is above %.6g + %.6g by %.6g", largest, middle, smallest,
+                  broken.value);
+    return "kte: " + describe() + ": " + broken.rule +
+           (largest > 0 ? moments : ", got " + detail::number(broken.value));
   }
   std::string describe() const { return describe_element(type, ports, names); }
 };

@@ -27,6 +27,25 @@ struct bad_record : bad_file {
   file_place place;
   bad_record(const file_place& p, const std::string& why) : bad_file(why), place(p) {}
 };
+/// make(), whose errors then name the place of the element and `which` it is.
+template <class Make>
+auto placed(const element_record& r, const std::string& which, const Make& make) {
+  const auto begin = "kte: " + to_string(r.place) + which;
+  const auto rest = [](const error& e) {
+    std::string_view text(e.what());
+    if (text.starts_with("kte: ")) text.remove_prefix(5);
+    return std::string(text);
+  };
+  try {
+    return make();
+  } catch (const bad_record& e) {
+    throw bad_file("kte: " + to_string(e.place) + which + e.what());
+  } catch (const bad_parameter& e) {
+    throw bad_parameter(begin + rest(e));
+  } catch (const bad_wiring& e) {
+    throw bad_wiring(begin + rest(e));
+  }
+}
 }  // namespace detail
 
 /// Reads names and parameters of an element record by role and name; throws `bad_file` where one is missing or odd.
@@ -130,13 +149,7 @@ class element_registry {
   }
   /// Throws `bad_file` for an unknown type, a wrong version, missing names or parameters; `bad_parameter` for bad ones.
   std::unique_ptr<kte_map> make(const element_record& r) const {
-    const auto f = factories_.find(r.type);
-    if (f == factories_.end()) throw bad_file("there is no element type '" + r.type + "'");
-    if (r.version != 1)
-      throw bad_file(r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
-    auto e = f->second(record_reader(r));
-    if (const auto* single = dynamic_cast<const kte_element*>(e.get())) check_complete(single->record(), r);
-    return e;
+    return detail::placed(r, "", [&] { return make_unplaced(r); });
   }
 
   /// All elements of this library. (A template, so that who does not call it does not compile them all.)
@@ -218,6 +231,17 @@ class element_registry {
   }
 
  private:
+  friend kte_map_chain to_chain(const model_record& m, const element_registry& registry);
+  std::unique_ptr<kte_map> make_unplaced(const element_record& r) const {
+    const auto f = factories_.find(r.type);
+    if (f == factories_.end()) throw detail::bad_record(r.place, "there is no element type '" + r.type + "'");
+    if (r.version != 1)
+      throw detail::bad_record(r.place,
+                               r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
+    auto e = f->second(record_reader(r));
+    if (const auto* single = dynamic_cast<const kte_element*>(e.get())) check_complete(single->record(), r);
+    return e;
+  }
   template <class Core>
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
     return std::make_unique<kte_map_adapter<Core>>(std::move(e));
@@ -243,13 +267,8 @@ inline kte_map_chain to_chain(const model_record& m, const element_registry& reg
   if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
   if (const vec3 g{m.gravity[0], m.gravity[1], m.gravity[2]}; g != vec3<>{}) c.gravity(g);  // zero says nothing
   for (std::size_t i = 0; i < m.elements.size(); ++i) {
-    try {
-      c.append(registry.make(m.elements[i]));
-    } catch (const bad_file& e) {
-      const auto* const known = dynamic_cast<const detail::bad_record*>(&e);
-      const file_place& place = known != nullptr ? known->place : m.elements[i].place;
-      throw bad_file("kte: " + to_string(place) + "element " + std::to_string(i + 1) + ": " + e.what());
-    }
+    const auto& r = m.elements[i];
+    detail::placed(r, "element " + std::to_string(i + 1) + ": ", [&] { c.append(registry.make_unplaced(r)); });
   }
   return c;
 }

@@ -179,8 +179,14 @@ inline constexpr bool is_element = false;
 template <class Core, class... Keys>
 inline constexpr bool is_element<element<Core, Keys...>> = true;
 
+template <class Chain>
+struct problem_in;
+template <class Gravity, class... E>
+struct problem_in<const static_chain<Gravity, E...>> {
+  using type = first_problem<E...>;
+};
+
 inline constexpr auto make_chain = [](const auto&... e) {
-  (void)check_chain<wiring<std::remove_cvref_t<decltype(e)>...>, std::remove_cvref_t<decltype(e)>...>();
   using chain_type = static_chain<zero3, std::remove_cvref_t<decltype(e)>...>;
   return chain_type(boost::hana::tuple<std::remove_cvref_t<decltype(e)>...>(e...), zero3{});
 };
@@ -201,13 +207,17 @@ constexpr auto chain(const E&... e) {
     return true;
   }();
   if constexpr (flat) {
+    static_assert(sizeof(detail::first_problem<E...>) > 0);
     return detail::make_chain(e...);
   } else {
     constexpr bool usable = (detail::check_part<E>::passed && ...);
     if constexpr (usable) {
-      return boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::as_elements(e)...)),
-                                 detail::make_chain)
-          .gravity(detail::gravity_of_all(boost::hana::flatten(boost::hana::make_tuple(detail::gravities_of(e)...))));
+      const auto whole = boost::hana::unpack(boost::hana::flatten(boost::hana::make_tuple(detail::as_elements(e)...)),
+                                             detail::make_chain);
+      static_assert(sizeof(typename detail::problem_in<decltype(whole)>::type) > 0);
+      const auto gravities = boost::hana::flatten(boost::hana::make_tuple(detail::gravities_of(e)...));
+      detail::check_one_gravity(gravities);
+      return whole.gravity(detail::gravity_of_all(gravities));
     } else {
       return detail::make_chain();
     }

@@ -173,8 +173,13 @@ struct check_core<Core> {
   static constexpr bool in_space = Core::ports.back().what == kind::frame_3D;
   static constexpr bool fits = std::is_same_v<turn, no_rotation> || is_planar_rotation<turn> != in_space;
   static constexpr bool passed = fits && moves_by_relative<Core>;
-  static_assert(sizeof(check_transmission < Core, turn, fits || !in_space, fits || in_space,
-                       moves_by_relative < Core >>) > 0);
+  static_assert(rule < Core, turn, fits || !in_space >,
+                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation), "
+                "kte::rotation_about(axis, angle)");
+  static_assert(rule < Core, turn, fits || in_space >,
+                "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
+  static_assert(rule<Core, turn, moves_by_relative<Core>>,
+                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
 };
 
 }  // namespace detail

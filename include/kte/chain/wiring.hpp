@@ -224,16 +224,17 @@ struct wiring {
   }
 };
 
-/// The first problem of a chain, if it has one: an element, the kind of problem, and the name in question.
+/// The rules of wiring for the first problem of a chain, if it has one: an element, and the name in question.
+template <class Wiring, bool Bad, class... E>
+struct problem_of {
+  using type = check_wiring<void, problem::none, void>;
+};
 template <class Wiring, class... E>
-constexpr bool check_chain() {
-  constexpr std::size_t bad = Wiring::table.bad_element;
-  if constexpr (bad < sizeof...(E)) {
-    using element_type = std::tuple_element_t<bad, std::tuple<E...>>;
-    return sizeof(check_wiring<element_type, Wiring::table.error, key_of<element_type, Wiring::table.bad_port>>) > 0;
-  } else {
-    return true;
-  }
-}
+struct problem_of<Wiring, true, E...> {
+  using element_type = std::tuple_element_t<Wiring::table.bad_element, std::tuple<E...>>;
+  using type = check_wiring<element_type, Wiring::table.error, key_of<element_type, Wiring::table.bad_port>>;
+};
+template <class... E>
+using first_problem = typename problem_of<wiring<E...>, (wiring<E...>::table.error != problem::none), E...>::type;
 
 }  // namespace kte::detail

@@ -17,4 +17,16 @@ template <class Error, class... Args>
 #endif
 }
 
+/// Throws Error(text()) unless `ok`. Where that stops a constant expression, compilers print the other arguments.
+template <class Error, class Text, class... Shown>
+constexpr void require(bool ok, const Text& text, const char*, Shown...) {
+  if (!ok) {
+#if defined(__cpp_exceptions)
+    throw Error(text());  // of which compilers say less than of a call
+#else
+    raise<Error>(text());
+#endif
+  }
+}
+
 }  // namespace kte::detail

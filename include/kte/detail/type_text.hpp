@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <cxxabi.h>
-#include <memory>
 #include <string>
 #include <typeinfo>
 
@@ -12,8 +11,11 @@ namespace kte::detail {
 template <class T>
 std::string type_text(const T& x) {
   const char* const mangled = typeid(x).name();
-  const std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(mangled, nullptr, nullptr, nullptr), std::free);
-  return text ? text.get() : mangled;
+  const struct freed {
+    char* text;
+    ~freed() { std::free(text); }
+  } plain{abi::__cxa_demangle(mangled, nullptr, nullptr, nullptr)};
+  return plain.text != nullptr ? plain.text : mangled;
 }
 
 }  // namespace kte::detail

@@ -100,12 +100,15 @@ KTE_INLINE auto weight_of(const Chain& c, const At& at) {
   return local_weight<S, Chain, std::remove_const_t<decltype(g)>>{c, g}.total();
 }
 /// A sum of m x divided by the mass.
-template <class S, class M, class X>
-KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum) {
+template <class S, class M, class X, class Blame = too_large>
+KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum, const Blame& why = {"a centre of mass"}) {
   static_assert(!std::is_same_v<M, zero_t>, "kte: a chain without bodies has no centre of mass");
   const vec3<S> s = as<S>(sum), r{s.x / as<S>(mass), s.y / as<S>(mass), s.z / as<S>(mass)};
-  const S all[]{r.x, r.y, r.z};
-  check_finite(all, 3, "kte: a centre of mass is no finite number: the mass is zero, or an argument too large");
+  const S numbers[]{r.x, r.y, r.z};
+  check_result(numbers, 3, [&]() KTE_INLINE_LAMBDA {
+    if (!all(as<S>(mass) == S(0))) why();
+    raise<bad_argument>("kte: a chain whose mass is zero has no centre of mass");
+  });
   return r;
 }
 
@@ -149,7 +152,10 @@ auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const auto w = detail::weight_of<S>(c, at);
-  return mass_centre<S>{as<S>(w.mass), detail::divided_by_mass<S>(w.mass, w.moment)};
+  return mass_centre<S>{as<S>(w.mass), detail::divided_by_mass<S>(w.mass, w.moment, [&]() KTE_INLINE_LAMBDA {
+                          detail::blame<typename chain_type::wiring>("a centre of mass", at.q, detail::same<zero_t>{},
+                                                                     detail::same<zero_t>{}, "a");
+                        })};
 }
 
 /// The velocity of the centre of mass, m/s, in axes of the base, bases at rest: momentum by mass.
@@ -161,7 +167,10 @@ auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, c
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  return divided_by_mass<S>(weight_of<S>(c, at).mass, momentum_at_base<S>(c, at, each<S, V>{v}).force);
+  return divided_by_mass<S>(
+      weight_of<S>(c, at).mass, momentum_at_base<S>(c, at, each<S, V>{v}).force, [&]() KTE_INLINE_LAMBDA {
+        blame<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+      });
 }
 
 }  // namespace kte

@@ -83,7 +83,10 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
   at.check();
   const auto w = weight_of<S>(c, at);
   const auto h = momentum_at_base<S>(c, at, each<S, V>{v});
-  return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment), h.force));
+  const auto why = [&]() KTE_INLINE_LAMBDA {
+    blame<typename chain_type::wiring>("a momentum", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+  };
+  return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);
 }
 
 /// The centroidal momentum matrix A_G, 6 x dofs, linear rows first: centroidal_momentum = A_G(q) v (Orin, Goswami, Lee,
@@ -105,7 +108,13 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
   using pass = local_momenta<S, chain_type, std::remove_const_t<decltype(g)>>;
   const auto w = weight_of<S>(c, at);
   typename pass::matrix_type a;
-  pass(c, g, divided_by_mass<S>(w.mass, w.moment), a);
+  pass(c, g,
+       divided_by_mass<S>(w.mass, w.moment,
+                          [&]() KTE_INLINE_LAMBDA {
+                            blame<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{}, same<zero_t>{},
+                                                               "a");
+                          }),
+       a);
   return a;
 }
 

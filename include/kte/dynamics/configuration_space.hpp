@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/chain/static_chain.hpp>
+#include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/math/rigid_motion.hpp>
@@ -125,7 +126,9 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
   detail::check_configuration<wiring>(q), check_size<wiring::dofs>(v, "v");
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::integrate_one<S>(wiring::table.free[i], q, v, S(dt), out);
-  detail::check_finite(out, std::size_t{wiring::nq}, "kte: a coordinate is no finite number");
+  detail::check_result(out, std::size_t{wiring::nq}, [&] {
+    detail::blame<wiring>("a coordinate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
+  });
   return out;
 }
 
@@ -138,7 +141,9 @@ auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V&
   detail::check_configuration<wiring>(q), check_size<wiring::dofs>(v, "v");
   std::array<S, std::size_t{wiring::nq} + 1> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::rate_of_one<S>(wiring::table.free[i], q, v, out);
-  detail::check_finite(out, std::size_t{wiring::nq}, "kte: a rate is no finite number");
+  detail::check_result(out, std::size_t{wiring::nq}, [&] {
+    detail::blame<wiring>("a rate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
+  });
   return joint_vector<S, wiring::nq>(Eigen::Map<const joint_vector<S, wiring::nq>>(out.data()));
 }
 
@@ -151,7 +156,9 @@ auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) 
   detail::check_configuration<wiring>(from), detail::check_configuration<wiring>(to);
   joint_vector<S, wiring::dofs> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::difference_one<S>(wiring::table.free[i], from, to, out);
-  detail::check_finite(out, std::size_t{wiring::dofs}, "kte: a coordinate is no finite number");
+  detail::check_result(out, std::size_t{wiring::dofs}, [&] {
+    detail::blame_configurations<wiring>("a coordinate", detail::each<S, Q>{from}, detail::each<S, Q>{to});
+  });
   return out;
 }
 

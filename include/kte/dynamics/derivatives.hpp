@@ -64,7 +64,9 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     r.a = accelerations_under<S>(c, at, rates, base, tau);
   }
   auto of_forces = derivatives_at<S>(c, at, base, q, v, r.a);
-  if constexpr (!is_tree_of_joints<Chain>) invert_by_factors(of_forces.by_a, r.by_tau);
+  if constexpr (!is_tree_of_joints<Chain>)
+    invert_by_factors(of_forces.by_a, r.by_tau,
+                      [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
   solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
   return r;
 }

@@ -65,10 +65,10 @@ KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
   });
   return elastic - dot(c.gravity(), weight_of<S>(c, at).moment);  // (2)
 }
-template <class S, class X>
-KTE_INLINE S checked_energy(const X& energy) {
+template <class S, class X, class Blame = too_large>
+KTE_INLINE S checked_energy(const X& energy, const Blame& why = {"an energy"}) {
   const S all[]{as<S>(energy)};
-  check_finite(all, 1, "kte: an energy is no finite number: an argument is too large");
+  check_result(all, 1, why);
   return all[0];
 }
 
@@ -87,7 +87,9 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  return checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}));
+  return checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), [&]() KTE_INLINE_LAMBDA {
+    blame<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+  });
 }
 
 /// The potential energy of gravity, zero with the centre of mass at the origin of the base, and of all springs, J:
@@ -103,7 +105,9 @@ auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   check_configuration<chain_type>(q);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  return checked_energy<S>(potential_energy_at<S>(c, at));
+  return checked_energy<S>(potential_energy_at<S>(c, at), [&]() KTE_INLINE_LAMBDA {
+    blame<typename chain_type::wiring>("an energy", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+  });
 }
 
 /// Both. Where nothing else does work, their sum stays the same.
@@ -115,8 +119,11 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  return energies<S>{checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v})),
-                     checked_energy<S>(potential_energy_at<S>(c, at))};
+  const auto why = [&]() KTE_INLINE_LAMBDA {
+    blame<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+  };
+  return energies<S>{checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), why),
+                     checked_energy<S>(potential_energy_at<S>(c, at), why)};
 }
 
 }  // namespace kte

@@ -26,12 +26,15 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   at.check(), base.check();
   joint_vector<S, Chain::dofs> a;
   if constexpr (is_tree_of_joints<Chain>) {
-    const given<At, V, same<zero_t>, Base, true> g{at, v, {}, base};
+    using given_type = given<At, V, same<zero_t>, Base, true>;
+    if constexpr (is_unrolled<Chain, S>)
+      static_assert(sizeof(typename local_articulated<S, Chain, given_type>::need) > 0);
+    const given_type g{at, v, {}, base};
     articulated_accelerations(c, g, tau, a);
   } else {
     a = tau + coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = local_mass_matrix<S>(c, at, base);
-    solve_in_place(m, a);
+    solve_in_place(m, a, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
     check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
   }
   return a;

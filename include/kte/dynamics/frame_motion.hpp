@@ -44,18 +44,19 @@ namespace detail {
 template <class Chain, class V>
 KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
   check_size<Chain::dofs>(v, name);
-  check_finite(v, std::size_t{Chain::dofs}, what);
+  check_result(v, std::size_t{Chain::dofs},
+               [&]() KTE_INLINE_LAMBDA { blame_rates<typename Chain::wiring>(what, name, each<value_of<V>, V>{v}); });
 }
 template <class Chain, class V>
 KTE_INLINE void check_velocities(const V& v) {
-  check_rates<Chain>(v, "v", "kte: a velocity is no finite number");
+  check_rates<Chain>(v, "v", "a velocity");
 }
 /// Linear and angular, unless they are too large.
-template <class S, class L, class A>
-KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular) {
+template <class S, class L, class A, class Blame = too_large>
+KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular, const Blame& why = {"a result"}) {
   const linear_angular<S> r{as<S>(linear), as<S>(angular)};
   const S all[]{r.linear.x, r.linear.y, r.linear.z, r.angular.x, r.angular.y, r.angular.z};
-  check_finite(all, 6, "kte: a result is no finite number: an argument is too large");
+  check_result(all, 6, why);
   return r;
 }
 template <class Frame, class Chain>
@@ -114,7 +115,9 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const auto m = motion_at<Frame>(c, given{at, each<S, V>{v}, same<skip>{}, base_with_velocity});
-  return checked<S>(m.velocity, m.ang_velocity);
+  return checked<S>(m.velocity, m.ang_velocity, [&]() KTE_INLINE_LAMBDA {
+    blame<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+  });
 }
 
 /// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
@@ -126,11 +129,13 @@ auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const 
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
-  check_rates<chain_type>(a, "a", "kte: an acceleration is no finite number");
+  check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const auto m = motion_at<Frame>(c, given{at, each<S, V>{v}, each<S, A>{a}, base_with_acceleration});
-  return checked<S>(m.acceleration, m.ang_acceleration);
+  return checked<S>(m.acceleration, m.ang_acceleration, [&]() KTE_INLINE_LAMBDA {
+    blame<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, each<S, A>{a}, "a");
+  });
 }
 
 }  // namespace kte

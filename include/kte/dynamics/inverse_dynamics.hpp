@@ -38,7 +38,9 @@ template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
   const auto f = [&]() KTE_INLINE_LAMBDA {
     if constexpr (has_unrolled_passes<Chain, S>) {
-      return forces_of<S>(local_pass<Chain, Given>(c, g), sign);
+      using pass = local_pass<Chain, Given>;
+      static_assert(sizeof(typename pass::need) > 0);
+      return forces_of<S>(pass(c, g), sign);
     } else {
       return stored_forces<S>(c, g, sign);
     }

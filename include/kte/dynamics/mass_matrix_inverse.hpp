@@ -28,9 +28,9 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     }
   } else {
     auto factors = local_mass_matrix<S>(c, at, base);
-    invert_by_factors(factors, m);
+    invert_by_factors(factors, m, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
   }
-  check_masses<typename Chain::wiring>(m, at);
+  check_inverse<typename Chain::wiring>(m, at);
   return m;
 }
 }  // namespace detail

@@ -21,7 +21,7 @@ struct inertia {
   rigid_body<Mass, Com, Inertia> body;
   decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the same about the origin of the frame
 
-  constexpr explicit inertia(const rigid_body<Mass, Com, Inertia>& b) : body(b), at_origin(to_composite(b)) {}
+  constexpr explicit inertia(const rigid_body<Mass, Com, Inertia>& b) : body(b), at_origin(composite_of(b)) {}
 
   template <class Frame>
   KTE_INLINE constexpr auto doForce(const Frame& x) const {
@@ -68,6 +68,19 @@ struct inertia {
     visit("inertia", self.body.inertia);
     visit("as_published", self.body.published);
     if constexpr (!std::is_const_v<Self>) self.at_origin = to_composite(self.body);
+  }
+
+ private:
+  static constexpr decltype(at_origin) composite_of(const rigid_body<Mass, Com, Inertia>& b) {
+#if defined(__clang__)  // which stops at arithmetic that gives NaN: what is no number is left to `check`, which says so
+    if (std::is_constant_evaluated()) {
+      parameter_check::breach broken;
+      const parameter_check numbers{type, ports, {}, broken};
+      numbers.finite(b.mass, ""), numbers.finite(b.com, ""), numbers.finite(b.inertia, "");
+      if (broken.rule) return {};
+    }
+#endif
+    return to_composite(b);
   }
 };
 

@@ -1,5 +1,9 @@
 #pragma once
 
+// First what has sentences for the compiler, so that little stands above them.
+// clang-format off
+#include <kte/integrators/integrator.hpp>
+// clang-format on
 #include <kte/integrators/fixed_step.hpp>
 #include <kte/integrators/tableau.hpp>
 

@@ -169,6 +169,10 @@ class integrator : public moving_state<F, X> {
  protected:
   template <class V>
   integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0) : base(std::move(f)) {
+    static_assert(!detail::changes_when_called<F, S, X>,
+                  "kte: this right-hand side changes when it is called: pass std::ref(f), not std::cref(f)");
+    static_assert(base::is_called || detail::changes_when_called<F, S, X>,
+                  "kte: a right-hand side is called as f(t, x)");
     restart(t0, x0);
   }
 

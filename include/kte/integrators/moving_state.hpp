@@ -41,11 +41,7 @@ class moving_state {
   template <class T>
   using if_on_group = std::conditional_t<on_group, T, nothing>;
 
-  explicit moving_state(F f) : f_(std::move(f)) {
-    static_assert(!detail::changes_when_called<F, S, X>,
-                  "kte: this right-hand side changes when it is called: pass std::ref(f), not std::cref(f)");
-    static_assert(is_called || detail::changes_when_called<F, S, X>, "kte: a right-hand side is called as f(t, x)");
-  }
+  explicit moving_state(F f) : f_(std::move(f)) {}
   const F& function() const { return f_; }
   /// Anew from x.
   template <class V>

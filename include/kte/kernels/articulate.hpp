@@ -5,7 +5,9 @@
 #include <kte/kernels/solve.hpp>
 #include <kte/math/articulated.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
 /// The articulated-body algorithm (ABA; Featherstone 1983; Rigid Body Dynamics Algorithms, 2008, section 7.3), one
@@ -129,10 +131,21 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
   }
 }
 
+/// Which coordinates move next to nothing: a bit for each, the last for all from the 64th on. (Branches at each joint
+/// take longer.)
+struct unmoved {
+  std::uint64_t here = 0;  ///< the bit of the joint at hand
+  std::uint64_t all = 0;
+  constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << std::min(coordinate, std::size_t{63}); }
+};
+/// `good` is a bool, or says more.
+KTE_INLINE constexpr void judge(bool& good, bool moves) { good = good && moves; }
+KTE_INLINE constexpr void judge(unmoved& x, bool moves) { x.all |= moves ? 0 : x.here; }
+
 /// (1), and gain again with its typed entries.
-template <class S, class Core, class C, class I, class W, class U, class F, class M, int N>
+template <class S, class Core, class C, class I, class W, class U, class F, class M, int N, class Good>
 KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I, W>& b, const U& u, const F& f,
-                                  const M& m, joint_response<S, N>& r, bool& good) {
+                                  const M& m, joint_response<S, N>& r, Good& good) {
   const auto& j = b.inertia;
   // Below this, what moves along an axis is nothing but rounding of what does not.
   const auto least = [&](const auto& s) KTE_INLINE_LAMBDA {
@@ -143,7 +156,7 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
   if constexpr (N == 1) {
     const auto s = axis_of<0>(core, at);
     const S d = as<S>(power(s, axis_at<0>(u)) + m);
-    good = good && all(d > least(s));
+    judge(good, all(d > least(s)));
     const S inverse = S(1) / d;
     r.inverse[0][0] = inverse;
     r.rate[0] = inverse * as<S>(f.template operator()<0>() + power(s, b.load));
@@ -169,9 +182,9 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
       (void)done;
     };
     fill(std::make_integer_sequence<int, N>{});
-    good = factorise(d) && good;
+    judge(good, factorise(d));
     const auto check = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      good = (good && ... && all(d(K, K) > least(axis_of<K>(core, at))));
+      judge(good, (... && all(d(K, K) > least(axis_of<K>(core, at)))));
     };
     check(std::make_integer_sequence<int, N>{});
     substitute(d, x);
@@ -210,11 +223,11 @@ KTE_INLINE constexpr auto carried_stiffly(const Pose& x, const Motion& c, const 
 ///
 ///   I' = I - U D^-1 U^T,  W' = W - I' c - U D^-1 (f + s . W)                                        (3)
 ///
-/// D and U as in (1), D with m on its diagonal. Along coordinate axes I' is nothing and W' is -f. `good` becomes false
-/// where an axis has next to nothing to move.
-template <class S, class Core, class C, class Motion, class I, class W, class F, class M, int N>
+/// D and U as in (1), D with m on its diagonal. Along coordinate axes I' is nothing and W' is -f. `good` is judged
+/// by whether an axis has more than next to nothing to move.
+template <class S, class Core, class C, class Motion, class I, class W, class F, class M, int N, class Good>
 KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const Motion& c, const burden<I, W>& b,
-                                           const F& f, const M& m, joint_response<S, N>& response, bool& good) {
+                                           const F& f, const M& m, joint_response<S, N>& response, Good& good) {
   constexpr auto split = division<Core, C, M>();
   const auto u = for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA {
     const auto s = axis_of<K>(core, at);

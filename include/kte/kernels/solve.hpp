@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace kte::detail {
 
@@ -48,20 +50,41 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
   }
 }
 
-[[noreturn]] inline void raise_singular_mass_matrix() {
-  raise<singular_mass_matrix>("kte: the mass matrix is singular: a coordinate moves no mass of its own");
+/// Of a coordinate, where it is known which.
+[[noreturn, gnu::cold]] inline void raise_singular_mass_matrix(std::string_view coordinate = {}) {
+  std::string text("kte: the mass matrix is singular: ");
+  if (coordinate.empty())
+    text.append("a coordinate");
+  else
+    text.append("'").append(coordinate).append("'");
+  raise<singular_mass_matrix>(text.append(" moves no mass of its own"));
 }
-/// Factorises a mass matrix. Throws `singular_mass_matrix` where a coordinate moves no mass, or only what others move
-/// too.
+struct singular_somewhere {
+  [[noreturn]] void operator()(int) const { raise_singular_mass_matrix(); }
+};
+/// The first row of which `factorise` said that its pivot vanishes; m_jj follows again from (1).
 template <class Matrix>
-KTE_INLINE void factorise_mass(Matrix& m) {
+[[gnu::cold, gnu::noinline]] int first_vanishing(const Matrix& m) {
+  using S = typename Matrix::Scalar;
+  const auto n = static_cast<int>(m.rows());
+  for (int j = 0; j < n; ++j) {
+    S scale = m(j, j);
+    for (int k = 0; k < j; ++k) scale += m(j, k) * m(k, j);
+    if (!all(m(j, j) > S(4) * S(std::numeric_limits<S>::epsilon()) * scale)) return j;
+  }
+  return n - 1;
+}
+/// Factorises a mass matrix. Where a coordinate moves no mass, or only what others move too, calls `fail` with its row,
+/// which throws `singular_mass_matrix`.
+template <class Matrix, class Fail = singular_somewhere>
+KTE_INLINE void factorise_mass(Matrix& m, const Fail& fail = {}) {
   if (!factorise(m)) [[unlikely]]
-    raise_singular_mass_matrix();
+    fail(first_vanishing(m));
 }
 /// M^-1; M is used up.
-template <class Matrix, class Inverse>
-KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse) {
-  factorise_mass(m);
+template <class Matrix, class Inverse, class Fail = singular_somewhere>
+KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse, const Fail& fail = {}) {
+  factorise_mass(m, fail);
   inverse.setIdentity();
   for (Eigen::Index j = 0; j < inverse.cols(); ++j) {
     auto column = inverse.col(j);
@@ -118,9 +141,9 @@ KTE_INLINE void solve_by_inverse(const Matrix& inverse, const Matrix& b, X& x) {
 
 /// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws as
 /// `factorise_mass`.
-template <class Matrix, class Vector>
-KTE_INLINE void solve_in_place(Matrix& m, Vector& b) {
-  factorise_mass(m);
+template <class Matrix, class Vector, class Fail = singular_somewhere>
+KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail = {}) {
+  factorise_mass(m, fail);
   substitute(m, b);
 }
 

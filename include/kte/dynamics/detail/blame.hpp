@@ -3,8 +3,11 @@
 #include <kte/chain/layout.hpp>
 #include <kte/errors.hpp>
 #include <kte/kernels/joint_vector.hpp>
+#include <kte/kernels/solve.hpp>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 
@@ -63,7 +66,59 @@ template <class Layout>
   }
 }
 
+/// The name of the coordinate that row i of v belongs to.
+template <class Layout>
+std::string_view name_of_row(const Layout& layout, int i) {
+  for (const auto& e : layout)
+    if (i >= e.v && i < e.v + e.nv) return e.name;
+  return {};
+}
+/// Of a coordinate whose mass overflows, though no argument is too large.
+[[noreturn, gnu::cold]] inline void raise_endless_mass(std::string_view coordinate) {
+  raise<bad_argument>(std::string("kte: a mass is no finite number: what '")
+                          .append(coordinate)
+                          .append("' moves is too heavy, or too far away"));
+}
+/// Where nothing more is known.
+struct too_large {
+  const char* what;
+  [[noreturn, gnu::cold]] void operator()() const {
+    raise<bad_argument>(std::string("kte: ").append(what).append(" is no finite number: an argument is too large"));
+  }
+};
+/// The first row of a matrix in which a number is not finite, a column at a time; else -1.
+template <class Matrix>
+int first_endless(const Matrix& m) {
+  const auto n = static_cast<int>(m.rows());
+  for (int j = 0; j < n; ++j)
+    if (!all_finite(&m(j, j), 1)) return j;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      if (!all_finite(&m(i, j), 1)) return j;
+  return -1;
+}
+
 // ---- of static chains
+
+// ---- the numbers of v or a: at<i>()
+
+/// From something with operator[].
+template <class S, class V>
+struct each {
+  const V& v;
+  template <int I>
+  KTE_INLINE S at() const {
+    return S(v[static_cast<std::size_t>(I)]);
+  }
+};
+/// The same typed constant, or `skip`, for all.
+template <class T>
+struct same {
+  template <int I>
+  KTE_INLINE static constexpr T at() {
+    return {};
+  }
+};
 
 template <class Wiring>
 struct layout_of_wiring;
@@ -98,6 +153,41 @@ template <class Wiring, class Q, class V, class A>
   constexpr auto n = std::size_t{Wiring::dofs}, nq = std::size_t{Wiring::nq};
   if constexpr (requires { static_cast<double>(q.template at<0>()); }) raise_if_no_rotation(layout, {x.data(), nq});
   raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
+}
+/// Of a mass matrix that cannot be used, for coordinate `row`: there is no mass, or it is no finite number.
+template <class Wiring, class Q>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_mass(int row, bool finite, Q q) {
+  const auto& layout = layout_of_wiring<Wiring>::table;
+  if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
+  const auto x = plain_numbers<Wiring::nq>(q);
+  const argument positions{"q", {x.data(), std::size_t{Wiring::nq}}, true};
+  if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
+  raise_endless_mass(name_of_row(layout, row));
+}
+template <class Wiring, class Matrix, class Q>
+[[gnu::cold, gnu::noinline]] void blame_if_endless(const Matrix& m, Q q) {
+  if (const int row = first_endless(m); row >= 0) blame_mass<Wiring>(row, false, q);
+}
+/// The same by bits (kernels/articulate.hpp): of the last coordinate, which carries none of the others.
+template <class Wiring, class Q>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_masses(std::uint64_t nothing, std::uint64_t endless, Q q) {
+  const auto last = static_cast<std::size_t>(std::bit_width(nothing)) - 1;
+  if (Wiring::freedoms > 64 && last == 63) raise_singular_mass_matrix();
+  blame_mass<Wiring>(Wiring::table.free[last].v, (endless >> last & 1) == 0, q);
+}
+/// Of one vector of arguments, or of two configurations.
+template <class Wiring, class X>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_rates(const char* what, const char* name, X x) {
+  const auto numbers = plain_numbers<Wiring::dofs>(x);
+  raise_not_finite(what, layout_of_wiring<Wiring>::table, {{name, {numbers.data(), std::size_t{Wiring::dofs}}}});
+}
+template <class Wiring, class Q>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_configurations(const char* what, Q from, Q to) {
+  constexpr auto n = std::size_t{Wiring::nq};
+  const auto x = plain_numbers<Wiring::nq>(from), y = plain_numbers<Wiring::nq>(to);
+  const auto& layout = layout_of_wiring<Wiring>::table;
+  raise_if_no_rotation(layout, {x.data(), n}), raise_if_no_rotation(layout, {y.data(), n});
+  raise_not_finite(what, layout, {{"from", {x.data(), n}, true}, {"to", {y.data(), n}, true}});
 }
 
 /// No algorithm gives NaN back in silence: throws `bad_argument` that says why, unless x[0] ... x[n-1] are finite.

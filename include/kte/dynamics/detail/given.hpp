@@ -41,25 +41,6 @@ struct turning {
   }();
 };
 
-// ---- the numbers of v or a: at<i>()
-
-/// From something with operator[].
-template <class S, class V>
-struct each {
-  const V& v;
-  template <int I>
-  KTE_INLINE S at() const {
-    return S(v[static_cast<std::size_t>(I)]);
-  }
-};
-/// The same typed constant, or `skip`, for all.
-template <class T>
-struct same {
-  template <int I>
-  KTE_INLINE static constexpr T at() {
-    return {};
-  }
-};
 /// Three of them.
 template <int I, class V>
 KTE_INLINE auto vector_at(const V& v) {
@@ -274,15 +255,18 @@ KTE_INLINE void check_forces(const X& x, const Given& g) {
   check_result(x, std::size_t{Wiring::dofs},
                [&]() KTE_INLINE_LAMBDA { blame<Wiring>("a force", g.at.q, g.v, g.a, "a"); });
 }
-/// The same of a matrix that is positive definite: none of its numbers is larger than the largest of its diagonal.
+/// The same of a mass matrix. `zero_or_nan` is 0 where all is well, and may be NaN though it is.
+template <class Wiring, class S, class Matrix, class At>
+KTE_INLINE void check_masses(const S& zero_or_nan, const Matrix& m, const At& at) {
+  if (!all(zero_or_nan == S(0))) [[unlikely]]
+    blame_if_endless<Wiring>(m, at.q);
+}
+/// The same of an inverse, of which no number is larger than the largest of its diagonal.
 template <class Wiring, class Matrix, class At>
-KTE_INLINE void check_masses(const Matrix& m, const At& at) {
-  struct diagonal {
-    const Matrix& m;
-    auto operator[](std::size_t i) const { return m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)); }
-  };
-  check_result(diagonal{m}, std::size_t{Wiring::dofs},
-               [&]() KTE_INLINE_LAMBDA { blame<Wiring>("a mass", at.q, same<zero_t>{}, same<zero_t>{}, "a"); });
+KTE_INLINE void check_inverse(const Matrix& m, const At& at) {
+  typename Matrix::Scalar zero_or_nan(0);
+  for (Eigen::Index i = 0; i < m.rows(); ++i) zero_or_nan += m(i, i) * typename Matrix::Scalar(0);
+  check_masses<Wiring>(zero_or_nan, m, at);
 }
 template <class Wiring, class X, class Given, class Tau>
 KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {

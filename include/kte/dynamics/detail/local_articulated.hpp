@@ -43,6 +43,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   KTE_INLINE constexpr local_articulated(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {}
   /// Accelerations under forces `tau`. Throws `singular_mass_matrix`, and `bad_argument` for NaN.
   KTE_INLINE void accelerate(const vector& tau, vector& a) {
+    static_assert(sizeof(need) > 0);
     const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;
     tau_ = &tau, a_ = &a;
@@ -55,8 +56,26 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
  protected:
   KTE_INLINE void check_good() const {
-    if (!good_) [[unlikely]]
-      raise_singular_mass_matrix();
+    if (unmoved_.all != 0) [[unlikely]]
+      blame_masses<wiring>(unmoved_.all, overflowing(), this->given_.at.q);
+  }
+  /// The coordinates of which what they move is too large: its inverse is 0, or with one axis no number.
+  [[gnu::cold, gnu::noinline]] std::uint64_t overflowing() const {
+    std::uint64_t bits = 0;
+    const int done[]{(look_at<E>(bits), 0)..., 0};
+    (void)done;
+    return bits;
+  }
+  template <std::size_t I>
+  void look_at(std::uint64_t& bits) const {
+    if constexpr (yields<I>) {
+      const auto& inverse = boost::hana::at_c<I>(responses_).inverse;
+      unmoved x;
+      x.at(number_of_freedom<kind_of<I>, slot_of<I>>);
+      for (std::size_t n = 0; n < inverse.size(); ++n)
+        judge(x, all(inverse[n][n] != S(0)) && (inverse.size() > 1 || all(inverse[n][n] == inverse[n][n])));
+      bits |= x.all;
+    }
   }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
@@ -67,16 +86,18 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   // ---- what elements put on frames and coordinates
   template <std::size_t I>
   struct load_of_element {
+    static constexpr bool usable = true;
     using type = nothing;
   };
   template <std::size_t I>
   requires(!stiff<I>) struct load_of_element<I> {
+    static constexpr bool usable = types::template loads<I>::usable;
     using type = typename types::template loads<I>::type;
   };
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
     if constexpr (!stiff<I>) {
-      if constexpr (types::template loads<I>::usable)
+      if constexpr (load_of_element<I>::usable)
         boost::hana::at_c<I>(loads_) = this->chain_.template core<I>().doForce(this->template seen<I, P>()...);
     }
   }
@@ -145,6 +166,14 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     return this->template get<types::template output_kind<I>, types::template output_slot<I>>();
   }
 
+  /// The place of a coordinate among those that are free.
+  template <kind K, int Slot>
+  static constexpr std::size_t number_of_freedom = [] {
+    std::size_t f = 0;
+    while (wiring::table.free[f].what != K || wiring::table.free[f].slot != Slot) ++f;
+    return f;
+  }();
+
   // ---- up the tree
   template <kind K, int Slot>
   static constexpr auto readers = std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{};
@@ -175,10 +204,11 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
       constexpr kind k = kind_of<I>;
       constexpr int slot = slot_of<I>, v = wiring::template at<k, slot>.v;
       const auto f = coordinate_load<k, slot>(readers<k, slot>);
+      unmoved_.at(number_of_freedom<k, slot>);
       return carried_by_joint<S>(
           this->chain_.template core<I>(), coordinate<I>(), bias<I>(), b,
           [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(),
-          boost::hana::at_c<I>(responses_), good_);
+          boost::hana::at_c<I>(responses_), unmoved_);
     } else {
       return carried_stiffly(pose<I>(), bias<I>(), b);
     }
@@ -238,7 +268,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
         (*a_)[at.v] = this->given_.a.template at<at.v>();
       } else {
         const S m = as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
-        good_ = good_ && all(m > S(0));
+        unmoved_.at(F);
+        judge(unmoved_, all(m > S(0)));
         const auto f = coordinate_load<at.what, at.slot>(readers<at.what, at.slot>);
         (*a_)[at.v] = as<S>((*tau_)[at.v] + number_of<at.what, 0>(f)) / m;
       }
@@ -247,9 +278,12 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
   const vector* tau_ = nullptr;
   vector* a_ = nullptr;
-  bool good_ = true;
+  unmoved unmoved_;
   boost::hana::tuple<typename load_of_element<E>::type...> loads_;
   boost::hana::tuple<typename response_of_element<E>::type...> responses_;
+
+ public:
+  using need = typename types::template need<first_false({load_of_element<E>::usable..., false})>::type;  // local_pass
 };
 
 }  // namespace kte::detail

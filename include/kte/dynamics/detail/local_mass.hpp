@@ -28,7 +28,10 @@ class local_mass {
       (void)carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
     });
     coordinate_masses(std::make_index_sequence<Chain::size>{});
+    if constexpr (!written_once) sum_ = M.sum();
   }
+  /// 0 if all numbers are finite, unless they are near to overflow.
+  KTE_INLINE S zero_or_nan() const { return sum_ * S(0); }
 
  private:
   /// The row of the coordinate of element I, which is that of its first port, or of number N of it.
@@ -94,12 +97,14 @@ class local_mass {
   KTE_INLINE constexpr void column(const C& composite_inertia) {
     const auto w = accelerating_wrench(composite_inertia, axis<J, N>());
     constexpr int j = row_of<J> + N;
+    column_ = S(0);
     for_each_axis<J>([&]<int R>() KTE_INLINE_LAMBDA {
       const auto m = power(axis<J, R>(), w);
       if constexpr (R < N) put(row_of<J> + R, j, m);
-      if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m);
+      if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m), watch(m);
     });
     down<J>(w, j);
+    sum_ += column_;
   }
   template <std::size_t I, class W>
   KTE_INLINE constexpr void down(const W& at_end, int column) {
@@ -114,9 +119,15 @@ class local_mass {
       down<std::size_t{below}>(w, column);
     }
   }
+  /// While it is in a register.
+  template <class T>
+  KTE_INLINE constexpr void watch(const T& x) {
+    if constexpr (written_once && variable<T>) column_ += as<S>(x);
+  }
   /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
   template <class T>
   KTE_INLINE constexpr void put(int i, int j, const T& x) {
+    watch(x);
     if constexpr (written_once) {
       M(i, j) = M(j, i) = as<S>(x);
     } else {
@@ -168,16 +179,17 @@ class local_mass {
   }
 
   matrix_type& M;
+  S column_{0}, sum_{0};  ///< of a column, and of all
   const Chain& chain_;
   const local_motion<Chain, Given> motion_;
 };
 
 /// A function of its own: only a variable of its outermost block is made where the caller wants it.
 template <class S, class Chain, class Given>
-KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g) {
+KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g, S& zero_or_nan) {
   using mass_type = local_mass<S, Chain, Given>;
   typename mass_type::matrix_type m;
-  mass_type(c, g, m);
+  zero_or_nan = mass_type(c, g, m).zero_or_nan();
   if constexpr (mass_type::coordinates == Chain::dofs) {
     return m;
   } else {
@@ -193,14 +205,17 @@ KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Bas
   at.check(), base.check();
   const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};
+  S zero_or_nan;
   const auto m = [&]() KTE_INLINE_LAMBDA {
     if constexpr (is_unrolled<Chain, S>) {
-      return unrolled_mass_matrix<S>(c, g);
+      return unrolled_mass_matrix<S>(c, g, zero_or_nan);
     } else {
-      return stored_mass_matrix<S>(c, g);
+      const auto stored = stored_mass_matrix<S>(c, g);
+      zero_or_nan = (stored.array() * S(0)).sum();
+      return stored;
     }
   }();
-  check_masses<typename Chain::wiring>(m, at);
+  check_masses<typename Chain::wiring>(zero_or_nan, m, at);
   return m;
 }
 

@@ -9,6 +9,14 @@ namespace kte::detail {
 
 struct nothing {};
 
+/// The place of the first false one; the last is.
+template <std::size_t N>
+constexpr std::size_t first_false(const bool (&x)[N]) {
+  std::size_t i = 0;
+  while (x[i]) ++i;
+  return i;
+}
+
 /// Where a load is put on something: load `index` of element `element`.
 struct load_place {
   std::size_t element;
@@ -138,14 +146,23 @@ struct local_types {
   struct loads<I, std::index_sequence<P...>> {
     using put = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
     static constexpr bool usable = !has_skip<put>;
-    static_assert(sizeof(check_need<core<I>, usable>) > 0);
     using type = typename std::conditional_t<usable, std::type_identity<put>, no_loads<core<I>>>::type;
   };
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>>) struct loads<I, std::index_sequence<P...>> {
+    static constexpr bool usable = true;
     using load = typename total<output_kind<I>, output_slot<I>>::type;
     using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
                                                                  std::declval<const load&>()));
+  };
+  /// The rule that element I, the first whose forces depend on what is left out, has broken; none is where I is `size`.
+  template <std::size_t I>
+  struct need {
+    using type = check_need<void, true>;
+  };
+  template <std::size_t I>
+  requires(I < Chain::size) struct need<I> {
+    using type = check_need<core<I>, false>;
   };
   template <kind K, int Slot>
   struct total {
@@ -225,6 +242,7 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
   using chain_type = Chain;
   /// doMotion, then doForce of all elements.
   KTE_INLINE constexpr local_pass(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
+    static_assert(sizeof(need) > 0);
     const int done[]{(push<Chain::size - 1 - E>(typename types::template inputs<Chain::size - 1 - E>{}), 0)..., 0};
     (void)done;
   }
@@ -255,6 +273,10 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
   // limit the depth of templates.
   static_assert(sizeof(void (*)(typename types::template loads<Chain::size - 1 - E>::type*...)) > 0);
   boost::hana::tuple<typename types::template loads<E>::type...> loads_;
+
+ public:
+  /// A rule about what elements need. Functions that users call ask for it, so that little stands above its sentence.
+  using need = typename types::template need<first_false({types::template loads<E>::usable..., false})>::type;
 };
 
 }  // namespace kte::detail
