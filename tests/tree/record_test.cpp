@@ -194,3 +194,20 @@ TEST_CASE("forces in runtime chains see positions without a word", "[tree]") {
   const std::array tau{0.0};
   CHECK(forward_dynamics(run, s, q, v, tau)[0] == within(-1.0, 1e-15));
 }
+
+TEST_CASE("a coordinate that moves nothing, or too much, is named", "[tree][errors]") {
+  kte_map_chain run;
+  run << revolute_joint_3D("q1", "base", "a", axis::x) << inertia_3D("a", body)
+      << revolute_joint_3D("q2", "a", "b", axis::y);
+  auto s = run.make_state();
+  const std::array x{0.5, 0.25};
+  CHECK_THROWS_WITH(forward_dynamics(run, s, x, x, x), Catch::Contains("singular: 'q2'"));
+  CHECK_THROWS_WITH(mass_matrix_inverse(run, s, x), Catch::Contains("singular: 'q2'"));
+  kte_map_chain far;
+  far << revolute_joint_3D("q1", "base", "a", axis::x) << rigid_link_3D("a", "b", along_y(1e155))
+      << inertia_3D("b", body);
+  auto f = far.make_state();
+  const std::array y{0.5};
+  CHECK_THROWS_WITH(mass_matrix(far, f, y), Catch::Contains("'q1'") && !Catch::Contains("singular"));
+  CHECK_THROWS_WITH(forward_dynamics(far, f, y, y, y), Catch::Contains("'q1'") && !Catch::Contains("singular"));
+}

@@ -48,17 +48,18 @@ inline void inverse_of_masses(const kte_map_chain& c, runtime_state& s, Eigen::M
   if (!t.plan.tree) {
     mass_of_coordinates(c, s);
     inverse.resize(s.dofs(), s.dofs());
-    invert_by_factors(w.mass, inverse);
+    invert_by_factors(w.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
     return;
   }
   place_bodies(c, s);
   for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
   std::fill(w.force.begin(), w.force.end(), 0.0);
   tree::start_articulated(t.forest, w, false);
-  bool good = tree::articulate(t.forest, w);
-  for (const int row : t.plan.lone_rows) good = good && t.own_mass[static_cast<std::size_t>(row)] > 0;
-  if (!good) [[unlikely]]
-    raise_singular_mass_matrix();
+  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
+    blame_axis(s, bad);
+  for (const int row : t.plan.lone_rows)
+    if (!(t.own_mass[static_cast<std::size_t>(row)] > 0)) [[unlikely]]
+      blame_mass(s, row, true);
   invert_articulated(s, inverse);
 }
 }  // namespace detail

@@ -110,17 +110,17 @@ using runtime_jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 namespace detail {
 /// At positions that are good.
 inline runtime_jacobian jacobian_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x, bool world) {
-  place_bodies(c, s);
   const auto& t = s.tree();
+  const auto& place = t.forest.frame(x.what, x.index);
+  place_ancestors(c, s, place.slot);
   const auto& row = t.forest.row;
   runtime_jacobian j = runtime_jacobian::Zero(6, t.plan.coordinates);
   tree::dense_pose<double> seen;
-  const int base = tree::jacobian_columns(t.forest, s.work, t.forest.frame(x.what, x.index), seen,
-                                          [&](int k, const vec3<>& v, const vec3<>& w) {
-                                            auto column = j.col(row[static_cast<std::size_t>(k)]);
-                                            column[0] += v.x, column[1] += v.y, column[2] += v.z;
-                                            column[3] += w.x, column[4] += w.y, column[5] += w.z;
-                                          });
+  const int base = tree::jacobian_columns(t.forest, s.work, place, seen, [&](int k, const vec3<>& v, const vec3<>& w) {
+    auto column = j.col(row[static_cast<std::size_t>(k)]);
+    column[0] += v.x, column[1] += v.y, column[2] += v.z;
+    column[3] += w.x, column[4] += w.y, column[5] += w.z;
+  });
   if (world) {
     mat3<vec3<>> axes = seen.rotation;
     for_each_base(s, [&](const auto& m, std::size_t slot) {

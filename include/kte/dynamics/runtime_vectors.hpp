@@ -46,6 +46,15 @@ inline std::vector<layout_entry<>> layout_of_state(const runtime_state& s) {
   if (tau.size() > 0) raise_not_finite(what, layout, {{"q", span(q), true}, {"v", span(v)}, {"tau", span(tau)}});
   raise_not_finite(what, layout, {{"q", span(q), true}, {"v", span(v)}, {"a", span(a)}});
 }
+/// As on static chains: a mass of coordinate `row` that cannot be used.
+[[noreturn, gnu::cold]] inline void blame_mass(const runtime_state& s, int row, bool finite) {
+  const auto layout = layout_of_state(s);
+  if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
+  const auto q = read_numbers<vector_of::q>(s);
+  const argument positions{"q", {q.data(), static_cast<std::size_t>(q.size())}, true};
+  if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
+  raise_endless_mass(name_of_row(layout, row));
+}
 }  // namespace detail
 
 inline Eigen::VectorXd positions(const runtime_state& s) { return detail::read_numbers<detail::vector_of::q>(s); }

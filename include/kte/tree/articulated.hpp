@@ -140,13 +140,14 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
   return good;
 }
 
-/// The same by any joint, axis by axis from the last; a further mass m on an axis keeps something of I along it. Where
-/// the acceleration of the joint is given, all that its body carries goes on.
+/// The same by any joint, axis by axis from the last, of which the first is returned that moves nothing, or -1; a
+/// further mass m on an axis keeps something of I along it. Where the acceleration of the joint is given, all that its
+/// body carries goes on.
 template <class P, class S>
-[[gnu::noinline]] bool give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const S* own_mass,
-                                articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
+[[gnu::noinline]] int give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const S* own_mass,
+                               articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
   auto& [a, h, j] = x.inertia;
-  bool good = true;
+  int bad = -1;
   const S linear = trace(a), angular = trace(j);
   for (int k = yields ? r.axes : 0; k-- > 0;) {
     std::array<S, 6> one{};
@@ -155,7 +156,8 @@ template <class P, class S>
     along_axes(r, one.data(), s, sw);
     const dense_wrench<S> u{a * s + h * sw, transpose(h) * s + j * sw};
     const S d = (dot(s, u.force) + dot(sw, u.torque)) + own_mass[k];
-    good = good && all(d > least_mass(S(dot(s, s) * linear), S(dot(sw, sw) * angular)));
+    if (bad < 0 && !all(d > least_mass(S(dot(s, s) * linear), S(dot(sw, sw) * angular)))) [[unlikely]]
+      bad = k;
     const S inverse = S(1) / d;
     const dense_wrench<S> gain{inverse * u.force, inverse * u.torque};
     const S rate = inverse * (force[k] + (dot(s, x.load.force) + dot(sw, x.load.torque)));
@@ -169,31 +171,37 @@ template <class P, class S>
     leave_nothing(n, x.inertia);
     set_component(x.load.force, x.load.torque, n, S(-force[k]));
   }
-  if (parent == nullptr) return good;
+  if (parent == nullptr) return bad;
   const dense_wrench<S> load{x.load.force - (a * x.drift + h * x.ang_drift),
                              x.load.torque - (transpose(h) * x.drift + j * x.ang_drift)};
   const placed<P, S> seat{r, at};
   add_seen_from(seat, seat.out(a), seat.out(h), seat.out(j), load, *parent);
-  return good;
+  return bad;
 }
 
-/// Articulated inertias of all bodies, from the last. Returns whether every axis has something to move.
+/// Articulated inertias of all bodies, from the last. Returns the first axis of a joint that has nothing to move, or
+/// -1.
 template <class P, class S>
-bool articulate(const forest<P>& f, memory<P, S>& m) {
+int articulate(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
-  bool good = true;
+  int bad = -1;
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
     const auto k = static_cast<std::size_t>(r.first);
     articulated_body<S>& x = m.articulated[bases + i];
     articulated_body<S>* const parent =
         r.parent < f.bases ? nullptr : &m.articulated[static_cast<std::size_t>(r.parent)];
-    if (r.moves == joint::revolute && m.yields[i] && m.own_mass[k] == S(0))
-      good = give_way_about_z(r, m.spots[i], m.force[k], x, m.answers[k], parent) && good;
-    else
-      good = give_way(r, m.spots[i], m.yields[i] != 0, &m.force[k], &m.own_mass[k], x, &m.answers[k], parent) && good;
+    int own = -1;
+    if (r.moves == joint::revolute && m.yields[i] && m.own_mass[k] == S(0)) {
+      if (!give_way_about_z(r, m.spots[i], m.force[k], x, m.answers[k], parent)) [[unlikely]]
+        own = 0;
+    } else {
+      own = give_way(r, m.spots[i], m.yields[i] != 0, &m.force[k], &m.own_mass[k], x, &m.answers[k], parent);
+    }
+    if (own >= 0 && bad < 0) [[unlikely]]
+      bad = r.first + own;
   }
-  return good;
+  return bad;
 }
 
 /// The way out: accelerations of all axes from the motions of the bases,

@@ -12,7 +12,13 @@ namespace kte {
 namespace detail {
 
 inline void check_masses(const runtime_state& s, const Eigen::MatrixXd& m) {
-  check_result(m.diagonal(), static_cast<std::size_t>(s.dofs()), [&s] { blame("a mass", s); });
+  if (!((m.array() * 0.0).sum() == 0)) [[unlikely]]  // several at a time, as a loop would not
+    blame_mass(s, first_endless(m), false);
+}
+/// Where an axis has nothing to move, or more than a number can say.
+[[noreturn, gnu::cold]] inline void blame_axis(const runtime_state& s, int axis) {
+  const double inverse = s.work.answers[static_cast<std::size_t>(axis)].inverse;
+  blame_mass(s, s.tree().forest.row[static_cast<std::size_t>(axis)], inverse == inverse && inverse != 0);
 }
 
 /// The change of what a follower writes by a coordinate that it follows: of q_dot, when that has a rate of one.
@@ -88,7 +94,7 @@ void accelerate_by_mass(const kte_map_chain& c, runtime_state& s, const Tau& tau
   read_listed_numbers<vector_of::f>(s, a);
   for (int i = 0; i < s.dofs(); ++i) a[i] += tau(i);
   mass_of_coordinates(c, s);
-  solve_in_place(s.work.mass, a);
+  solve_in_place(s.work.mass, a, [&s](int row) { blame_mass(s, row, true); });
 }
 
 /// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
@@ -143,7 +149,8 @@ void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau&
   }
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : 0;
-  bool good = tree::articulate(t.forest, w);
+  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
+    blame_axis(s, bad);
   if (!t.on_frames.empty()) take_rates(s);  // accelerations of what does not yield
   tree::accelerate(t.forest, w);
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
@@ -156,11 +163,10 @@ void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau&
       continue;
     }
     const double m = t.own_mass[static_cast<std::size_t>(row)];
-    good = good && m > 0;
+    if (!(m > 0)) [[unlikely]]
+      blame_mass(s, row, true);
     w.forces[row] /= m;
   }
-  if (!good) [[unlikely]]
-    raise_singular_mass_matrix();
 }
 /// At positions that are good. Some accelerations may be given, in the state: those of rows that are `prescribed`, in
 /// trees.
