@@ -24,9 +24,7 @@ class local_mass {
 
   KTE_INLINE local_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
     M.setZero();
-    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA {
-      (void)carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-    });
+    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     coordinate_masses(std::make_index_sequence<Chain::size>{});
   }
 
@@ -66,10 +64,15 @@ class local_mass {
   }
 
   // ---- up the tree: composite inertias, and a column of M at each joint
-  /// The inertia carried by a frame, about it and in its axes.
-  template <kind K, int Slot, std::size_t... N>
-  KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
-    return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>());
+  /// The inertia carried by a frame, about it and in its axes: `sum`, and that of its readers from number N on. One
+  /// after the other: of a sum in one expression g++ makes the last part first, whose numbers then wait in memory.
+  template <kind K, int Slot, std::size_t N = 0, class Sum = std::remove_const_t<decltype(no_mass)>>
+  KTE_INLINE constexpr auto carried(const Sum& sum = {}) {
+    if constexpr (N == loads_on<wiring, K, Slot>.size()) {
+      return sum;
+    } else {
+      return carried<K, Slot, N + 1>(sum + part<loads_on<wiring, K, Slot>[N].element>());
+    }
   }
   /// The part of it that comes through element I.
   template <std::size_t I>
@@ -79,7 +82,7 @@ class local_mass {
     } else if constexpr (is_transmission<core_t<I>>) {
       constexpr kind k = types::template output_kind<I>;
       constexpr int end = types::template output_slot<I>;
-      const auto c = carried<k, end>(std::make_index_sequence<loads_on<wiring, k, end>.size()>{});
+      const auto c = carried<k, end>();
       if constexpr (coordinates_of<core_t<I>> == 1)
         for_each_axis<I>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
       const auto x = pose<I>();
