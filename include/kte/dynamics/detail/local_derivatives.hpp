@@ -66,14 +66,6 @@ class local_derivatives : local_pass<Chain, Given> {
   KTE_INLINE constexpr auto faster() const {
     return by_rate(relative<I>(), axis<I, N>(), at_base<I>());
   }
-  template <int N, class F>
-  KTE_INLINE static constexpr void repeat(const F& f) {
-    const auto each = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      const int done[]{(f.template operator()<K>(), 0)..., 0};
-      (void)done;
-    };
-    each(std::make_integer_sequence<int, N>{});
-  }
 
   // ---- up the tree: what a frame carries
   template <kind K, int Slot>

@@ -53,15 +53,8 @@ class local_mass {
   KTE_INLINE constexpr auto axis() const {
     return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return unit_rate<coordinate_kind<core_t<I>>, N>(c); });
   }
-  /// f<N>() for each degree of freedom of a joint.
-  template <std::size_t I, class F>
-  KTE_INLINE static constexpr void for_each_axis(const F& f) {
-    const auto each = [&]<int... N>(std::integer_sequence<int, N...>) KTE_INLINE_LAMBDA {
-      const int done[]{(f.template operator()<N>(), 0)..., 0};
-      (void)done;
-    };
-    each(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
-  }
+  template <std::size_t I>
+  static constexpr int axes = joint_dofs<core_t<I>>;
 
   // ---- up the tree: composite inertias, and a column of M at each joint
   /// The inertia carried by a frame, about it and in its axes: `sum`, and that of its readers from number N on. One
@@ -84,7 +77,7 @@ class local_mass {
       constexpr int end = types::template output_slot<I>;
       const auto c = carried<k, end>();
       if constexpr (coordinates_of<core_t<I>> == 1)
-        for_each_axis<I>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
+        repeat<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
       const auto x = pose<I>();
       return transported(x.rotation, x.position, c);
     } else {
@@ -97,7 +90,7 @@ class local_mass {
   KTE_INLINE constexpr void column(const C& composite_inertia) {
     const auto w = accelerating_wrench(composite_inertia, axis<J, N>());
     constexpr int j = row_of<J> + N;
-    for_each_axis<J>([&]<int R>() KTE_INLINE_LAMBDA {
+    repeat<axes<J>>([&]<int R>() KTE_INLINE_LAMBDA {
       const auto m = power(axis<J, R>(), w);
       if constexpr (R < N) put(row_of<J> + R, j, m);
       if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m);
@@ -111,7 +104,7 @@ class local_mass {
     if constexpr (below >= 0) {
       const auto w = transmit(pose<I>(), at_end);
       if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
-        for_each_axis<std::size_t{below}>([&]<int N>() KTE_INLINE_LAMBDA {
+        repeat<axes<std::size_t{below}>>([&]<int N>() KTE_INLINE_LAMBDA {
           put(row_of<std::size_t{below}> + N, column, power(axis<std::size_t{below}, N>(), w));
         });
       down<std::size_t{below}>(w, column);
