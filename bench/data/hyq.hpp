@@ -3,7 +3,7 @@
 #include "data/robot_state.hpp"
 
 /// The HyQ, floating: random states, and what they give by the parameters of bench/robots/hyq.hpp, but for the quarter
-/// turns: those are rounded to 11 digits in the published model, by which these values are made. Differences of 1e-11
+/// turns: those are rounded to 11 digits in the published model, by which these values are made. Differences of 1e-12
 /// are right.
 namespace kte::reference {
 
