@@ -130,7 +130,7 @@ KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
       (void)done;
     };
     const auto small = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-      return (true & ... & (std::fabs(angle(I)) <= detail::largest_reduced_angle));
+      return (1 & ... & int{std::fabs(angle(I)) <= detail::largest_reduced_angle}) != 0;
     };
     if (small(std::make_index_sequence<N>{})) [[likely]] {
       fours(std::make_index_sequence<sines<S, N>::padded / 4>{});
