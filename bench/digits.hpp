@@ -32,7 +32,8 @@ std::vector<block> from_digits(operation o, const State& s, const kte::reference
     case operation::inverse_dynamics:
       return {list(s.inverse_dynamics)};
     case operation::nonlinear_effects:
-      return {list(s.bias)};
+      if constexpr (requires { s.bias; }) return {list(s.bias)};
+      return {};
     case operation::forward_dynamics:
       return {list(s.forward_dynamics)};
     case operation::mass_matrix: {
@@ -43,11 +44,9 @@ std::vector<block> from_digits(operation o, const State& s, const kte::reference
       return {m};
     }
     case operation::forward_kinematics:
-      if constexpr (floats) {
-        return {list(s.foot_rotation), list(s.foot_position)};
-      } else {
-        return {list(s.tool_rotation), list(s.tool_position)};
-      }
+      if constexpr (floats) return {list(s.foot_rotation), list(s.foot_position)};
+      if constexpr (requires { s.tool_rotation; }) return {list(s.tool_rotation), list(s.tool_position)};
+      return {};
     case operation::jacobian:
       if constexpr (floats) return {transposed(s.foot_jacobian, 6, N)};
       return {};

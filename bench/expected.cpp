@@ -1,9 +1,12 @@
 #include "expected.hpp"
 
 #include <random>
+#include <span>
 
 #include "data/chain2.hpp"
 #include "data/chain8.hpp"
+#include "data/hyq.hpp"
+#include "data/panda.hpp"
 #include "digits.hpp"
 #include "from_textbook.hpp"
 #include "models.hpp"
@@ -17,17 +20,17 @@ constexpr bool is_under_forces(operation o) {
   return o == operation::forward_dynamics || o == operation::fd_derivatives;
 }
 
-/// States of tests/data; what these do not have is filled up by the textbook, which knows no robots that float.
-template <class State, std::size_t States, int N, std::size_t Derivatives>
+/// States of tests/data; what these do not have is filled up by the textbook, which knows serial robots.
+template <int N, class State, std::size_t States>
 std::vector<expectation> of_states(const std::string& model, operation o, const State (&states)[States],
-                                   const kte::reference::derivatives<N> (&d)[Derivatives]) {
+                                   std::span<const kte::reference::derivatives<N>> d = {}) {
   std::vector<expectation> all;
   for (std::size_t k = 0; k < States; ++k) {
     const auto& s = states[k];
     const auto& given = is_under_forces(o) ? s.tau : s.a;
     expectation e{{{{std::begin(s.q), std::end(s.q)}, {s.v, s.v + N}, {given, given + N}}},
-                  from_digits(o, s, k < Derivatives ? d + k : nullptr)};
-    if (e.y.empty() && model != solo12::name) e.y = from_textbook(o, model, e.x);
+                  from_digits<State, N>(o, s, k < d.size() ? &d[k] : nullptr)};
+    if (e.y.empty() && !d.empty() && model != solo12::name) e.y = from_textbook(o, model, e.x);
     if (!e.y.empty()) all.push_back(e);
   }
   return all;
@@ -52,11 +55,13 @@ std::vector<expectation> of_textbook(const std::string& model, operation o) {
 
 std::vector<expectation> in_full(const std::string& model, operation o) {
   using namespace kte::reference;
-  if (model == iiwa14::name) return of_states(model, o, kte::reference::iiwa14, iiwa14_derivatives);
-  if (model == ur5::name) return of_states(model, o, kte::reference::ur5, ur5_derivatives);
-  if (model == solo12::name) return of_states(model, o, kte::reference::solo12, solo12_derivatives);
-  if (model == "serial2") return of_states(model, o, chain2, chain2_derivatives);
-  if (model == "serial8") return of_states(model, o, chain8, chain8_derivatives);
+  if (model == iiwa14::name) return of_states<7>(model, o, kte::reference::iiwa14, iiwa14_derivatives);
+  if (model == ur5::name) return of_states<6>(model, o, kte::reference::ur5, ur5_derivatives);
+  if (model == solo12::name) return of_states<18>(model, o, kte::reference::solo12, solo12_derivatives);
+  if (model == "panda") return of_states<9>(model, o, panda);
+  if (model == "hyq") return of_states<18>(model, o, hyq);
+  if (model == "serial2") return of_states<2>(model, o, chain2, chain2_derivatives);
+  if (model == "serial8") return of_states<8>(model, o, chain8, chain8_derivatives);
   return of_textbook(model, o);
 }
 
@@ -66,7 +71,8 @@ model_size size_of(const std::string& model) {
   if (model == pendulum::name) return {1, 1};
   if (model == iiwa14::name) return {7, 7};
   if (model == ur5::name) return {6, 6};
-  if (model == solo12::name) return {19, 18};
+  if (model == solo12::name || model == "hyq") return {19, 18};
+  if (model == "panda") return {9, 9};
   return {serial_length(model), serial_length(model)};
 }
 

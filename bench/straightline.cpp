@@ -17,6 +17,15 @@ void ur5_forward_dynamics(const double*, double*);
 void ur5_articulated(const double*, double*);
 void ur5_forward_kinematics(const double*, double*);
 void ur5_jacobian(const double*, double*);
+void panda_inverse_dynamics(const double*, double*);
+void panda_mass_matrix(const double*, double*);
+void panda_articulated(const double*, double*);
+void solo12_inverse_dynamics(const double*, double*);
+void solo12_mass_matrix(const double*, double*);
+void solo12_articulated(const double*, double*);
+void hyq_inverse_dynamics(const double*, double*);
+void hyq_mass_matrix(const double*, double*);
+void hyq_articulated(const double*, double*);
 #if defined(KTE_STRAIGHTLINE_EXTERN)
 void iiwa14_rnea(const double*, double*);
 void iiwa14_crba(const double*, double*);
@@ -37,6 +46,12 @@ void add_robot(const char* how, const char* model, call<double> inverse_dynamics
   add(operation::forward_kinematics, how, model, kinematics);
 }
 
+void add_tree(const char* model, call<double> inverse_dynamics, call<double> mass_matrix, call<double> articulated) {
+  add(operation::inverse_dynamics, "straightline", model, inverse_dynamics);
+  add(operation::mass_matrix, "straightline", model, mass_matrix, 1, triangle::upper);
+  add(operation::forward_dynamics, "straightline_aba", model, articulated);
+}
+
 const registered here{[] {
   constexpr auto ours = "straightline";
   add_robot(ours, "iiwa14", iiwa14_inverse_dynamics, iiwa14_mass_matrix, iiwa14_forward_kinematics);
@@ -50,6 +65,9 @@ const registered here{[] {
   add(operation::nonlinear_effects, ours, "ur5", ur5_nonlinear_effects);
   add(operation::jacobian, ours, "iiwa14", iiwa14_jacobian);
   add(operation::jacobian, ours, "ur5", ur5_jacobian);
+  add_tree("panda", panda_inverse_dynamics, panda_mass_matrix, panda_articulated);
+  add_tree("solo12", solo12_inverse_dynamics, solo12_mass_matrix, solo12_articulated);
+  add_tree("hyq", hyq_inverse_dynamics, hyq_mass_matrix, hyq_articulated);
 #if defined(KTE_STRAIGHTLINE_EXTERN)
   constexpr auto theirs = "straightline_extern";  // to the frame of the last joint: compare its time, not its error
   add_robot(theirs, "iiwa14", iiwa14_rnea, iiwa14_crba, iiwa14_fk);

@@ -2,7 +2,10 @@
 /// computed twice or in vain. The formulas are kte's own, run on `traced`.
 #include <string>
 
+#include "robots/hyq.hpp"
 #include "robots/iiwa14.hpp"
+#include "robots/panda.hpp"
+#include "robots/solo12.hpp"
 #include "robots/ur5.hpp"
 #include "straightline/print.hpp"
 
@@ -43,23 +46,33 @@ std::vector<traced> list(const Vector& v) {
   return {v.begin(), v.end()};
 }
 
+std::vector<traced> upper(const auto& m) {
+  std::vector<traced> l;
+  for (int i = 0; i < m.rows(); ++i)
+    for (int j = i; j < m.cols(); ++j) l.push_back(m(i, j));
+  return l;
+}
+
+/// The dynamics of any tree.
+template <class Chain>
+void print_dynamics(const std::string& robot, const Chain& c) {
+  constexpr int n = Chain::dofs, nq = Chain::nq;
+  const auto q = inputs<nq>(0);
+  const auto v = inputs<n>(nq), a = inputs<n>(nq + n);
+  print(robot, "inverse_dynamics", list(kte::inverse_dynamics(c, q, v, a)));
+  print(robot, "mass_matrix", upper(kte::mass_matrix(c, q)));
+  print(robot, "articulated", list(kte::forward_dynamics(c, q, v, a)));
+}
+/// All of a robot with as many numbers in q as in v.
 template <class Chain, class Tool>
 void print_robot(const std::string& robot, const Chain& c, const Tool& tool) {
+  print_dynamics(robot, c);
   constexpr int n = Chain::dofs;
   const auto q = inputs<n>(0), v = inputs<n>(n), a = inputs<n>(2 * n);
-  print(robot, "inverse_dynamics", list(kte::inverse_dynamics(c, q, v, a)));
-
-  const auto m = kte::mass_matrix(c, q);
-  std::vector<traced> upper;
-  for (int i = 0; i < n; ++i)
-    for (int j = i; j < n; ++j) upper.push_back(m(i, j));
-  print(robot, "mass_matrix", upper);
-
   kte::joint_vector<traced, n> b = -kte::inverse_dynamics(c, q, v, std::array<traced, std::size_t{n}>{});
   for (int i = 0; i < n; ++i) b[i] = b[i] + a[static_cast<std::size_t>(i)];
-  solve<n>(m, b);
+  solve<n>(kte::mass_matrix(c, q), b);
   print(robot, "forward_dynamics", list(b));
-  print(robot, "articulated", list(kte::forward_dynamics(c, q, v, a)));
 
   print(robot, "nonlinear_effects", list(kte::nonlinear_effects(c, q, v)));
   const auto j = kte::jacobian(c, q, tool, kte::in_world_axes);
@@ -76,4 +89,7 @@ int main() {
   std::puts("#include <math.h>\n");
   straightline::print_robot("iiwa14", robots::iiwa14, robots::iiwa14_names::tool);
   straightline::print_robot("ur5", robots::ur5, robots::ur5_names::tool);
+  straightline::print_dynamics("panda", robots::panda);
+  straightline::print_dynamics("solo12", robots::solo12);
+  straightline::print_dynamics("hyq", robots::hyq);
 }

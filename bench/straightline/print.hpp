@@ -49,8 +49,8 @@ class printer {
     std::printf("  const double t%zu = ", i);
     if (n.by == op::input) {
       std::printf("x[%zu]", n.a);
-    } else if (n.by == op::sine || n.by == op::cosine) {
-      std::printf(n.by == op::sine ? "sin(t%zu)" : "cos(t%zu)", n.a);
+    } else if (n.by < op::sum) {
+      std::printf("%s(t%zu)", n.by == op::sine ? "sin" : n.by == op::cosine ? "cos" : "sqrt", n.a);
     } else {
       value(n.a);
       std::printf(" %c ", n.by == op::sum ? '+' : n.by == op::difference ? '-' : n.by == op::product ? '*' : '/');

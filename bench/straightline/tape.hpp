@@ -11,7 +11,7 @@
 namespace straightline {
 
 /// What a value is made by: a number, an input, or an operation on earlier values.
-enum class op : unsigned char { number, input, sine, cosine, sum, difference, product, quotient };
+enum class op : unsigned char { number, input, sine, cosine, root, sum, difference, product, quotient };
 
 /// A value up to its sign, so that a*-b shares with a*b, and b-a with a-b.
 struct node {

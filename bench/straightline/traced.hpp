@@ -60,6 +60,7 @@ class traced {
   }
   friend traced& operator+=(traced& a, const traced& b) { return a = a + b; }
   friend traced& operator-=(traced& a, const traced& b) { return a = a - b; }
+  friend traced& operator*=(traced& a, const traced& b) { return a = a * b; }
   friend traced& operator/=(traced& a, const traced& b) { return a = a / b; }
   /// Whether these are the same value; x-x == 0 for all x.
   friend bool operator==(const traced& a, const traced& b) {
@@ -67,8 +68,10 @@ class traced {
   }
   /// What is asked of numbers, such as whether a pivot is large enough, is so.
   friend bool operator>(const traced&, const traced&) { return true; }
+  friend bool operator<(const traced&, const traced&) { return true; }
   friend traced sin(const traced& x) { return make({op::sine, x.index_, 0, 0}).times(x.negative_ ? -1 : 1); }
   friend traced cos(const traced& x) { return make({op::cosine, x.index_, 0, 0}); }
+  friend traced sqrt(const traced& x) { return make({op::root, x.index_, 0, 0}); }
 
  private:
   static traced make(const node& n) {

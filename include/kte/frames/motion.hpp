@@ -94,7 +94,8 @@ KTE_INLINE constexpr auto compose(const A& a, const B& b) {
 template <class Pose, class F, class T>
 KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b) {
   const auto f = b_in_a.rotation * at_b.force;
-  return wrench{f, plus_cross(b_in_a.rotation * at_b.torque, b_in_a.position, f)};
+  return wrench{vec3{f.x, f.y, f.z},  // a copy of f as a whole, g++ 12 would keep in memory
+                plus_cross(b_in_a.rotation * at_b.torque, b_in_a.position, f)};
 }
 
 /// A frame at rest relative to its parent.

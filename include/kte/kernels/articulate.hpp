@@ -2,6 +2,7 @@
 
 #include <kte/kernels/axis_split.hpp>
 #include <kte/kernels/joint.hpp>
+#include <kte/kernels/joint_factors.hpp>
 #include <kte/kernels/solve.hpp>
 #include <kte/math/articulated.hpp>
 
@@ -139,7 +140,7 @@ struct unmoved {
   constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << std::min(coordinate, std::size_t{63}); }
 };
 /// `good` is a bool, or says more.
-KTE_INLINE constexpr void judge(bool& good, bool moves) { good = good && moves; }
+KTE_INLINE constexpr void judge(bool& good, bool moves) { good = moves && good; }
 KTE_INLINE constexpr void judge(unmoved& x, bool moves) { x.all |= moves ? 0 : x.here; }
 
 /// (1), and gain again with its typed entries.
@@ -164,47 +165,28 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
     r.gain[0] = {as<S>(gain.force), as<S>(gain.torque)};
     return make_loads(gain);
   } else {
-    joint_matrix<S, N> d;
-    std::array<joint_vector<S, N>, 6> rows;  // of U, then of gain
-    joint_vector<S, N> x;
-    const auto fill = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      const auto column = [&]<int L>(std::integral_constant<int, L>) KTE_INLINE_LAMBDA {
-        const auto& w = axis_at<L>(u);
-        const int done[]{(d(K, L) = as<S>(power(axis_of<K>(core, at), w)), 0)...};
-        (void)done;
-        d(L, L) = as<S>(d(L, L) + m);
-        rows[0][L] = as<S>(w.force.x), rows[1][L] = as<S>(w.force.y), rows[2][L] = as<S>(w.force.z);
-        rows[3][L] = as<S>(w.torque.x), rows[4][L] = as<S>(w.torque.y), rows[5][L] = as<S>(w.torque.z);
-        x[L] = as<S>(f.template operator()<L>() + power(axis_of<L>(core, at), b.load));
-        return 0;
-      };
-      const int done[]{column(std::integral_constant<int, K>{})...};
-      (void)done;
-    };
-    fill(std::make_integer_sequence<int, N>{});
-    judge(good, factorise(d));
-    const auto check = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      judge(good, (... && all(d(K, K) > least(axis_of<K>(core, at)))));
-    };
-    check(std::make_integer_sequence<int, N>{});
-    substitute(d, x);
-    joint_matrix<S, N> one = joint_matrix<S, N>::Identity();
-    for (int k = 0; k < N; ++k) {
-      joint_vector<S, N> column = one.col(k);
-      substitute(d, column);
-      for (int i = 0; i < N; ++i) r.inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = column[i];
-    }
+    joint_factors<S, N> d;
+    std::array<std::array<S, std::size_t{N}>, 6> rows;  // of U, then of gain
+    repeat<N>([&]<int K>() KTE_INLINE_LAMBDA {
+      const auto s = axis_of<K>(core, at);
+      const auto& w = axis_at<K>(u);
+      repeat<K>([&]<int L>() KTE_INLINE_LAMBDA { d.template at<K, L>() = as<S>(power(s, axis_at<L>(u))); });
+      d.template at<K, K>() = as<S>(power(s, w) + m);
+      rows[0][K] = as<S>(w.force.x), rows[1][K] = as<S>(w.force.y), rows[2][K] = as<S>(w.force.z);
+      rows[3][K] = as<S>(w.torque.x), rows[4][K] = as<S>(w.torque.y), rows[5][K] = as<S>(w.torque.z);
+      r.rate[K] = as<S>(f.template operator()<K>() + power(s, b.load));
+    });
+    judge(good, d.factorise());
+    r.rate = d.solved(r.rate);
     constexpr auto wanted = division<Core, C, M>().leaves;
-    const auto divide = [&]<std::size_t... R>(std::index_sequence<R...>) KTE_INLINE_LAMBDA {
-      const int done[]{((wanted[R] ? substitute(d, rows[R]) : void()), 0)...};
-      (void)done;
-    };
-    divide(std::make_index_sequence<6>{});
-    for (int k = 0; k < N; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      r.rate[i] = x[k];
-      r.gain[i] = {{rows[0][k], rows[1][k], rows[2][k]}, {rows[3][k], rows[4][k], rows[5][k]}};
-    }
+    repeat<6>([&]<int R>() KTE_INLINE_LAMBDA {
+      if constexpr (wanted[R]) rows[R] = d.solved(rows[R]);
+    });
+    repeat<N>([&]<int K>() KTE_INLINE_LAMBDA {
+      judge(good, all(d.template pivot<K>() > least(axis_of<K>(core, at))));
+      r.inverse[K] = d.template inverse_column<K>();
+      r.gain[K] = {{rows[0][K], rows[1][K], rows[2][K]}, {rows[3][K], rows[4][K], rows[5][K]}};
+    });
     return for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA { return r.gain[K]; });
   }
 }

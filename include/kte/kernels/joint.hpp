@@ -29,6 +29,16 @@ KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const
   return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
 }
 
+/// f<0>(), f<1>() ... f<N - 1>()
+template <int N, class F>
+KTE_INLINE constexpr void repeat(const F& f) {
+  const auto all_of_them = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+    const int done[]{(f.template operator()<K>(), 0)..., 0};
+    (void)done;
+  };
+  all_of_them(std::make_integer_sequence<int, N>{});
+}
+
 /// Axis n of a joint at coordinate c: the motion that its unit rate makes.
 template <int N, class Core, class C>
 KTE_INLINE constexpr auto axis_of(const Core& core, const C& c) {

@@ -113,12 +113,27 @@ KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
   sines<S, N> r;
   if constexpr (sines<S, N>::simd) {
 #if defined(KTE_HAS_VECTORS)
-    bool small = true;
-    for (std::size_t i = 0; i < N; ++i) small &= std::fabs(angle(i)) <= detail::largest_reduced_angle;
-    if (small) [[likely]] {
-      const auto at = [&](std::size_t i) { return i < N ? angle(i) : S(0); };
-      for (std::size_t i = 0; i < N; i += 4)
-        detail::sincos4(detail::double4{at(i), at(i + 1), at(i + 2), at(i + 3)}, r.sin.data() + i, r.cos.data() + i);
+    // No loops: at -O2 they would stay, and the angles wait in memory, one by one, to be read four at a time.
+    const auto at = [&]<std::size_t I>() KTE_INLINE_LAMBDA {
+      if constexpr (I < N) {
+        return angle(I);
+      } else {
+        return S(0);
+      }
+    };
+    const auto fours = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+      const int done[]{
+          (detail::sincos4(detail::double4{at.template operator()<4 * I>(), at.template operator()<4 * I + 1>(),
+                                           at.template operator()<4 * I + 2>(), at.template operator()<4 * I + 3>()},
+                           r.sin.data() + 4 * I, r.cos.data() + 4 * I),
+           0)...};
+      (void)done;
+    };
+    const auto small = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+      return (1 & ... & int{std::fabs(angle(I)) <= detail::largest_reduced_angle}) != 0;
+    };
+    if (small(std::make_index_sequence<N>{})) [[likely]] {
+      fours(std::make_index_sequence<sines<S, N>::padded / 4>{});
       return r;
     }
 #endif

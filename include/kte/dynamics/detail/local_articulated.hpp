@@ -49,8 +49,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     tau_ = &tau, a_ = &a;
     for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     masses(std::make_index_sequence<wiring::freedoms>{});
-    check_good();
     for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { from_base<K, Slot>(); });
+    check_good();  // not on the way: compilers would move what comes before it behind it
     check_accelerations<wiring>(a, this->given_, tau);
   }
 
@@ -83,20 +83,22 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     (void)done;
   }
 
-  // ---- what elements put on frames and coordinates
+  // ---- what elements put on frames and coordinates: that of an element with a single port is made when it is wanted
+  template <std::size_t I>
+  static constexpr bool waits = !stiff<I> && port_count<core_t<I>> > 1;
   template <std::size_t I>
   struct load_of_element {
     static constexpr bool usable = true;
     using type = nothing;
   };
   template <std::size_t I>
-  requires(!stiff<I>) struct load_of_element<I> {
+  requires(waits<I>) struct load_of_element<I> {
     static constexpr bool usable = types::template loads<I>::usable;
     using type = typename types::template loads<I>::type;
   };
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
-    if constexpr (!stiff<I>) {
+    if constexpr (waits<I>) {
       if constexpr (load_of_element<I>::usable)
         boost::hana::at_c<I>(loads_) = this->chain_.template core<I>().doForce(this->template seen<I, P>()...);
     }
@@ -106,8 +108,11 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     constexpr auto place = loads_on<wiring, K, Slot>[N];
     if constexpr (stiff<place.element>) {
       return no_load<K>();
-    } else {
+    } else if constexpr (waits<place.element>) {
       return boost::hana::at_c<place.index>(boost::hana::at_c<place.element>(loads_));
+    } else {
+      return boost::hana::at_c<place.index>(
+          this->chain_.template core<place.element>().doForce(this->template seen<place.element, 0>()));
     }
   }
   template <kind K, int Slot, std::size_t... N>
@@ -177,13 +182,14 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   // ---- up the tree
   template <kind K, int Slot>
   static constexpr auto readers = std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{};
-  template <kind K, int Slot>
-  KTE_INLINE constexpr auto carried() {
-    return carried<K, Slot>(readers<K, Slot>);
-  }
-  template <kind K, int Slot, std::size_t... N>
-  KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
-    return (no_burden + ... + part<K, Slot, N>());
+  /// `sum`, and what the readers of a frame from number N on put on it: one after the other, as in local_mass.hpp.
+  template <kind K, int Slot, std::size_t N = 0, class Sum = std::remove_const_t<decltype(no_burden)>>
+  KTE_INLINE constexpr auto carried(const Sum& sum = {}) {
+    if constexpr (N == loads_on<wiring, K, Slot>.size()) {
+      return sum;
+    } else {
+      return carried<K, Slot, N + 1>(sum + part<K, Slot, N>());
+    }
   }
   template <kind K, int Slot, std::size_t N>
   KTE_INLINE constexpr auto part() {

@@ -66,23 +66,16 @@ class local_derivatives : local_pass<Chain, Given> {
   KTE_INLINE constexpr auto faster() const {
     return by_rate(relative<I>(), axis<I, N>(), at_base<I>());
   }
-  template <int N, class F>
-  KTE_INLINE static constexpr void repeat(const F& f) {
-    const auto each = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-      const int done[]{(f.template operator()<K>(), 0)..., 0};
-      (void)done;
-    };
-    each(std::make_integer_sequence<int, N>{});
-  }
 
   // ---- up the tree: what a frame carries
-  template <kind K, int Slot>
-  KTE_INLINE constexpr auto carried() {
-    return carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-  }
-  template <kind K, int Slot, std::size_t... N>
-  KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
-    return (turning_body{no_mass, no_gyration} + ... + part<loads_on<wiring, K, Slot>[N].element>());
+  /// `sum`, and what comes through the readers from number N on: one after the other, as in local_mass.hpp.
+  template <kind K, int Slot, std::size_t N = 0, class Sum = std::remove_const_t<decltype(no_turning_body)>>
+  KTE_INLINE constexpr auto carried(const Sum& sum = {}) {
+    if constexpr (N == loads_on<wiring, K, Slot>.size()) {
+      return sum;
+    } else {
+      return carried<K, Slot, N + 1>(sum + part<loads_on<wiring, K, Slot>[N].element>());
+    }
   }
   template <std::size_t I>
   KTE_INLINE constexpr auto part() {
@@ -94,11 +87,10 @@ class local_derivatives : local_pass<Chain, Given> {
                           gyration_through(x, at_base<I>().ang_velocity, c.inertia, c.gyration)};
     } else if constexpr (has_mass<core_t<I>, S>) {
       const auto i = this->chain_.template core<I>().template mass<S>();
-      return turning_body{
-          this->chain_.template core<I>().template mass<S>(),
-          gyration_of(i, this->template get<core_t<I>::ports[0].what, wiring::slot(I, 0)>().ang_velocity)};
+      const auto& at = this->template get<core_t<I>::ports[0].what, wiring::slot(I, 0)>();
+      return turning_body{i, gyration_of(i, at.ang_velocity)};
     } else {
-      return turning_body{no_mass, no_gyration};
+      return no_turning_body;
     }
   }
 

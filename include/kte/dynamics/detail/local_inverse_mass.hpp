@@ -39,8 +39,8 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
     this->tau_ = &none, this->a_ = &unused;
     for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)this->template carried<K, Slot>(); });
     this->masses(std::make_index_sequence<wiring::freedoms>{});
-    this->check_good();
     columns(m);
+    this->check_good();
   }
   /// The same after accelerations under forces `tau`, which go the same way up the tree.
   template <class Matrix>

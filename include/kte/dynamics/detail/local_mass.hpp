@@ -24,9 +24,7 @@ class local_mass {
 
   KTE_INLINE local_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
     M.setZero();
-    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA {
-      (void)carried<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-    });
+    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     coordinate_masses(std::make_index_sequence<Chain::size>{});
     if constexpr (!written_once) sum_ = M.sum();
   }
@@ -58,21 +56,19 @@ class local_mass {
   KTE_INLINE constexpr auto axis() const {
     return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return unit_rate<coordinate_kind<core_t<I>>, N>(c); });
   }
-  /// f<N>() for each degree of freedom of a joint.
-  template <std::size_t I, class F>
-  KTE_INLINE static constexpr void for_each_axis(const F& f) {
-    const auto each = [&]<int... N>(std::integer_sequence<int, N...>) KTE_INLINE_LAMBDA {
-      const int done[]{(f.template operator()<N>(), 0)..., 0};
-      (void)done;
-    };
-    each(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
-  }
+  template <std::size_t I>
+  static constexpr int axes = joint_dofs<core_t<I>>;
 
   // ---- up the tree: composite inertias, and a column of M at each joint
-  /// The inertia carried by a frame, about it and in its axes.
-  template <kind K, int Slot, std::size_t... N>
-  KTE_INLINE constexpr auto carried(std::index_sequence<N...>) {
-    return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>());
+  /// The inertia carried by a frame, about it and in its axes: `sum`, and that of its readers from number N on. One
+  /// after the other: of a sum in one expression g++ makes the last part first, whose numbers then wait in memory.
+  template <kind K, int Slot, std::size_t N = 0, class Sum = std::remove_const_t<decltype(no_mass)>>
+  KTE_INLINE constexpr auto carried(const Sum& sum = {}) {
+    if constexpr (N == loads_on<wiring, K, Slot>.size()) {
+      return sum;
+    } else {
+      return carried<K, Slot, N + 1>(sum + part<loads_on<wiring, K, Slot>[N].element>());
+    }
   }
   /// The part of it that comes through element I.
   template <std::size_t I>
@@ -82,9 +78,9 @@ class local_mass {
     } else if constexpr (is_transmission<core_t<I>>) {
       constexpr kind k = types::template output_kind<I>;
       constexpr int end = types::template output_slot<I>;
-      const auto c = carried<k, end>(std::make_index_sequence<loads_on<wiring, k, end>.size()>{});
+      const auto c = carried<k, end>();
       if constexpr (coordinates_of<core_t<I>> == 1)
-        for_each_axis<I>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
+        repeat<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
       const auto x = pose<I>();
       return transported(x.rotation, x.position, c);
     } else {
@@ -98,7 +94,7 @@ class local_mass {
     const auto w = accelerating_wrench(composite_inertia, axis<J, N>());
     constexpr int j = row_of<J> + N;
     column_ = S(0);
-    for_each_axis<J>([&]<int R>() KTE_INLINE_LAMBDA {
+    repeat<axes<J>>([&]<int R>() KTE_INLINE_LAMBDA {
       const auto m = power(axis<J, R>(), w);
       if constexpr (R < N) put(row_of<J> + R, j, m);
       if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m), watch(m);
@@ -113,7 +109,7 @@ class local_mass {
     if constexpr (below >= 0) {
       const auto w = transmit(pose<I>(), at_end);
       if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
-        for_each_axis<std::size_t{below}>([&]<int N>() KTE_INLINE_LAMBDA {
+        repeat<axes<std::size_t{below}>>([&]<int N>() KTE_INLINE_LAMBDA {
           put(row_of<std::size_t{below}> + N, column, power(axis<std::size_t{below}, N>(), w));
         });
       down<std::size_t{below}>(w, column);

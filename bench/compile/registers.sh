@@ -1,0 +1,79 @@
+#!/bin/sh
+# Fails if the mass matrix or forward dynamics of a static chain becomes more instructions, or more accesses of the
+# stack, than `register_limits` allows: what compilers no longer keep in registers costs up to half of the time
+# (docs/decisions/10-registers.md). Counts are the same on every machine. Some 25 s of CPU; gate.sh calls it.
+#   sh bench/compile/registers.sh
+#   sh bench/compile/registers.sh record      writes `register_limits` anew: what is counted now, and 5 %
+set -eu
+root=$(cd "$(dirname "$0")/../.." && pwd)
+limits=$root/bench/compile/register_limits
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# A serial robot; a trunk that floats with one leg.
+cat >"$work/chains.hpp" <<'END'
+#include "robots/solo12.hpp"
+#include "robots/ur5.hpp"
+inline constexpr auto& serial = robots::ur5;
+inline constexpr auto floating = [] {
+  using namespace robots::solo12_names;
+  return kte::chain(kte::free_joint_3D(trunk, ground, body),
+                    kte::inertia_3D(body, kte::rigid_body{1.2, kte::zero3{}, kte::diagonal(0.006, 0.02, 0.025)}),
+                    robots::solo12_leg(fl, 1, 1))
+      .gravity(kte::along_z(-9.81));
+}();
+END
+cat >"$work/unit.cpp" <<'END'
+#include "chains.hpp"
+constexpr auto nq = std::remove_cvref_t<decltype(MODEL)>::nq, nv = std::remove_cvref_t<decltype(MODEL)>::dofs;
+extern "C" void mass(const double* x, kte::joint_matrix<double, nv>* y) { *y = kte::mass_matrix(MODEL, x); }
+extern "C" void accelerations(const double* x, kte::joint_vector<double, nv>* y) {
+  *y = kte::forward_dynamics(MODEL, x, x + nq, x + nq + nv);
+}
+END
+
+# "instructions accesses" of what functions of object file $1 whose names match $2 have.
+counted() {
+  objdump -d --no-show-raw-insn "$1" | awk -v name="<($2)" '
+    />:$/ { here = $0 ~ name && $0 !~ /cold/ }
+    here && /^ +[0-9a-f]+:/ { ++all; if ($2 !~ /^(lea|nop)/ && /\(%r[sb]p/) ++stack }
+    END { print all + 0, stack + 0 }'
+}
+
+if [ "$(uname -m)" != x86_64 ]; then
+  echo 'registers: counted on x86-64 only'
+  exit 0
+fi
+failed=0
+grep '^#' "$limits" >"$work/limits"
+printf '%-20s %-10s %-14s %20s %20s\n' compiler chain algorithm 'instructions (most)' 'stack (most)'
+while read -r compiler version model algorithm most most_stack; do
+  case $compiler in '' | '#'*) continue ;; esac
+  if ! $compiler --version 2>/dev/null | head -n 1 | grep -q " $version\."; then
+    echo "$compiler $version $model $algorithm $most $most_stack" >>"$work/limits"
+    echo "registers: not counted, as this is not $compiler $version"
+    continue
+  fi
+  object=$work/$compiler.$model.o
+  [ -f "$object" ] || $compiler -std=c++20 -O3 -march=x86-64-v3 -fno-math-errno -DNDEBUG -DMODEL="$model" \
+    -isystem /usr/include/eigen3 -I"$root/include" -I"$root/examples" -c "$work/unit.cpp" -o "$object"
+  case $algorithm in
+    mass) counts=$(counted "$object" 'mass>|_ZN3kte11mass_matrix') ;;
+    accelerations) counts=$(counted "$object" 'accelerations>|_ZN3kte16forward_dynamics') ;;
+  esac
+  all=${counts% *} stack=${counts#* }
+  printf '%-20s %-10s %-14s %20s %20s\n' "$compiler $version" "$model" "$algorithm" "$all ($most)" "$stack ($most_stack)"
+  echo "$compiler $version $model $algorithm $((all * 21 / 20)) $((stack * 21 / 20))" >>"$work/limits"
+  if [ "${1:-}" = record ]; then continue; fi
+  if [ "$all" -gt "$most" ] || [ "$stack" -gt "$most_stack" ]; then
+    echo "registers: $algorithm of the $model chain by $compiler is slower than bench/compile/register_limits allows" >&2
+    failed=1
+  fi
+done <"$limits"
+
+if [ "${1:-}" = record ]; then
+  cp "$work/limits" "$limits"
+elif [ "$failed" != 0 ]; then
+  echo 'registers: find the change that did it; if it is worth it: sh bench/compile/registers.sh record' >&2
+  exit 1
+fi
