@@ -83,7 +83,7 @@ class integrator : public kte::integrator<Method, F, X> {
   /// What a user function tells SUNDIALS of its result: a number that is not finite may be cured by a shorter step.
   template <class M>
   int judged(const M& result) {
-    if (((result - result).array() == S(0)).all()) return 0;
+    if (kte::detail::all_finite(result)) return 0;
     return refused();
   }
   int refused() {
