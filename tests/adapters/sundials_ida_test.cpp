@@ -106,6 +106,27 @@ TEST_CASE("IDA: all of a state from its derivative") {
   CHECK((solver.state() - exact(1)).norm() < 1e-8);
 }
 
+TEST_CASE("IDA: initial, largest and smallest steps are those that were asked for, forward and backward") {
+  const auto decay = [](double, const scalar_state& x, const scalar_state& v) { return scalar_state(v[0] + x[0]); };
+  tolerances<double> tol{.absolute = 1e-3, .relative = 1e-3};
+  tol.initial_step = 1e-6;
+  tol.largest_step = 0.02;
+  kte::sundials::ida solver(decay, 0.0, scalar_state(1.0), scalar_state(-1.0), tol);
+  for (double end : {1.0, 0.0}) {
+    double last = solver.time(), first = 0;
+    solver.integrate(end, [&](double t, const auto&) {
+      CHECK(std::abs(t - last) <= 0.02 + 1e-14);
+      if (first == 0) first = std::abs(t - last);
+      last = t;
+    });
+    CHECK(first == within(1e-6, 1e-14));
+  }
+  tol = {.absolute = 1e-12, .relative = 1e-12};
+  tol.smallest_step = 0.1;
+  kte::sundials::ida coarse(decay, 0.0, scalar_state(1.0), scalar_state(-1.0), tol);
+  CHECK_THROWS_WITH(coarse.integrate(10), contains_text("stopped at t = 0: ") && contains_text("hmin"));
+}
+
 TEST_CASE("IDA: failures") {
   const auto none = [](double, const scalar_state& x, const scalar_state&) { return scalar_state(x[0] * x[0] + 1); };
   kte::sundials::ida solver(none, 0.0, scalar_state(1.0), scalar_state(0.0));

@@ -153,6 +153,43 @@ TEST_CASE("SUNDIALS: tolerances hold for each component") {
   CHECK_THROWS_WITH(solve({.relative = each(1, -1)}, 1), contains_text("relative tolerance of component 1"));
 }
 
+TEST_CASE("SUNDIALS: initial, largest and smallest steps are those that were asked for, forward and backward") {
+  const auto steps = [](auto& solver, double end) {
+    std::vector<double> lengths;
+    double last = solver.time();
+    solver.integrate(end, [&](double t, const auto&) {
+      if (t != last) lengths.push_back(std::abs(t - last));
+      last = t;
+    });
+    return lengths;
+  };
+  const double rounding = 1e-14;  // of times
+  tolerances<double> tol{.absolute = 1e-3, .relative = 1e-3};
+  tol.initial_step = 1e-6;
+  tol.largest_step = 0.02;
+  with_each(oscillator, 0.0, start, tol, [&](auto& solver) {
+    for (double end : {1.0, -1.0}) {
+      const auto lengths = steps(solver, end);
+      CHECK(std::abs(lengths.front() - 1e-6) < rounding);
+      for (double h : lengths) CHECK(h <= 0.02 + rounding);
+    }
+    solver.restart(3, start);
+    CHECK(std::abs(steps(solver, 4).front() - 1e-6) < rounding);
+  });
+  tol = {.absolute = 1e-2, .relative = 1e-2};
+  tol.smallest_step = 0.01;
+  with_each(oscillator, 0.0, start, tol, [&](auto& solver) {
+    auto lengths = steps(solver, 1.2345);
+    lengths.pop_back();  // may be shorter
+    for (double h : lengths) CHECK(h >= 0.01 - rounding);
+  });
+  tol.absolute = tol.relative = 1e-12;
+  tol.smallest_step = 0.1;
+  with_each(oscillator, 0.0, start, tol, [&](auto& solver) {
+    CHECK_THROWS_WITH(solver.integrate(10), contains_text("stopped at t = 0: ") && contains_text("hmin"));
+  });
+}
+
 TEST_CASE("SUNDIALS: dynamic states, right-hand sides by reference") {
   struct decay {
     Eigen::VectorXd out;

@@ -2,6 +2,7 @@
 
 #include <kte/integrators/detail/adams_differences.hpp>
 #include <kte/integrators/detail/adams_errors.hpp>
+#include <kte/integrators/detail/error_weights.hpp>
 #include <kte/integrators/detail/step_choice.hpp>
 #include <kte/integrators/integrator.hpp>
 
@@ -50,17 +51,20 @@ class adams : public integrator<adams<F, X>, F, X> {
   /// for a start that is not finite.
   template <class V>
   adams(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
-      : base(std::move(f), t0, x0), tolerances_(tol), past_(this->no_rate()) {
-    tol.check(this->rates());
-    slope_ = predicted_ = change_ = gap_ = this->no_rate();
+      : base(std::move(f), t0, x0), weights_(checked(tol), this->rates()), past_(this->no_rate()) {
+    slope_ = predicted_ = change_ = this->no_rate();
   }
 
   /// The order k of the predictor of the next step.
   int order() const { return order_; }
 
  private:
+  const tolerances<S>& checked(const tolerances<S>& tol) const {
+    tol.check(this->rates());
+    return tol;
+  }
   void start(const S& t_end) {
-    steps_.start(tolerances_, this->rates());
+    steps_.start(weights_.of(), this->rates());
     const bool forward = this->time_ < t_end, restarted = this->previous_time_ == this->time_;
     this->evaluate(this->time_, this->x_, slope_);
     if (!restarted && forward == forward_ && slope_ == past_.newest()) return;
@@ -70,7 +74,7 @@ class adams : public integrator<adams<F, X>, F, X> {
       this->evaluate_if_possible(S(this->time_ + h), this->next_, change_);
       return change_;
     };
-    steps_.choose_first(this->time_, t_end, tolerances_, slope_, this->x_, slope_after, this->failing());
+    steps_.choose_first(this->time_, t_end, weights_.of(), slope_, this->x_, slope_after, this->failing());
     past_.start(this->time_, slope_);
     order_ = 1;
     this->previous_time_ = this->time_;  // the polynomial of the last step is gone
@@ -80,7 +84,7 @@ class adams : public integrator<adams<F, X>, F, X> {
     this->previous_time_ = this->time_;  // the polynomial of the last step goes
     failures_ = 0;
     this->accept(steps_.take(
-        this->time_, t_end, tolerances_, [&]() -> const auto& { return this->magnitudes(this->x_); },
+        this->time_, t_end, weights_.of(), [&]() -> const auto& { return this->magnitudes(this->x_); },
         this->statistics_.rejected, [&](const S& end) { return this->attempted([&] { return try_step(end); }); },
         this->failing()));
   }
@@ -101,51 +105,49 @@ class adams : public integrator<adams<F, X>, F, X> {
   detail::adams_errors<S> predict(const S& end) {
     h_ = end - this->time_;
     past_.aim(end, order_);
-    past_.extrapolate(order_, change_, slope_);
-    this->next_ = this->x_ + h_ * slope_;
+    this->next_ = this->x_ + h_ * past_.mean();
     this->evaluate(end, this->next_, predicted_);
-    change_ = predicted_ - change_;
-    detail::adams_errors<S> e{size(order_, change_)};
+    change_ = predicted_ - past_.slope();
+    weights_.weigh(this->x_, this->next_);
+    detail::adams_errors<S> e{square(order_, change_)};
     const int lower = order_ - 1;
-    if (lower > 0) e.lower = size(lower, change_ + past_.beta(lower) * past_.difference(lower));
+    if (lower > 0) e.lower = square(lower, change_ + past_.beta(lower) * past_.difference(lower));
     return e;
   }
   /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.
   bool correct(const S& end, detail::adams_errors<S>& e) {
-    const S by = h_ * past_.g(order_);
-    this->next_ += by * change_;
+    by_ = h_ * past_.g(order_);
+    this->next_ += by_ * change_;
     this->evaluate(end, this->next_, slope_);
-    gap_ = by * (slope_ - predicted_);
-    if (!this->next_is_finite() || !((slope_ - slope_).array() == S(0)).all()) {
+    past_.offer(slope_);
+    if (!this->next_is_finite() || !detail::all_finite(slope_)) {
       e.same = std::numeric_limits<S>::quiet_NaN();
       return false;
     }
-    const int higher = order_ + 1;
-    const bool known = higher <= past_.known() && higher <= max_order;
-    past_.append(end, slope_);
-    if (known) e.higher = size(higher, past_.difference(higher));
+    if (order_ < past_.known() && order_ < max_order)
+      e.higher = square(order_ + 1, slope_ - past_.slope() - past_.beta(order_) * past_.difference(order_));
+    past_.append(end);
     return true;
   }
-  /// The norm of (4).
+  /// The square of the norm of (4).
   template <class E>
-  S size(int k, const E& e) const {
-    using std::abs;
-    return abs(S(h_ * (past_.g(k) - past_.g(k - 1)))) * detail::error_norm(tolerances_, e, this->x_, this->next_);
+  S square(int k, const E& e) const {
+    const S factor = h_ * (past_.g(k) - past_.g(k - 1));
+    return factor * factor * weights_.square(e, this->x_, this->next_);
   }
 
   int degree() const { return interpolated_ < 3 ? 3 : interpolated_; }
   void dense(const S& theta, X& x) const {
     const S s = theta * h_;
     past_.interpolate(s, interpolated_, x);
-    x = this->previous_ + s * x - (theta * theta * (3 - 2 * theta)) * gap_;  // (5)
+    x = this->previous_ + s * x - (theta * theta * (3 - 2 * theta) * by_) * (slope_ - predicted_);  // (5)
   }
 
-  tolerances<S> tolerances_;
+  detail::error_weights<X> weights_;
   detail::step_choice<S> steps_{2};
   detail::adams_differences<X> past_;
   X slope_, predicted_, change_;  ///< at the end of the step; at p; (2)
-  X gap_;                         ///< the last factor of (5)
-  S h_{};                         ///< of the step being tried, or the last one
+  S h_{}, by_{};                  ///< of the step being tried, or the last one: its length, h g_k
   int order_ = 1;                 ///< k
   int interpolated_ = 1;          ///< slopes of the polynomial of the last step
   int failures_ = 0;              ///< of the present step

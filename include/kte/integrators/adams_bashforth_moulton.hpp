@@ -72,7 +72,7 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
     for (std::size_t i = order; i > 0; --i) slopes_[i].swap(slopes_[i - 1]);
     if (multistep_) predict_and_correct(end);
     if (this->next_is_finite()) this->evaluate(end, this->next_, slopes_.front());  // (3)
-    if (!((slopes_.front() - slopes_.front()).array() == S(0)).all()) [[unlikely]]
+    if (!detail::all_finite(slopes_.front())) [[unlikely]]
       this->fail("the next slope is not a finite number", failure_reason::not_finite);
     if (multistep_) gap_ = (h * detail::coefficient<S, Formula::corrector[0]>()) * (slopes_.front() - gap_);
     ++known_;

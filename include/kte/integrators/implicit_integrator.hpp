@@ -136,7 +136,7 @@ class implicit_integrator : public integrator<Method, F, X> {
     return sqrt(std::numeric_limits<S>::epsilon());
   }
   void check_finite(const matrix& m) const {
-    if (!((m - m).array() == S(0)).all()) [[unlikely]]
+    if (!detail::all_finite(m)) [[unlikely]]
       this->fail("the Jacobian has a number that is not finite", failure_reason::not_finite);
   }
 

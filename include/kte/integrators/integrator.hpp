@@ -180,8 +180,13 @@ class integrator : public moving_state<F, X> {
   void accept(const S& t) {
     previous_time_ = time_;
     time_ = t;
-    previous_.swap(x_);
-    x_.swap(next_);
+    if constexpr (X::SizeAtCompileTime == Eigen::Dynamic) {
+      previous_.swap(x_);
+      x_.swap(next_);
+    } else {
+      previous_ = x_;
+      x_ = next_;
+    }
     ++statistics_.steps;
   }
   /// Where the reason is that numbers are not finite, the text goes on with why, if that is known.
@@ -197,15 +202,13 @@ class integrator : public moving_state<F, X> {
   }
   /// Throws where f is not a number at the present time and state.
   void check_finite_slope(const rate& slope) const {
-    if (!((slope - slope).array() == S(0)).all()) [[unlikely]]
+    if (!detail::all_finite(slope)) [[unlikely]]
       fail("the right-hand side is not a finite number", failure_reason::not_finite);
   }
   /// Tries a step: try_step() gives a `detail::attempt`, here one without a new state where f cannot be computed.
   template <class Try>
   auto attempted(const Try& try_step) const {
-    decltype(try_step()) tried{std::numeric_limits<S>::quiet_NaN()};
-    this->computes([&] { tried = try_step(); }, this->next_);
-    return tried;
+    return this->computed(try_step, decltype(try_step()){std::numeric_limits<S>::quiet_NaN()}, this->next_);
   }
   /// For those who choose steps.
   auto failing() const {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,7 +68,7 @@ class moving_state {
   /// x_dot = f(t, x). What f throws comes through.
   void evaluate(const S& t, const X& x, rate& x_dot) const {
     ++statistics_.evaluations;
-    if constexpr (is_called) ask([&] { x_dot = f_(t, x); });
+    if constexpr (is_called) ask([&] { put(x_dot, [&]() -> decltype(auto) { return f_(t, x); }); });
     if (x_dot.size() != rates()) [[unlikely]]
       detail::raise<bad_argument>("kte: the right-hand side gave " + std::to_string(x_dot.size()) +
                                   " numbers for a state of " + std::to_string(x.size()));
@@ -135,7 +136,7 @@ class moving_state {
     }
   }
   /// Whether `next_` has finite numbers only.
-  bool next_is_finite() const { return ((next_ - next_).array() == S(0)).all(); }
+  bool next_is_finite() const { return detail::all_finite(next_); }
 
   /// Calls body(), which is the user's: so that what it throws can be told from what kte throws itself.
   template <class Body>
@@ -147,12 +148,16 @@ class moving_state {
   /// Calls body(), which evaluates f. False where f throws that it cannot be computed, which a shorter step may cure:
   /// `bad_argument` or `singular_mass_matrix`, whose text is kept as the reason if the state x is finite.
   template <class Body>
-  bool computes(const Body& body, [[maybe_unused]] const X& x) const {
+  bool computes(const Body& body, const X& x) const {
+    return computed([&] { return body(), true; }, false, x);
+  }
+  /// The same of a body that gives something, which else is `otherwise`.
+  template <class Body, class T>
+  T computed(const Body& body, [[maybe_unused]] const T& otherwise, [[maybe_unused]] const X& x) const {
 #if defined(__cpp_exceptions)
     is_asking_ = false;
     try {
-      body();
-      return true;
+      return body();
     } catch (const bad_argument& e) {
       if (!is_asking_) throw;
       keep_reason(e, x);
@@ -160,10 +165,9 @@ class moving_state {
       if (!is_asking_) throw;
       keep_reason(e, x);
     }
-    return false;
+    return otherwise;
 #else
-    body();
-    return true;
+    return body();
 #endif
   }
   void forget_reason() { reason_.clear(); }
@@ -176,10 +180,19 @@ class moving_state {
   mutable step_statistics statistics_;
 
  private:
+  /// out = value(), which is made in its place where it is of this type: not copied.
+  template <class Value>
+  static void put(rate& out, const Value& value) {
+    if constexpr (std::is_same_v<decltype(value()), rate> && std::is_trivially_destructible_v<rate>) {
+      ::new (static_cast<void*>(&out)) rate(value());
+    } else {
+      out = value();
+    }
+  }
   [[gnu::cold, gnu::noinline]] void keep_reason(const error& e, const X& x) const {
     is_asking_ = false;
     const std::string_view text = e.what(), name = "kte: ";
-    if (((x - x).array() == S(0)).all()) reason_ = text.substr(text.starts_with(name) ? name.size() : 0);
+    if (detail::all_finite(x)) reason_ = text.substr(text.starts_with(name) ? name.size() : 0);
   }
 
   mutable std::remove_const_t<F> f_;

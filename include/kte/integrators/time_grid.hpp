@@ -2,6 +2,8 @@
 
 #include <kte/errors.hpp>
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -22,6 +24,12 @@ namespace detail {
 template <class S>
 constexpr bool is_finite(const S& x) {
   return x - x == S(0);
+}
+
+/// The same of all numbers of a vector or matrix.
+template <class M>
+bool all_finite(const Eigen::MatrixBase<M>& x) {
+  return (x - x).sum() == typename M::Scalar(0);
 }
 
 /// A time or a setting that has to be finite, or finite and positive. Throws `bad_argument` with its name and value.

@@ -27,6 +27,8 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
     this->require(ARKStepSetErrHandlerFn(m, detail::relay::keep_message, &this->relay_));
     this->require(ARKStepSetUserData(m, this));
     this->require(ARKStepWFtolerances(m, base::weights));
+    this->require(ARKStepSetMinStep(m, tol.smallest_step));
+    this->require(ARKStepSetMaxStep(m, tol.largest_step));
     if constexpr (implicit) {
       this->require(ARKStepSetTableNum(m, table, ARKODE_ERK_NONE));
       // No slopes that are f at what Newton's method gives: they multiply its error by the stiffness.
@@ -69,6 +71,7 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
   int initialize() {
     return ARKStepReInit(memory(), explicit_part, implicit_part, sign() * this->time_, this->y_.get());
   }
+  int begin_with(const S& h) { return ARKStepSetInitStep(memory(), h); }
   int take_step(const S& t_end, S& reached) {
     const S end = sign() * t_end;
     int flag = ARKStepSetStopTime(memory(), end);

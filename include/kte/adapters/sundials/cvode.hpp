@@ -27,6 +27,8 @@ class cvode : public explicit_form<cvode<Lmm, F, X>, F, X> {
     this->require(CVodeSetUserData(m, this));
     this->require(CVodeInit(m, base::right_hand_side, t0, this->y_.get()));
     this->require(CVodeWFtolerances(m, base::weights));
+    this->require(CVodeSetMinStep(m, tol.smallest_step));
+    this->require(CVodeSetMaxStep(m, tol.largest_step));
     if constexpr (Lmm == CV_BDF) {
       linear_.emplace(this->y_.get(), this->context_.get());
       this->require(CVodeSetLinearSolver(m, linear_->solver.get(), linear_->matrix.get()));
@@ -42,6 +44,7 @@ class cvode : public explicit_form<cvode<Lmm, F, X>, F, X> {
 
  private:
   int initialize() { return CVodeReInit(memory(), this->time_, this->y_.get()); }
+  int begin_with(const S& h) { return CVodeSetInitStep(memory(), this->backward_ ? -h : h); }
   int take_step(const S& t_end, S& reached) {
     const int flag = CVodeSetStopTime(memory(), t_end);
     return flag < 0 ? flag : CVode(memory(), t_end, this->y_.get(), &reached, CV_ONE_STEP);

@@ -62,6 +62,8 @@ class ida : public integrator<ida<R, X>, detail::implicit_form<R>, X> {
     this->require(IDASetUserData(m, this));
     this->require(IDAInit(m, residual, t0, this->y_.get(), y_dot_.get()));
     this->require(IDAWFtolerances(m, base::weights));
+    this->require(IDASetMinStep(m, tol.smallest_step));
+    this->require(IDASetMaxStep(m, tol.largest_step));
     this->require(IDASetLinearSolver(m, linear_.solver.get(), linear_.matrix.get()));
     if constexpr (has_jacobian) this->require(IDASetJacFn(m, jacobian));
   }
@@ -138,6 +140,7 @@ class ida : public integrator<ida<R, X>, detail::implicit_form<R>, X> {
     N_VSetArrayPointer(next_dot_.data(), y_dot_.get());
     return IDAReInit(memory(), this->time_, this->y_.get(), y_dot_.get());
   }
+  int begin_with(const S& h) { return IDASetInitStep(memory(), this->backward_ ? -h : h); }
   int take_step(const S& t_end, S& reached) {
     N_VSetArrayPointer(next_dot_.data(), y_dot_.get());
     int flag = IDASetStopTime(memory(), t_end);

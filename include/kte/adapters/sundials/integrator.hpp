@@ -26,6 +26,7 @@ namespace kte::sundials {
 /// A solver derives from this with itself as `Method` and has functions that return a flag of SUNDIALS:
 ///
 ///   initialize()                starts again from `time_` and `y_`
+///   begin_with(h)               the first step after that is of length h
 ///   take_step(t_end, reached)   one step towards t_end, not beyond it: leaves the state in `y_`, says its time
 ///   dense_at(t, y)              the state y at a time of the last step
 ///
@@ -83,7 +84,7 @@ class integrator : public kte::integrator<Method, F, X> {
   /// What a user function tells SUNDIALS of its result: a number that is not finite may be cured by a shorter step.
   template <class M>
   int judged(const M& result) {
-    if (((result - result).array() == S(0)).all()) return 0;
+    if (kte::detail::all_finite(result)) return 0;
     return refused();
   }
   int refused() {
@@ -108,6 +109,7 @@ class integrator : public kte::integrator<Method, F, X> {
     accountant_.restart();
     prepare();
     check(method().initialize());
+    if (tolerances_.initial_step != S(0)) require(method().begin_with(tolerances_.initial_step));
   }
   /// To be called after all that costs something.
   void count() { tries_ += 1 + accountant_.add(method().counted(), this->statistics_); }

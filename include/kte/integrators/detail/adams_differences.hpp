@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <kte/integrators/detail/gauss_rule.hpp>
 
 #include <array>
+#include <type_traits>
 
 namespace kte::detail {
 
@@ -11,20 +12,21 @@ namespace kte::detail {
 ///
 ///   phi_0 = f_0,   phi_j = (t_0 - t_1) ... (t_0 - t_j) f[t_0, ..., t_j]                              (1)
 ///
-/// The polynomial P through the k newest slopes, at a time t = t_0 + h, and its integral from t_0:
+/// The polynomial P through the k newest slopes, at a time t = t_0 + h, and its mean from t_0 to t:
 ///
 ///   P(t) = sum_{j<k} beta_j phi_j,   beta_0 = 1,   beta_j = beta_{j-1} (t - t_{j-1}) / (t_0 - t_j)   (2)
-///   int P = h sum_{j<k} g_j beta_j phi_j                                                            (3)
-///   g_j = 1/h int_{t_0}^{t} (s - t_0) ... (s - t_{j-1}) / ((t - t_0) ... (t - t_{j-1})) ds           (4)
+///   mean = sum_{j<k} g_j beta_j phi_j                                                               (3)
+///   g_j = int_0^1 prod_{i<j} (1 - u h / (t - t_i)) du                                               (4)
 ///
 /// With the slope f at t in the history, its differences are
 ///
 ///   phi'_0 = f,   phi'_{j+1} = phi'_j - beta_j phi_j                                                (5)
 ///
-/// The integrals (4), with d_j = t - t_{j-1}, and those times beta_j, with d_j = t_0 - t_j, from t - h to t, are
-/// c_{j,0} of
+/// The mean of P over a time s from t_1 on is
 ///
-///   c_{0,q} = 1 / (q + 1),   c_{j,q} = ((t - t_{j-1}) c_{j-1,q} - h c_{j-1,q+1}) / d_j               (6)
+///   sum_{j<k} phi_j int_0^1 prod_{i<j} (t_1 + s u - t_i) / (t_0 - t_{i+1}) du                       (6)
+///
+/// Vectors have zeros added so that they are blocks of `width` numbers: sums of many are made in registers.
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, III.5; Shampine and Gordon, Computer
 /// Solution of Ordinary Differential Equations, 1975, chapter 5.
@@ -34,87 +36,124 @@ class adams_differences {
   using S = typename X::Scalar;
   static constexpr int most = 13;  ///< slopes: those of the polynomial of order 13
 
-  explicit adams_differences(const X& zero) : step_(zero) { phi_.fill(zero); }
+  explicit adams_differences(const X& zero)
+      : size_(zero.size()), slope_(column::Zero(padded(size_))), mean_(slope_), offered_(slope_) {
+    phi_.fill(slope_);
+    inverse_since_.setZero();
+    inverse_span_.setZero();
+  }
 
   /// The first slope.
   void start(const S& t, const X& f) {
     known_ = 1;
-    times_[0] = t;
-    phi_[0] = f;
+    times_.fill(t);
+    of_state(phi_[0]) = f;
   }
   /// Forgets all slopes but the newest.
   void forget() { known_ = 1; }
   /// How many slopes are known.
   int known() const { return known_; }
-  const X& newest() const { return phi_[0]; }
+  auto newest() const { return difference(0); }
   /// phi_j of (1), for j < known().
-  const X& difference(int j) const { return phi_[at(j)]; }
-  /// g_j and beta_j of the step that was aimed at: j <= k + 1 and j <= known() for g, j < known() for beta.
-  const S& g(int j) const { return g_[at(j)]; }
-  const S& beta(int j) const { return beta_[at(j)]; }
+  auto difference(int j) const { return of_state(phi_[at(j)]); }
+  /// g_j and beta_j of the step that was aimed at, for j <= k + 1 and j <= k, and below known() + 1 and known().
+  const S& g(int j) const { return g_[j]; }
+  const S& beta(int j) const { return beta_[j]; }
+  /// (2) and (3) of that step.
+  auto slope() const { return of_state(slope_); }
+  auto mean() const { return of_state(mean_); }
 
-  /// Prepares a step to t: (2) and (4), for predictions with k slopes.
+  /// Prepares a step to t by a prediction with k slopes: (2), (3), (4). Slopes that not even order k + 1 needs then are
+  /// forgotten.
   void aim(const S& t, int k) {
-    const int last = k + 1 < known_ ? k + 1 : known_;
-    const auto since = [&](int j) { return S(t - times_[at(j)]); };
-    integrals(since(0), last, g_, since, [&](int j) { return since(j - 1); });
-    beta_[0] = S(1);
-    for (int j = 1; j < known_; ++j)
-      beta_[at(j)] = beta_[at(j - 1)] * S((t - times_[at(j - 1)]) / (times_[0] - times_[at(j)]));
-  }
-  /// slope = P at the time aimed at, mean = int P / h, from k slopes: (2), (3).
-  void extrapolate(int k, X& slope, X& mean) const {
-    slope = beta_[at(k - 1)] * phi_[at(k - 1)];
-    mean = g_[at(k - 1)] * slope;
-    for (int j = k - 2; j >= 0; --j) {  // small ones first
-      slope += beta_[at(j)] * phi_[at(j)];
-      mean += (g_[at(j)] * beta_[at(j)]) * phi_[at(j)];
+    if (known_ > k + 1) known_ = k + 1;
+    const coefficients since = t - times_, growth = since * inverse_span_;
+    inverse_since_ = since.inverse();
+    const coefficients ratios = S(-since[0]) * inverse_since_;
+    coefficients of_mean;
+    S beta(1);
+    rule_.average_products(
+        known_, [](int) { return S(1); }, [&](int i) { return ratios[i]; },
+        [&](int j, const S& g) {
+          g_[j] = g;
+          beta_[j] = beta;
+          of_mean[j] = g * beta;
+          beta *= growth[j];
+        });
+    for (Eigen::Index r = 0; r < slope_.size(); r += width) {
+      block p = block::Zero(), m = block::Zero();
+      for (int j = k - 1; j >= 0; --j) {  // small ones first
+        const block d = block_of(phi_[at(j)], r);
+        p += beta_[j] * d;
+        m += of_mean[j] * d;
+      }
+      block_of(slope_, r) = p;
+      block_of(mean_, r) = m;
     }
   }
-  /// Appends the slope f at the time aimed at: (5).
-  void append(const S& t, const X& f) {
+  /// The slope f at the time aimed at, for `append`: some time before that, as processors wait where they read wide
+  /// what was just written in narrow pieces.
+  void offer(const X& f) { of_state(offered_) = f; }
+  /// Appends what was offered, at the time aimed at: (5).
+  void append(const S& t) {
     const int kept = known_ < most ? known_ : most - 1;
-    step_ = f;
-    for (int j = 0; j < kept; ++j) {
-      phi_[at(j)].swap(step_);
-      step_ = phi_[at(j)] - beta_[at(j)] * step_;
+    for (Eigen::Index r = 0; r < slope_.size(); r += width) {
+      block next = block_of(offered_, r);
+      for (int j = 0; j < kept; ++j) {
+        const block d = block_of(phi_[at(j)], r);
+        block_of(phi_[at(j)], r) = next;
+        next -= beta_[j] * d;
+      }
+      block_of(phi_[at(kept)], r) = next;
     }
-    phi_[at(kept)] = step_;
-    for (int j = kept; j > 0; --j) times_[at(j)] = times_[at(j - 1)];
+    times_.template tail<15>() = times_.template head<15>().eval();
+    inverse_span_ = inverse_since_;
     times_[0] = t;
     known_ = kept + 1;
   }
-  /// mean = int P / s over a time s from the start t_1 of the last step, from k slopes. Exact as s goes to 0.
+  /// mean = (6) with k slopes, of the last step. Exact as s goes to 0.
   void interpolate(const S& s, int k, X& mean) const {
-    coefficients products{};
-    integrals(
-        s, k - 1, products, [&](int j) { return S(s + (times_[1] - times_[at(j)])); },
-        [&](int j) { return S(times_[0] - times_[at(j)]); });
-    mean = products[at(k - 1)] * phi_[at(k - 1)];
-    for (int j = k - 2; j >= 0; --j) mean += products[at(j)] * phi_[at(j)];
+    mean.setZero();
+    rule_.average_products(
+        k - 1, [&](int i) { return S((times_[1] - times_[i]) * inverse_span_[i]); },
+        [&](int i) { return S(s * inverse_span_[i]); }, [&](int j, const S& c) { mean += c * difference(j); });
   }
 
  private:
-  using coefficients = std::array<S, most + 1>;
-  static std::size_t at(int j) { return static_cast<std::size_t>(j); }
+  static constexpr int rows = X::RowsAtCompileTime;
+  static constexpr bool packed = std::is_same_v<S, double> || std::is_same_v<S, float>;
+  static constexpr int widest = EIGEN_MAX_STATIC_ALIGN_BYTES < 32 ? 8 : 16;  // all in registers
+  /// `count` numbers by blocks of equal width, of whole packets.
+  static constexpr int width_for(int count) {
+    const int blocks = (count + widest - 1) / widest, each = (count + blocks - 1) / blocks;
+    return each <= 2 ? each : (each + 3) / 4 * 4;
+  }
+  static constexpr int width = !packed ? 1 : width_for(rows == Eigen::Dynamic ? 8 : rows);
+  static constexpr Eigen::Index padded(Eigen::Index n) { return (n + width - 1) / width * width; }
+  static constexpr int padded_rows = rows == Eigen::Dynamic ? Eigen::Dynamic : static_cast<int>(padded(rows));
+  using column = Eigen::Matrix<S, padded_rows, 1>;
+  using block = Eigen::Array<S, width, 1>;
+  /// One number a slope, and some more. Those of slopes that are not known come from times before, so that dividing by
+  /// them all is no error.
+  using coefficients = Eigen::Array<S, 16, 1>;
 
-  /// (6) for j = 0 ... last. since(j): t - t_j.
-  template <class Since, class Divisor>
-  void integrals(const S& h, int last, coefficients& out, const Since& since, const Divisor& divisor) const {
-    coefficients c{};
-    for (int q = 0; q <= last; ++q) c[at(q)] = 1 / S(q + 1);
-    out[0] = S(1);
-    for (int j = 1; j <= last; ++j) {
-      const S one = 1 / divisor(j), a = since(j - 1) * one, b = h * one;
-      for (int q = 0; q <= last - j; ++q) c[at(q)] = a * c[at(q)] - b * c[at(q + 1)];
-      out[at(j)] = c[0];
-    }
+  static std::size_t at(int j) { return static_cast<std::size_t>(j); }
+  template <class V>
+  auto of_state(V&& padded) const {
+    return padded.template head<rows>(size_);
+  }
+  template <class V>
+  static auto block_of(V&& padded, Eigen::Index r) {
+    return padded.template segment<width>(r).array();
   }
 
+  gauss_rule<S> rule_;
+  Eigen::Index size_;
   int known_ = 0;
-  std::array<X, most> phi_;
-  X step_;
-  coefficients times_{}, beta_{}, g_{};
+  std::array<column, most> phi_;
+  column slope_, mean_, offered_;
+  coefficients times_, beta_, g_;
+  coefficients inverse_since_, inverse_span_;  ///< 1 / (t - t_j), 1 / (t_0 - t_{j+1})
 };
 
 }  // namespace kte::detail

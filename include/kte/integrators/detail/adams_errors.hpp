@@ -1,12 +1,15 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace kte::detail {
 
-/// The norms of the errors of a step of order k, and of what they would be with the orders beside it; infinite where
-/// that is not known. An error of order k is as h^(k+1), so the step that brings it to one half is, times the last one,
+/// The squares of the norms e of the errors of a step of order k, and of what they would be with the orders beside it;
+/// infinite where that is not known. An error of order k is as h^(k+1), so the step that brings it to one half is,
+/// times the last one,
 ///
 ///   f_k = (1 / (2 e_k))^(1/(k+1))                          (1)
 ///
@@ -20,31 +23,40 @@ struct adams_errors {
 
   /// The step after one of this length was accepted, for which `proposed` had been chosen; sets its order.
   S next_step(const S& length, const S& proposed, int& order) const {
-    S f = factor(same, order);
-    const S fewer = factor(lower, order - 1), more = factor(higher, order + 1);
+    float f = log_factor(same, order);
+    const float fewer = log_factor(lower, order - 1), more = log_factor(higher, order + 1);
     if (f < fewer && more <= fewer) {
       f = fewer, --order;
     } else if (f < more) {
       f = more, ++order;
     }
-    const S next = length * (f < 1 ? between(S(0.5), f, S(0.9)) : f < S(1.2) ? S(1) : between(S(1), f, S(2)));
+    const S next = f < 0 ? length * factor(-1, f, log_09) : f < log_12 ? length : length * factor(0, f, 1);
     if (proposed <= length || proposed <= next) return next;
     return proposed < 10 * length ? proposed : S(10 * length);  // cut short, which says nothing about the next
   }
   /// The step after one of this length was rejected; sets its order.
   S shorter_step(const S& length, int& order) const {
-    const S f = factor(same, order);
+    const float f = log_factor(same, order);
     if (lower < same) --order;
-    return length * between(S(0.1), f, S(0.5));
+    return length * factor(-log_10, f, -1);
   }
 
  private:
-  /// x, but not out of this range; `least` for an x that is not a number.
-  static S between(const S& least, const S& x, const S& most) { return x > most ? most : x > least ? x : least; }
-  static S factor(const S& error, int order) {
-    using std::pow;
-    const S least = S(1e-30);
-    return pow(S(1 / (2 * (error < least ? least : error))), S(1 / S(order + 1)));  // (1)
+  static constexpr float log_10 = 3.3219281f, log_12 = 0.2630344f, log_09 = -0.1520031f;  // to base 2, as all here
+
+  /// 2^x, but not of an x out of this range; of `least` for an x that is not a number.
+  static S factor(float least, float x, float most) { return S(std::exp2(x > most ? most : x > least ? x : least)); }
+  static float log_factor(const S& square, int order) {
+    const S least = S(1e-36);
+    return -0.5f * log_of(4 * static_cast<float>(square < least ? least : square)) / static_cast<float>(order + 1);
+  }
+  /// The logarithm to 0.001, of infinity and of what is no number 128 at least.
+  static float log_of(float x) {
+    constexpr std::uint32_t fraction = 0x7fffff, one = 0x3f800000;
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    const auto exponent = static_cast<float>(static_cast<int>(bits >> 23 & 0xff) - 127);
+    const float m = std::bit_cast<float>((bits & fraction) | one);
+    return exponent - 2.136232f + m * (3.011162f + m * (0.1527003f * m - 1.026805f));
   }
 };
 

@@ -44,7 +44,7 @@ class continuous_extension<Tableau, Rate> {
     (std::make_index_sequence<stages>{});
     [&]<std::size_t... L>(std::index_sequence<L...>) {
       ((p_[L] = combination<extension::dense[L]>(k)), ...);  // (2)
-      made_ = (((p_[L] - p_[L]).array() == S(0)).all() && ...);
+      made_ = (all_finite(p_[L]) && ...);
     }
     (std::make_index_sequence<extension::dense.size()>{});
     return made_;

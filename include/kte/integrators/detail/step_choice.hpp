@@ -21,7 +21,8 @@ inline constexpr obstacle singular{"the matrix of Newton's iterations is singula
 /// What came of trying a step.
 template <class S>
 struct attempt {
-  S error;  ///< its norm; at most 1: accepted. Not finite: there is no new state, because of the obstacle
+  S error;  ///< its norm, or the square; at most 1: accepted. Not finite: there is no new state, because of the
+            ///< obstacle
   detail::obstacle obstacle = not_finite;
   S next{0};  ///< length of the next step, or try, that the method proposes; 0: by the error
 };

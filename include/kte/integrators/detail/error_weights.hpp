@@ -1,0 +1,38 @@
+#pragma once
+
+#include <kte/integrators/detail/step_control.hpp>
+
+namespace kte::detail {
+
+/// `error_norm` of several errors of one step, with one division a component.
+template <class X>
+class error_weights {
+ public:
+  using S = typename X::Scalar;
+
+  error_weights(const tolerances<S>& tol, Eigen::Index n)
+      : tolerances_(tol), absolute_(n), relative_(n), inverse_(n), share_(1 / S(static_cast<double>(n))) {
+    for (Eigen::Index i = 0; i < n; ++i) absolute_[i] = tol.absolute[i], relative_[i] = tol.relative[i];
+  }
+  /// Of a step from x0 to x1.
+  void weigh(const X& x0, const X& x1) {
+    inverse_ = (absolute_ + relative_.cwiseProduct(x0.cwiseAbs().cwiseMax(x1.cwiseAbs()))).cwiseInverse();
+  }
+  /// The square of the norm of e by the last weights, which are those of these states.
+  template <class E>
+  S square(const E& e, const X& x0, const X& x1) const {
+    const S mean = e.cwiseProduct(inverse_).squaredNorm() * share_;
+    if (is_finite(mean)) [[likely]]
+      return mean;
+    const S norm = error_norm_without_zeros(tolerances_, e, x0, x1);
+    return norm * norm;
+  }
+  const tolerances<S>& of() const { return tolerances_; }
+
+ private:
+  tolerances<S> tolerances_;
+  X absolute_, relative_, inverse_;
+  S share_;  ///< of a component
+};
+
+}  // namespace kte::detail
