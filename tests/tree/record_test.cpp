@@ -211,3 +211,14 @@ TEST_CASE("a coordinate that moves nothing, or too much, is named", "[tree][erro
   CHECK_THROWS_WITH(mass_matrix(far, f, y), Catch::Contains("'q1'") && !Catch::Contains("singular"));
   CHECK_THROWS_WITH(forward_dynamics(far, f, y, y, y), Catch::Contains("'q1'") && !Catch::Contains("singular"));
 }
+
+TEST_CASE("a result of a state may be an argument of the next call with it", "[tree]") {
+  kte_map_chain run;
+  run << revolute_joint_3D("q1", "base", "a", axis::x) << inertia_3D("a", body)
+      << revolute_joint_3D("q2", "a", "b", axis::y) << inertia_3D("b", body) << damper_gen("q1", "q2", 2.0);
+  auto s = run.make_state();
+  const std::array q{0.5, 0.25}, v{1.0, -2.0}, a{0.75, 1.5};
+  const auto& result = forward_dynamics(run, s, q, v, inverse_dynamics(run, s, q, v, a));
+  CHECK(result[0] == within(a[0], 1e-14));
+  CHECK(result[1] == within(a[1], 1e-14));
+}

@@ -171,17 +171,17 @@ void accelerate_articulated(const kte_map_chain& c, runtime_state& s, const Tau&
 /// At positions that are good. Some accelerations may be given, in the state: those of rows that are `prescribed`, in
 /// trees.
 template <class Tau>
-const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& tau,
+const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& applied,
                                            std::span<const char> prescribed = {}) {
+  auto& kept = s.work.kept;  // what is applied may be a result that the state holds
+  for (int i = 0; i < s.dofs(); ++i) kept[static_cast<std::size_t>(i)] = applied(i);
+  const auto tau = [&kept](int i) { return kept[static_cast<std::size_t>(i)]; };
   if (s.tree().plan.tree)
     accelerate_articulated(c, s, tau, prescribed);
   else
     accelerate_by_mass(c, s, tau);
-  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {
-    Eigen::VectorXd forces(s.dofs());
-    for (int i = 0; i < s.dofs(); ++i) forces[i] = tau(i);
-    blame("an acceleration", s, forces);
-  });
+  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()),
+               [&] { blame("an acceleration", s, Eigen::Map<const Eigen::VectorXd>(kept.data(), s.dofs())); });
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
