@@ -13,8 +13,7 @@
 namespace {
 inline constexpr struct ball_ final : kte::rotation_3D_key<"ball"> { } ball; }  // namespace
 
-using models::element_by_element, models::slide, models::ground, models::hip, models::knee, models::left, models::thigh,
-    models::trunk;
+using models::element_by_element, models::ground, models::hip, models::knee, models::left, models::thigh, models::trunk;
 
 TEST_CASE("a coordinate that moves no mass") {
   using namespace kte;
@@ -37,9 +36,9 @@ TEST_CASE("a coordinate that moves no mass") {
   CHECK_THROWS_WITH(mass_matrix_inverse(turning, std::array{1.0, 0.0, 0.0, 0.0}),
                     test::contains_text(singular + "ball'"));
   // A coordinate that another follows.
-  constexpr auto following =
-      chain(rigid_link_gen(hip, knee, 0.5), revolute_joint_3D(knee, ground, trunk),
-            revolute_joint_3D(slide, trunk, left), inertia_3D(left, rigid_body{1.0, zero3{}, diagonal(1.0, 1.0, 1.0)}));
+  constexpr auto following = chain(rigid_link_gen(hip, knee, 0.5), revolute_joint_3D(knee, ground, trunk),
+                                   revolute_joint_3D(models::slide, trunk, left),
+                                   inertia_3D(left, rigid_body{1.0, zero3{}, diagonal(1.0, 1.0, 1.0)}));
   CHECK_THROWS_WITH(forward_dynamics(following, two, two, two), test::contains_text(singular + "slide'"));
   CHECK_THROWS_WITH(mass_matrix_inverse(following, two), test::contains_text(singular + "slide'"));
 }

@@ -211,7 +211,8 @@ class kte_map_chain : public kte_map {
   }
   void swap(kte_map_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
-    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_), o.use_ = std::exchange(use_, o.use_);
+    std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_),
+        o.use_ = std::exchange(use_, o.use_);
   }
 
   parts elements_;
