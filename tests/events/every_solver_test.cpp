@@ -32,7 +32,7 @@ constexpr double half_swing = 3.14159265358979323846 / 10;
 /// A block of 1 kg on a spring of 100 N/m, with dry friction of 2 N, released at 1.03 m: it turns every pi / 10 s, each
 /// time 0.04 m nearer. Things may be wrong from a time on.
 struct block {
-  enum trouble { none, not_a_number, refusal, singular, bad_reset, bad_event };
+  enum trouble { none, not_a_number, refusal, singular, bad_reset, bad_event, shaken };
   trouble now = none;
   double from = 0.5;
   int direction = -1;
@@ -47,10 +47,17 @@ struct slides {
     if (t > b->from && b->now == block::not_a_number) return {nan, nan};
     if (t > b->from && b->now == block::refusal) throw bad_argument("kte: quaternion 'body' has length 0");
     if (t > b->from && b->now == block::singular) throw singular_mass_matrix("kte: coordinate 'q2' moves no mass");
+    if (b->now == block::shaken) return {x[1], -100 * x[0] + 5 * std::sin(50 * t)};
     const int direction = !b->by_sign ? b->direction : x[1] > 0 ? 1 : x[1] < 0 ? -1 : 0;
     return {x[1], -100 * x[0] - 2 * direction};
   }
 };
+/// Shaken by a force, without friction, from t0 on.
+state shaking(double t0, double t) {
+  const double far = -1.0 / 480, a = 1.03 - far * std::sin(50 * t0), b = -5 * far * std::cos(50 * t0);
+  const double c = std::cos(10 * (t - t0)), s = std::sin(10 * (t - t0));
+  return {a * c + b * s + far * std::sin(50 * t), -10 * a * s + 10 * b * c + 50 * far * std::cos(50 * t)};
+}
 /// Until the first turn.
 state sliding(double t) { return {0.02 + 1.01 * std::cos(10 * t), -10.1 * std::sin(10 * t)}; }
 
@@ -211,6 +218,28 @@ void check_limits() {
   }
 }
 
+/// Tolerances near or below what rounding allows cost no more than what order 5 asks, 10^(3/5) = 3.98 times, and are no
+/// worse. Late times are rounded to t0 eps, and with them the force that shakes, by 250 N/s at most.
+template <template <class, class> class Method>
+void check_rounding(std::initializer_list<double> starts) {
+  for (double t0 : starts) {
+    CAPTURE(t0);
+    const auto cost_and_error = [&](double tol) {
+      block b{.now = block::shaken};
+      Method<slides, state> solver(slides{&b}, t0, released, {.absolute = tol, .relative = tol});
+      solver.integrate(t0 + 2);
+      const double error = (solver.state() - shaking(t0, t0 + 2)).norm();
+      return std::pair(static_cast<double>(solver.statistics().evaluations), error);
+    };
+    const auto [cost, error] = cost_and_error(1e-12);
+    for (double tol : {1e-14, 1e-15}) {
+      const auto [more, less] = cost_and_error(tol);
+      CHECK(more < 4.1 * cost);
+      CHECK(less < error + 250 * t0 * std::numeric_limits<double>::epsilon());
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("Zero at the start is no event, for every solver and tolerance") {
@@ -281,4 +310,12 @@ TEST_CASE("A solution is the dense output of every solver, from its start to its
   SECTION("tr_bdf2") { check_solution<tr_bdf2>(); }
   SECTION("trapezoidal") { check_solution<trapezoidal>(); }
   SECTION("kennedy_carpenter34") { check_solution<kennedy_carpenter34>(); }
+}
+
+TEST_CASE("Tolerances near rounding cost no more than their order asks") {
+  SECTION("fehlberg45") { check_rounding<fehlberg45>({0, 1000, 4000}); }
+  SECTION("dormand_prince45") { check_rounding<dormand_prince45>({0, 1000, 4000}); }
+  SECTION("prince_dormand87") { check_rounding<prince_dormand87>({0, 1000, 4000}); }
+  SECTION("adams") { check_rounding<adams>({0}); }
+  SECTION("bdf") { check_rounding<bdf>({0}); }
 }

@@ -2,6 +2,7 @@
 
 #include <kte/integrators/detail/continuous_extension.hpp>
 #include <kte/integrators/detail/hermite.hpp>
+#include <kte/integrators/detail/rounding_floor.hpp>
 #include <kte/integrators/detail/step_choice.hpp>
 #include <kte/integrators/integrator.hpp>
 #include <kte/integrators/tableau.hpp>
@@ -85,7 +86,29 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     (std::make_index_sequence<stages - 1>{});
     if (!this->next_is_finite()) return {std::numeric_limits<S>::quiet_NaN()};
     const auto e = h * detail::difference<Tableau::a.back(), Tableau::embedded>(k_);  // (3)
-    return {detail::error_norm(tolerances_, e, this->magnitudes(this->x_), this->magnitudes(this->next_))};
+    const S error = detail::error_norm(tolerances_, e, this->magnitudes(this->x_), this->magnitudes(this->next_));
+    if (error <= S(1) && floor_.is_below()) [[likely]]
+      return {error};
+    return {above_rounding(error, h)};
+  }
+  /// sum_i |b_i - b*_i|: how much (3) is off where all slopes are, each by less than 1 / h.
+  static constexpr double share_of_rounding = [] {
+    double sum = 0;
+    for (std::size_t i = 0; i < stages; ++i) {
+      const ratio b = Tableau::a.back()[i], other = Tableau::embedded[i];
+      const double d = static_cast<double>(b.num) / static_cast<double>(b.den) -
+                       static_cast<double>(other.num) / static_cast<double>(other.den);
+      sum += d < 0 ? -d : d;
+    }
+    return sum;
+  }();
+  [[gnu::noinline]] S above_rounding(const S& error, const S& h) {
+    using std::abs;
+    const auto& sizes = this->magnitudes(this->x_);
+    const auto norm = [&](const auto& r) { return detail::error_norm(tolerances_, r, sizes, sizes); };
+    return floor_.above(
+        error, abs(h), this->statistics_.steps + this->statistics_.rejected, [&] { return norm(k_.front()); },
+        [&] { return norm(this->rate_a_rounding_away() - k_.front()); });
   }
   template <std::size_t I>
   void stage(const S& h, const S& end) {
@@ -137,6 +160,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
   tolerances<S> tolerances_;
   detail::step_choice<S> steps_{Tableau::order_of_error};
+  detail::rounding_floor<S> floor_{share_of_rounding};
   mutable std::array<rate, stages + extension::stages> k_;  ///< those of the extension when asked for
   [[no_unique_address]] mutable extension extension_;
   [[no_unique_address]] typename base::template if_on_group<rate> slope_at_end_;

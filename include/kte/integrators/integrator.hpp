@@ -210,6 +210,21 @@ class integrator : public moving_state<F, X> {
   auto attempted(const Try& try_step) const {
     return this->computed(try_step, decltype(try_step()){std::numeric_limits<S>::quiet_NaN()}, this->next_);
   }
+  /// The rate a rounding away from the present time and state; no number where f cannot be computed.
+  rate rate_a_rounding_away() const {
+    using std::abs;
+    const S eps = std::numeric_limits<S>::epsilon();
+    rate r = eps * this->magnitudes(x_);
+    for (Eigen::Index i = 0; i < r.size(); i += 2) r[i] = -r[i];
+    X x = x_;
+    if constexpr (base::on_group) {
+      this->system().displace(x_, r, x);
+    } else {
+      x += r;
+    }
+    this->evaluate_if_possible(S(time_ + eps * abs(time_)), x, r);
+    return r;
+  }
   /// For those who choose steps.
   auto failing() const {
     return [this](const std::string& why, failure_reason reason) { fail(why, reason); };
