@@ -12,7 +12,7 @@
 /// A chain as numbers: a record for every moving body, with the joint that moves it. Links are folded into seats of
 /// joints and places of frames, bodies that move together into one, and axes are turned to z. The algorithms of this
 /// folder are loops over records, each written once for all kinds of chains and scalars
-/// (docs/decisions/10-records.md).
+/// (docs/decisions/11-records.md).
 namespace kte::tree {
 
 /// How a joint moves its body, seen from the body.
