@@ -234,3 +234,34 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
   CHECK_NOTHROW(c << inertia_3D("tip", point_mass(1.0)));  // and it goes on
   CHECK_NOTHROW(c << base_3D("another") << inertia_3D("another", point_mass(1.0)));
 }
+
+TEST_CASE("handles stand for names", "[runtime]") {
+  using namespace kte;
+  kte_map_chain c;
+  c << revolute_joint_3D("q", "base", "end", axis::x) << rigid_link_3D("end", "tool", along_y(0.5))
+    << driving_actuator_gen("q", "motor");
+  const auto tool = c.frame("tool"), q = c.coordinate("q"), motor = c.input("motor");
+  auto s = c.make_state();
+  const std::array x{0.5}, v{2.0};
+  CHECK(forward_kinematics(c, s, x, tool).position == forward_kinematics(c, s, x, "tool").position);
+  CHECK(jacobian(c, s, x, tool) == jacobian(c, s, x, "tool"));
+  CHECK(jacobian(c, s, x, tool, in_world_axes) == jacobian(c, s, x, "tool", in_world_axes));
+  CHECK(frame_velocity(c, s, x, v, tool).linear == frame_velocity(c, s, x, v, "tool").linear);
+  s.input(motor) = 3.0;
+  CHECK(s.input("motor") == 3.0);
+  CHECK(&s.coordinate(q) == &s.coordinate("q"));
+  CHECK(&s.frame_3D(tool) == &s.frame_3D("tool"));
+  const kte_map_chain copy = c;
+  auto of_copy = copy.make_state();
+  CHECK(forward_kinematics(copy, of_copy, x, tool).position == forward_kinematics(c, s, x, tool).position);
+
+  CHECK_THROWS_AS(c.frame("q"), unknown_name);
+  CHECK_THROWS_AS(c.coordinate("tool"), unknown_name);
+  CHECK_THROWS_AS(c.frame("hand"), unknown_name);
+  CHECK_THROWS_AS(jacobian(c, s, x, q), bad_argument);
+  CHECK_THROWS_AS(s.input(q), bad_argument);
+  c << inertia_3D("tool", point_mass(1.0));
+  auto longer = c.make_state();
+  CHECK_THROWS_AS(forward_kinematics(c, longer, x, tool), bad_argument);
+  CHECK_THROWS_AS(longer.frame_3D(tool), bad_argument);
+}

@@ -88,6 +88,19 @@ class kte_map_chain : public kte_map {
   }
   vec3<> gravity() const override { return gravity_; }
 
+  /// Looked up once, for calls that take a name: a frame of either kind, a coordinate of any kind, an input, an
+  /// internal state. Throws `unknown_name`.
+  handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
+  handle coordinate(std::string_view name) const { return handle_of(name, is_coordinate, "coordinate"); }
+  handle input(std::string_view name) const {
+    return handle_of(
+        name, [](kind k) { return k == kind::input; }, "input");
+  }
+  handle internal(std::string_view name) const {
+    return handle_of(
+        name, [](kind k) { return k == kind::internal; }, "internal state");
+  }
+
   /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if a force acts on a coordinate that
   /// no element moves by.
   runtime_state make_state() const {
@@ -155,6 +168,13 @@ class kte_map_chain : public kte_map {
     emptied,  ///< its elements are in another chain
   };
 
+  handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
+    const topology& t = wiring();
+    const kind k = t.kind_of(name);
+    if (!fits(k))
+      throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(k)) + ", not a " + wanted);
+    return {k, t.find(name, k), t.layout};
+  }
   parts copies() const {
     parts all;
     all.reserve(elements_.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/chain/handle.hpp>
 #include <kte/chain/runtime_tree.hpp>
 #include <kte/chain/shared_topology.hpp>
 #include <kte/chain/state.hpp>
@@ -78,28 +79,30 @@ class runtime_state {
 
  private:
   template <kind K, class Self>
-  static auto& at(Self& s, std::string_view name) {
-    return detail::of_kind<K>(s.things_)[static_cast<std::size_t>(s.topology_->find(name, K))];
+  static auto& at(Self& s, const name_or_handle& name) {
+    return detail::of_kind<K>(s.things_)[static_cast<std::size_t>(name.find(*s.topology_, K))];
   }
 
  public:
-  /// By name; throws `unknown_name`.
-  gen_coord<>& coordinate(std::string_view name) { return at<kind::gen>(*this, name); }
-  const gen_coord<>& coordinate(std::string_view name) const { return at<kind::gen>(*this, name); }
-  kte::frame_2D<>& frame_2D(std::string_view name) { return at<kind::frame_2D>(*this, name); }
-  const kte::frame_2D<>& frame_2D(std::string_view name) const { return at<kind::frame_2D>(*this, name); }
-  kte::frame_3D<>& frame_3D(std::string_view name) { return at<kind::frame_3D>(*this, name); }
-  const kte::frame_3D<>& frame_3D(std::string_view name) const { return at<kind::frame_3D>(*this, name); }
-  double& input(std::string_view name) { return at<kind::input>(*this, name); }
-  double input(std::string_view name) const { return at<kind::input>(*this, name); }
-  internal_state<>& internal(std::string_view name) { return at<kind::internal>(*this, name); }
-  const internal_state<>& internal(std::string_view name) const { return at<kind::internal>(*this, name); }
-  rotation_coord_3D<>& rotation_3D(std::string_view name) { return at<kind::rotation_3D>(*this, name); }
-  const rotation_coord_3D<>& rotation_3D(std::string_view name) const { return at<kind::rotation_3D>(*this, name); }
-  pose_coord_2D<>& pose_2D(std::string_view name) { return at<kind::pose_2D>(*this, name); }
-  const pose_coord_2D<>& pose_2D(std::string_view name) const { return at<kind::pose_2D>(*this, name); }
-  pose_coord_3D<>& pose_3D(std::string_view name) { return at<kind::pose_3D>(*this, name); }
-  const pose_coord_3D<>& pose_3D(std::string_view name) const { return at<kind::pose_3D>(*this, name); }
+  /// By name or handle; throws `unknown_name`, `bad_argument`.
+  gen_coord<>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
+  const gen_coord<>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
+  kte::frame_2D<>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
+  const kte::frame_2D<>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
+  kte::frame_3D<>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
+  const kte::frame_3D<>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
+  double& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
+  double input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
+  internal_state<>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
+  const internal_state<>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  rotation_coord_3D<>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
+  const rotation_coord_3D<>& rotation_3D(const name_or_handle& name) const {
+    return at<kind::rotation_3D>(*this, name);
+  }
+  pose_coord_2D<>& pose_2D(const name_or_handle& name) { return at<kind::pose_2D>(*this, name); }
+  const pose_coord_2D<>& pose_2D(const name_or_handle& name) const { return at<kind::pose_2D>(*this, name); }
+  pose_coord_3D<>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
+  const pose_coord_3D<>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
 
   /// Number i of the generalized coordinates that are degrees of freedom; throws `bad_argument`.
   gen_coord<>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }

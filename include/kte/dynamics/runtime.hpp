@@ -81,7 +81,8 @@ inline pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain& c, runtime_state&
 
 /// Where a frame stands at the state's positions, in the axes in which the bases are given. Only the elements between
 /// the bases and the frame are evaluated. A 2D frame is given as one in space. Throws `unknown_name`.
-inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
+inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s,
+                                                     const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_positions(s);
@@ -90,7 +91,7 @@ inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, run
 /// The same at q, which is put into the state.
 template <indexable Q>
 pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, const Q& q,
-                                              std::string_view frame) {
+                                              const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q);
   return detail::pose_of(c, s, x);

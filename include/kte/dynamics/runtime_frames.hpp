@@ -48,7 +48,8 @@ inline const runtime_state& forward_kinematics(const kte_map_chain& c, runtime_s
 }
 /// The same at q, which is put into the state.
 template <indexable Q>
-requires(!text_type<Q>) const runtime_state& forward_kinematics(const kte_map_chain& c, runtime_state& s, const Q& q) {
+requires(!names_something<Q>) const runtime_state& forward_kinematics(const kte_map_chain& c, runtime_state& s,
+                                                                      const Q& q) {
   detail::take(c, s, q);
   c.doMotion(s);
   return s;
@@ -70,7 +71,7 @@ inline linear_angular<> acceleration_of(const kte_map_chain& c, runtime_state& s
 
 /// The velocity and angular velocity of a frame in its own axes, as the state has bases and rates. Only the elements
 /// between the bases and the frame are evaluated.
-inline linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
+inline linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
@@ -78,7 +79,7 @@ inline linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s,
 }
 template <indexable Q, indexable V>
 linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
-                                std::string_view frame) {
+                                const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q, v);
   return detail::velocity_of(c, s, x);
@@ -88,7 +89,7 @@ linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const 
 /// which is taken away here:
 ///
 ///   a + R^T g          (1)
-inline linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
+inline linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
@@ -98,7 +99,7 @@ inline linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state
 }
 template <indexable Q, indexable V, indexable A>
 linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
-                                    std::string_view frame) {
+                                    const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q, v, a);
   return detail::acceleration_of(c, s, x);
@@ -133,7 +134,7 @@ inline runtime_jacobian jacobian_of(const kte_map_chain& c, runtime_state& s, co
   }
   return folded(c, s, std::move(j));
 }
-inline runtime_jacobian jacobian_at_state(const kte_map_chain& c, runtime_state& s, std::string_view frame,
+inline runtime_jacobian jacobian_at_state(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame,
                                           bool world) {
   check_regular(c, s);
   const auto x = find_frame(c, frame);
@@ -141,7 +142,8 @@ inline runtime_jacobian jacobian_at_state(const kte_map_chain& c, runtime_state&
   return jacobian_of(c, s, x, world);
 }
 template <class Q>
-runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame, bool world) {
+runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame,
+                             bool world) {
   check_regular(c, s);
   const auto x = find_frame(c, frame);
   take(c, s, q);
@@ -149,20 +151,21 @@ runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& 
 }
 }  // namespace detail
 
-inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, std::string_view frame) {
+inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
   return detail::jacobian_at_state(c, s, frame, false);
 }
-inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, std::string_view frame, in_world_axes_t) {
+inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame,
+                                 in_world_axes_t) {
   return detail::jacobian_at_state(c, s, frame, true);
 }
 template <indexable Q>
-requires(!text_type<Q>) runtime_jacobian
-    jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame) {
+requires(!names_something<Q>) runtime_jacobian
+    jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame) {
   return detail::jacobian_at(c, s, q, frame, false);
 }
 template <indexable Q>
-requires(!text_type<Q>) runtime_jacobian
-    jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, std::string_view frame, in_world_axes_t) {
+requires(!names_something<Q>) runtime_jacobian
+    jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame, in_world_axes_t) {
   return detail::jacobian_at(c, s, q, frame, true);
 }
 

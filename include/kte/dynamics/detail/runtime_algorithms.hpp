@@ -190,10 +190,9 @@ struct runtime_frame {
   kind what;
   int index;
 };
-/// Throws `unknown_name`.
-inline runtime_frame find_frame(const kte_map_chain& c, std::string_view name) {
-  const kind k = c.wiring().kind_of(name) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
-  return {k, c.wiring().find(name, k)};
+inline runtime_frame find_frame(const kte_map_chain& c, const name_or_handle& frame) {
+  const auto [k, index] = frame.frame_of(c.wiring());
+  return {k, index};
 }
 /// doMotion of an element, after that of all that it depends on, each once.
 inline void move_element(const topology& t, runtime_state& s, int element) {
