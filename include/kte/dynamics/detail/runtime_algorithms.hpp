@@ -105,7 +105,7 @@ inline void push_by_rates(const kte_map_chain& c, runtime_state& s) {
   clear_coordinates(s);
   for (const auto& r : t.forest.records)
     if (w.yields[static_cast<std::size_t>(&r - t.forest.records.data())])
-      each_axis(s, r, of_accelerations, [](double& x, std::size_t) { x = 0; });
+      each_axis<vector_of::a>(s, r, [](double& x, std::size_t) { x = 0; });
   for (const int row : t.plan.lone_rows)
     if (!w.prescribed[static_cast<std::size_t>(row)])
       for_each_listed_freedom(s, [row](auto& x, const freedom& at) {

@@ -44,17 +44,14 @@ KTE_INLINE void with_coordinate(runtime_state& s, const tree::record<double>& r,
       return visit(s.get<kind::pose_3D>(r.slot));
   }
 }
-/// The numbers that come with the axes of a record: `of` is visit_v, visit_a, visit_f.
-template <class Of, class Number>
-KTE_INLINE void each_axis(runtime_state& s, const tree::record<double>& r, const Of& of, const Number& number) {
+/// The numbers that come with the axes of a record.
+template <vector_of Which, class Number>
+KTE_INLINE void each_axis(runtime_state& s, const tree::record<double>& r, const Number& number) {
   with_coordinate(s, r, [&](auto& c) {
     auto k = static_cast<std::size_t>(r.first);
-    of(c, [&](double& x) { number(x, k++); });
+    visit_numbers<Which>(c, [&](double& x) { number(x, k++); });
   });
 }
-inline constexpr auto of_velocities = [](auto& c, const auto& visit) { visit_v(c, visit); };
-inline constexpr auto of_accelerations = [](auto& c, const auto& visit) { visit_a(c, visit); };
-inline constexpr auto of_forces = [](auto& c, const auto& visit) { visit_f(c, visit); };
 
 /// Coordinates that follow others.
 inline void follow(const kte_map_chain& c, runtime_state& s) {
@@ -140,8 +137,8 @@ inline void take_rates(runtime_state& s) {
       const auto& c = s.get<kind::gen>(r.slot);
       s.work.rate[k] = c.q_dot, s.work.acceleration[k] = c.q_ddot;
     } else {
-      each_axis(s, r, of_velocities, [&s](double& x, std::size_t i) { s.work.rate[i] = x; });
-      each_axis(s, r, of_accelerations, [&s](double& x, std::size_t i) { s.work.acceleration[i] = x; });
+      each_axis<vector_of::v>(s, r, [&s](double& x, std::size_t i) { s.work.rate[i] = x; });
+      each_axis<vector_of::a>(s, r, [&s](double& x, std::size_t i) { s.work.acceleration[i] = x; });
     }
   }
 }
@@ -256,7 +253,7 @@ inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acti
       if (r.what == kind::gen) [[likely]]
         s.get<kind::gen>(r.slot).f = -w.force[k];
       else
-        each_axis(s, r, of_forces, [&w](double& f, std::size_t i) { f = -w.force[i]; });
+        each_axis<vector_of::f>(s, r, [&w](double& f, std::size_t i) { f = -w.force[i]; });
     }
     return;
   }
@@ -276,7 +273,7 @@ inline void forces_on_coordinates(const kte_map_chain& c, runtime_state& s, acti
   }
   tree::take_needs(t.forest, w);
   for (const auto& r : t.forest.records)
-    each_axis(s, r, of_forces, [&w](double& f, std::size_t k) { f -= w.force[k]; });
+    each_axis<vector_of::f>(s, r, [&w](double& f, std::size_t k) { f -= w.force[k]; });
   // What acts on coordinates, and followers, which hand on what is on them: from the last.
   auto f = t.followers.rbegin();
   const auto pass_on = [&](int until) {
