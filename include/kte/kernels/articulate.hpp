@@ -167,10 +167,10 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
   } else {
     joint_factors<S, N> d;
     std::array<std::array<S, std::size_t{N}>, 6> rows;  // of U, then of gain
-    repeat<N>([&]<int K>() KTE_INLINE_LAMBDA {
+    for_each_number<N>([&]<int K>() KTE_INLINE_LAMBDA {
       const auto s = axis_of<K>(core, at);
       const auto& w = axis_at<K>(u);
-      repeat<K>([&]<int L>() KTE_INLINE_LAMBDA { d.template at<K, L>() = as<S>(power(s, axis_at<L>(u))); });
+      for_each_number<K>([&]<int L>() KTE_INLINE_LAMBDA { d.template at<K, L>() = as<S>(power(s, axis_at<L>(u))); });
       d.template at<K, K>() = as<S>(power(s, w) + m);
       rows[0][K] = as<S>(w.force.x), rows[1][K] = as<S>(w.force.y), rows[2][K] = as<S>(w.force.z);
       rows[3][K] = as<S>(w.torque.x), rows[4][K] = as<S>(w.torque.y), rows[5][K] = as<S>(w.torque.z);
@@ -179,10 +179,10 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
     judge(good, d.factorise());
     r.rate = d.solved(r.rate);
     constexpr auto wanted = division<Core, C, M>().leaves;
-    repeat<6>([&]<int R>() KTE_INLINE_LAMBDA {
+    for_each_number<6>([&]<int R>() KTE_INLINE_LAMBDA {
       if constexpr (wanted[R]) rows[R] = d.solved(rows[R]);
     });
-    repeat<N>([&]<int K>() KTE_INLINE_LAMBDA {
+    for_each_number<N>([&]<int K>() KTE_INLINE_LAMBDA {
       judge(good, all(d.template pivot<K>() > least(axis_of<K>(core, at))));
       r.inverse[K] = d.template inverse_column<K>();
       r.gain[K] = {{rows[0][K], rows[1][K], rows[2][K]}, {rows[3][K], rows[4][K], rows[5][K]}};

@@ -31,7 +31,7 @@ KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const
 
 /// f<0>(), f<1>() ... f<N - 1>()
 template <int N, class F>
-KTE_INLINE constexpr void repeat(const F& f) {
+KTE_INLINE constexpr void for_each_number(const F& f) {
   const auto all_of_them = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
     const int done[]{(f.template operator()<K>(), 0)..., 0};
     (void)done;

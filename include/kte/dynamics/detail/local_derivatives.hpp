@@ -81,7 +81,7 @@ class local_derivatives : local_pass<Chain, Given> {
   KTE_INLINE constexpr auto part() {
     if constexpr (is_transmission<core_t<I>>) {
       const auto c = carried<frame_kind<I>, types::template output_slot<I>>();
-      repeat<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { own<I, N>(c); });
+      for_each_number<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { own<I, N>(c); });
       const auto x = relative<I>();
       return turning_body{transported(x.rotation, x.position, c.inertia),
                           gyration_through(x, at_base<I>().ang_velocity, c.inertia, c.gyration)};
@@ -107,7 +107,7 @@ class local_derivatives : local_pass<Chain, Given> {
     const auto by_q = varied_wrench(c.inertia, c.gyration, displaced<I, N>());
     const auto by_v = varied_wrench(c.inertia, c.gyration, faster<I, N>());
     const auto z = sensitivity_along(c.inertia, c.gyration, s);
-    repeat<axes<I>>([&]<int K>() KTE_INLINE_LAMBDA {
+    for_each_number<axes<I>>([&]<int K>() KTE_INLINE_LAMBDA {
       put(by_q_, row_of<I> + K, j, power(axis<I, K>(), by_q));
       put(by_v_, row_of<I> + K, j, power(axis<I, K>(), by_v));
       put(by_a_, row_of<I> + K, j, power(axis<I, K>(), z.to_acceleration));
@@ -124,7 +124,7 @@ class local_derivatives : local_pass<Chain, Given> {
       const auto q = transmit(x, by_q);
       const auto v = transmit(x, by_v);
       const auto y = sensitivity_through(x, at_base<I>().ang_velocity, z);
-      repeat<axes<b>>([&]<int K>() KTE_INLINE_LAMBDA {
+      for_each_number<axes<b>>([&]<int K>() KTE_INLINE_LAMBDA {
         constexpr int i = row_of<b> + K;
         const auto s = axis<b, K>();
         put(by_q_, i, j, power(s, q)), put(by_q_, j, i, change(y, displaced<b, K>()));

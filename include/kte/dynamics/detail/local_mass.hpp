@@ -80,7 +80,7 @@ class local_mass {
       constexpr int end = types::template output_slot<I>;
       const auto c = carried<k, end>();
       if constexpr (coordinates_of<core_t<I>> == 1)
-        repeat<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
+        for_each_number<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
       const auto x = pose<I>();
       return transported(x.rotation, x.position, c);
     } else {
@@ -94,7 +94,7 @@ class local_mass {
     const auto w = accelerating_wrench(composite_inertia, axis<J, N>());
     constexpr int j = row_of<J> + N;
     column_ = S(0);
-    repeat<axes<J>>([&]<int R>() KTE_INLINE_LAMBDA {
+    for_each_number<axes<J>>([&]<int R>() KTE_INLINE_LAMBDA {
       const auto m = power(axis<J, R>(), w);
       if constexpr (R < N) put(row_of<J> + R, j, m);
       if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m), watch(m);
@@ -109,7 +109,7 @@ class local_mass {
     if constexpr (below >= 0) {
       const auto w = transmit(pose<I>(), at_end);
       if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
-        repeat<axes<std::size_t{below}>>([&]<int N>() KTE_INLINE_LAMBDA {
+        for_each_number<axes<std::size_t{below}>>([&]<int N>() KTE_INLINE_LAMBDA {
           put(row_of<std::size_t{below}> + N, column, power(axis<std::size_t{below}, N>(), w));
         });
       down<std::size_t{below}>(w, column);
