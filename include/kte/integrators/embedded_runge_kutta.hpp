@@ -24,6 +24,8 @@ namespace kte {
 ///     + theta (theta - 1) [(1 - 2 theta)(x1 - x) + (theta - 1) h k_1 + theta h k_s]
 ///     + theta^2 (1 - theta)^2 h (sum_i d_i k_i, or p(theta))      (4)
 ///
+/// (3) is compared with the tolerances, or with what rounding makes of it where that is more (`rounding_floor`).
+///
 /// A `Tableau` has `stages`, `order_of_error` (of e in h), `c`, `a`, `embedded` (b_i), and may have `dense` (d_i) or
 /// `extension`.
 template <class Tableau, class F, class X>
@@ -91,7 +93,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
       return {error};
     return {above_rounding(error, h)};
   }
-  /// sum_i |b_i - b*_i|: how much (3) is off where all slopes are, each by less than 1 / h.
+  /// sum_i |a_si - b_i|: how much (3) is off where all slopes are, each by less than 1 / h.
   static constexpr double share_of_rounding = [] {
     double sum = 0;
     for (std::size_t i = 0; i < stages; ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/integrators/tableau.hpp>
+#include <kte/integrators/time_grid.hpp>
 
 namespace kte::detail {
 
