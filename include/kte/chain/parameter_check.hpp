@@ -109,7 +109,7 @@ struct parameter_check {
     std::snprintf(moments, sizeof moments, ", but %.6g is above %.6g + %.6g by %.6g", largest, middle, smallest,
                   broken.value);
     return "kte: " + describe() + ": " + broken.rule +
-           (largest > 0 ? moments : ", got " + detail::number(broken.value));
+           (broken.moments != std::array<double, 3>{} ? moments : ", got " + detail::number(broken.value));
   }
   std::string describe() const { return describe_element(type, ports, names); }
 };

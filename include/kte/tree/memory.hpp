@@ -50,7 +50,7 @@ template <class S>
 struct articulated_body {
   articulated<sym3<S>, mat3<vec3<S>>, sym3<S>> inertia;
   dense_wrench<S> load;
-  vec3<S> ang_velocity, drift, ang_drift, acceleration, ang_acceleration;
+  vec3<S> drift, ang_drift, acceleration, ang_acceleration;
 };
 /// What is kept of an axis on the way up: gain, what answers at once, D^-1.
 template <class S>
