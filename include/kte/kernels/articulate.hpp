@@ -133,15 +133,24 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
 }
 
 /// Which coordinates move next to nothing: a bit for each, the last for all from the 64th on. (Branches at each joint
-/// take longer.)
+/// take longer; so does a function that gets at what is kept of the joints.)
+template <class S>
 struct unmoved {
   std::uint64_t here = 0;  ///< the bit of the joint at hand
   std::uint64_t all = 0;
+  S zero_or_nan{};  ///< by whether what all coordinates move is finite
   constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << std::min(coordinate, std::size_t{63}); }
 };
 /// `good` is a bool, or says more.
-KTE_INLINE constexpr void judge(bool& good, bool moves) { good = moves && good; }
-KTE_INLINE constexpr void judge(unmoved& x, bool moves) { x.all |= moves ? 0 : x.here; }
+template <class S>
+KTE_INLINE constexpr void judge(bool& good, bool moves, const S&) {
+  good = moves && good;
+}
+template <class S>
+KTE_INLINE constexpr void judge(unmoved<S>& x, bool moves, const S& moved) {
+  x.all |= moves ? 0 : x.here;
+  x.zero_or_nan += moved * S(0);
+}
 
 /// (1), and gain again with its typed entries.
 template <class S, class Core, class C, class I, class W, class U, class F, class M, int N, class Good>
@@ -157,7 +166,7 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
   if constexpr (N == 1) {
     const auto s = axis_of<0>(core, at);
     const S d = as<S>(power(s, axis_at<0>(u)) + m);
-    judge(good, all(d > least(s)));
+    judge(good, all(d > least(s)), d);
     const S inverse = S(1) / d;
     r.inverse[0][0] = inverse;
     r.rate[0] = inverse * as<S>(f.template operator()<0>() + power(s, b.load));
@@ -176,14 +185,14 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
       rows[3][K] = as<S>(w.torque.x), rows[4][K] = as<S>(w.torque.y), rows[5][K] = as<S>(w.torque.z);
       r.rate[K] = as<S>(f.template operator()<K>() + power(s, b.load));
     });
-    judge(good, d.factorise());
+    judge(good, d.factorise(), S(0));
     r.rate = d.solved(r.rate);
     constexpr auto wanted = division<Core, C, M>().leaves;
     for_each_number<6>([&]<int R>() KTE_INLINE_LAMBDA {
       if constexpr (wanted[R]) rows[R] = d.solved(rows[R]);
     });
     for_each_number<N>([&]<int K>() KTE_INLINE_LAMBDA {
-      judge(good, all(d.template pivot<K>() > least(axis_of<K>(core, at))));
+      judge(good, all(d.template pivot<K>() > least(axis_of<K>(core, at))), S(d.template pivot<K>()));
       r.inverse[K] = d.template inverse_column<K>();
       r.gain[K] = {{rows[0][K], rows[1][K], rows[2][K]}, {rows[3][K], rows[4][K], rows[5][K]}};
     });

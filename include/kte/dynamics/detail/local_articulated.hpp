@@ -57,25 +57,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
  protected:
   KTE_INLINE void check_good() const {
     if (unmoved_.all != 0) [[unlikely]]
-      blame_masses<wiring>(unmoved_.all, overflowing(), this->given_.at.q);
-  }
-  /// The coordinates of which what they move is too large: its inverse is 0, or with one axis no number.
-  [[gnu::cold, gnu::noinline]] std::uint64_t overflowing() const {
-    std::uint64_t bits = 0;
-    const int done[]{(look_at<E>(bits), 0)..., 0};
-    (void)done;
-    return bits;
-  }
-  template <std::size_t I>
-  void look_at(std::uint64_t& bits) const {
-    if constexpr (yields<I>) {
-      const auto& inverse = boost::hana::at_c<I>(responses_).inverse;
-      unmoved x;
-      x.at(number_of_freedom<kind_of<I>, slot_of<I>>);
-      for (std::size_t n = 0; n < inverse.size(); ++n)
-        judge(x, all(inverse[n][n] != S(0)) && (inverse.size() > 1 || all(inverse[n][n] == inverse[n][n])));
-      bits |= x.all;
-    }
+      blame_masses<wiring>(unmoved_.all, all(unmoved_.zero_or_nan == S(0)), this->given_.at.q);
   }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
@@ -275,7 +257,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
       } else {
         const S m = as<S>(coordinate_mass<at.what, at.slot>(readers<at.what, at.slot>));
         unmoved_.at(F);
-        judge(unmoved_, all(m > S(0)));
+        judge(unmoved_, all(m > S(0)), m);
         const auto f = coordinate_load<at.what, at.slot>(readers<at.what, at.slot>);
         (*a_)[at.v] = as<S>((*tau_)[at.v] + number_of<at.what, 0>(f)) / m;
       }
@@ -284,7 +266,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
   const vector* tau_ = nullptr;
   vector* a_ = nullptr;
-  unmoved unmoved_;
+  unmoved<S> unmoved_;
   boost::hana::tuple<typename load_of_element<E>::type...> loads_;
   boost::hana::tuple<typename response_of_element<E>::type...> responses_;
 
