@@ -134,11 +134,10 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
 
 /// Which coordinates move next to nothing: a bit for each, the last for all from the 64th on. (Branches at each joint
 /// take longer; so does a function that gets at what is kept of the joints.)
-template <class S>
 struct unmoved {
   std::uint64_t here = 0;  ///< the bit of the joint at hand
   std::uint64_t all = 0;
-  S zero_or_nan{};  ///< by whether what all coordinates move is finite
+  std::uint64_t endless = 0;  ///< what they move is no finite number; of those behind one that moves nothing, neither
   constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << std::min(coordinate, std::size_t{63}); }
 };
 /// `good` is a bool, or says more.
@@ -147,9 +146,9 @@ KTE_INLINE constexpr void judge(bool& good, bool moves, const S&) {
   good = moves && good;
 }
 template <class S>
-KTE_INLINE constexpr void judge(unmoved<S>& x, bool moves, const S& moved) {
+KTE_INLINE constexpr void judge(unmoved& x, bool moves, const S& moved) {
   x.all |= moves ? 0 : x.here;
-  x.zero_or_nan += moved * S(0);
+  x.endless |= all(moved * S(0) == S(0)) ? 0 : x.here;
 }
 
 /// (1), and gain again with its typed entries.
@@ -175,24 +174,26 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
     return make_loads(gain);
   } else {
     joint_factors<S, N> d;
+    S moved(0);
     std::array<std::array<S, std::size_t{N}>, 6> rows;  // of U, then of gain
     for_each_number<N>([&]<int K>() KTE_INLINE_LAMBDA {
       const auto s = axis_of<K>(core, at);
       const auto& w = axis_at<K>(u);
       for_each_number<K>([&]<int L>() KTE_INLINE_LAMBDA { d.template at<K, L>() = as<S>(power(s, axis_at<L>(u))); });
       d.template at<K, K>() = as<S>(power(s, w) + m);
+      moved += d.template at<K, K>();
       rows[0][K] = as<S>(w.force.x), rows[1][K] = as<S>(w.force.y), rows[2][K] = as<S>(w.force.z);
       rows[3][K] = as<S>(w.torque.x), rows[4][K] = as<S>(w.torque.y), rows[5][K] = as<S>(w.torque.z);
       r.rate[K] = as<S>(f.template operator()<K>() + power(s, b.load));
     });
-    judge(good, d.factorise(), S(0));
+    judge(good, d.factorise(), moved);
     r.rate = d.solved(r.rate);
     constexpr auto wanted = division<Core, C, M>().leaves;
     for_each_number<6>([&]<int R>() KTE_INLINE_LAMBDA {
       if constexpr (wanted[R]) rows[R] = d.solved(rows[R]);
     });
     for_each_number<N>([&]<int K>() KTE_INLINE_LAMBDA {
-      judge(good, all(d.template pivot<K>() > least(axis_of<K>(core, at))), S(d.template pivot<K>()));
+      judge(good, all(d.template pivot<K>() > least(axis_of<K>(core, at))), S(0));
       r.inverse[K] = d.template inverse_column<K>();
       r.gain[K] = {{rows[0][K], rows[1][K], rows[2][K]}, {rows[3][K], rows[4][K], rows[5][K]}};
     });

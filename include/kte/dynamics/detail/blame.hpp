@@ -170,10 +170,10 @@ template <class Wiring, class Matrix, class Q>
 }
 /// The same by bits (kernels/articulate.hpp): of the last coordinate, which carries none of the others.
 template <class Wiring, class Q>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_masses(std::uint64_t nothing, bool finite, Q q) {
+[[noreturn, gnu::cold, gnu::noinline]] void blame_masses(std::uint64_t nothing, std::uint64_t endless, Q q) {
   const auto last = static_cast<std::size_t>(std::bit_width(nothing)) - 1;
   if (Wiring::freedoms > 64 && last == 63) raise_singular_mass_matrix();
-  blame_mass<Wiring>(Wiring::table.free[last].v, finite, q);
+  blame_mass<Wiring>(Wiring::table.free[last].v, (endless >> last & 1) == 0, q);
 }
 /// Of one vector of arguments, or of two configurations.
 template <class Wiring, class X>

@@ -57,7 +57,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
  protected:
   KTE_INLINE void check_good() const {
     if (unmoved_.all != 0) [[unlikely]]
-      blame_masses<wiring>(unmoved_.all, all(unmoved_.zero_or_nan == S(0)), this->given_.at.q);
+      blame_masses<wiring>(unmoved_.all, unmoved_.endless, this->given_.at.q);
   }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
@@ -266,7 +266,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
   const vector* tau_ = nullptr;
   vector* a_ = nullptr;
-  unmoved<S> unmoved_;
+  unmoved unmoved_;
   boost::hana::tuple<typename load_of_element<E>::type...> loads_;
   boost::hana::tuple<typename response_of_element<E>::type...> responses_;
 
