@@ -60,7 +60,7 @@ class kte_element : public kte_map {
   virtual bool switches() const = 0;
 
   /// What it is to the loops over records (tree/record.hpp).
-  virtual detail::element_numbers numbers() const = 0;
+  virtual detail::element_numbers<double> numbers() const = 0;
   /// Of an element that acts on coordinates alone: subtracts the derivatives of its forces.
   virtual void derive_forces(runtime_state&) const = 0;
 };

@@ -4,44 +4,10 @@
 #include <kte/chain/runtime_tree.hpp>
 #include <kte/chain/shared_topology.hpp>
 #include <kte/chain/state.hpp>
-#include <kte/kernels/derivatives.hpp>
-#include <kte/tree/derivatives.hpp>
-#include <kte/tree/inverse_mass.hpp>
 
 #include <memory>
 
 namespace kte {
-
-namespace detail {
-/// Beside the loops over records.
-struct runtime_memory : tree::memory<double, double> {
-  explicit runtime_memory(const topology& t, const runtime_tree& r)
-      : memory(r.forest),
-        forces(t.nv),
-        kept(2 * static_cast<std::size_t>(t.nv)),
-        prescribed(static_cast<std::size_t>(t.nv)),
-        wanted(t.elements.size()),
-        angle((r.angles.size() + 3) / 4 * 4),
-        sine(angle.size()),
-        cosine(angle.size()) {
-    for (std::size_t k = 0; k < own_mass.size(); ++k)
-      own_mass[k] = r.own_mass[static_cast<std::size_t>(r.forest.row[k])];
-  }
-  Eigen::VectorXd forces;                   ///< what is given back: forces or accelerations
-  std::vector<double> kept;                 ///< rates and accelerations that are put aside
-  std::vector<char> prescribed;             ///< by row: whether its acceleration is given
-  std::vector<char> wanted;                 ///< by element: whether what is asked for depends on it
-  std::vector<double> angle, sine, cosine;  ///< of `runtime_tree::angles`, and zeros up to a multiple of four
-  inverse_dynamics_result<double, Eigen::Dynamic>* derivatives = nullptr;
-  /// As large as M or larger: made by the first call that gives them.
-  Eigen::MatrixXd mass, inverse;
-  Eigen::MatrixXd all;  ///< masses of all coordinates, if there are others than degrees of freedom
-  tree::inverse_memory<double> inverting;
-  tree::variation_memory<double> variations;
-  inverse_dynamics_result<double, Eigen::Dynamic> of_forces;
-  forward_dynamics_result<double, Eigen::Dynamic> of_accelerations;
-};
-}  // namespace detail
 
 /// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
 /// A value; one that is moved from is a state of a chain without elements.
@@ -50,9 +16,10 @@ struct runtime_memory : tree::memory<double, double> {
 class runtime_state {
  public:
   using scalar = double;
+  static constexpr bool has_sines = false;  ///< whether coordinates come with theirs
 
   explicit runtime_state(shared_topology t)
-      : topology_(std::move(t)), tree_(std::make_shared<detail::runtime_tree>(*topology_)), work(*topology_, *tree_) {
+      : topology_(std::move(t)), tree_(std::make_shared<detail::runtime_tree>(detail::tree_of(*topology_))), work(*tree_, topology_->nv, topology_->elements.size()) {
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
@@ -145,7 +112,7 @@ class runtime_state {
 
  public:
   /// Working memory of the algorithms; nothing in it needs to be read or kept.
-  detail::runtime_memory work;
+  detail::loop_memory<double, double> work;
 };
 
 }  // namespace kte

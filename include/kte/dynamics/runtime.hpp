@@ -3,6 +3,7 @@
 #include <kte/chain/layout.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/tree/jacobian.hpp>
 
 /// The algorithms on runtime chains, under the names they have on static chains. They work in the memory of a state and
 /// return references into it, valid until the next call with that state; they allocate nothing. A call that refuses an
@@ -27,7 +28,7 @@ const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s
 inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
-  detail::mass_of_coordinates(c, s);
+  detail::mass_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
@@ -36,7 +37,7 @@ template <indexable Q>
 const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, const Q& q) {
   detail::check_regular(c, s);
   detail::take(c, s, q);
-  detail::mass_of_coordinates(c, s);
+  detail::mass_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
@@ -63,17 +64,17 @@ namespace detail {
 inline pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
   if (s.tree().irregular >= 0) [[unlikely]] {
     move(c.wiring(), s, x);
-    return x.what == kind::frame_2D ? plain_pose(spatial(s.get<kind::frame_2D>(x.index)))
-                                    : plain_pose(s.get<kind::frame_3D>(x.index));
+    return x.what == kind::frame_2D ? plain_pose<double>(spatial(s.get<kind::frame_2D>(x.index)))
+                                    : plain_pose<double>(s.get<kind::frame_3D>(x.index));
   }
   const auto& f = s.tree().forest;
   const auto& place = f.frame(x.what, x.index);
-  place_ancestors(c, s, place.slot);
+  place_ancestors(runtime_elements{c}, s, place.slot);
   tree::dense_pose<double> seen;
   const int base = tree::pose_in_base(f, s.work, place, seen);
   pose<mat3<vec3<>>, vec3<>> in_world = seen;
   for_each_base(s, [&](const auto& m, std::size_t slot) {
-    if (static_cast<int>(slot) == base) in_world = compose(plain_pose(m), seen);
+    if (static_cast<int>(slot) == base) in_world = compose(plain_pose<double>(m), seen);
   });
   return in_world;
 }

@@ -46,7 +46,7 @@ inline double potential_energy(const kte_map_chain& c, runtime_state& s) {
   c.doMotion(s);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->potential_energy(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   return detail::checked_energy<double>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment));
 }
 inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
@@ -57,26 +57,26 @@ inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
 /// By composite inertias, with those of the mass matrix.
 inline mass_centre<> centre_of_mass(const kte_map_chain& c, runtime_state& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   return {w.mass, detail::divided_by_mass<double>(w.mass, w.moment)};
 }
 inline vec3<> centre_of_mass_velocity(const kte_map_chain& c, runtime_state& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   return detail::divided_by_mass<double>(tree::weight_in_world(s.tree().forest, s.work).mass,
                                          detail::momentum_of_coordinates(s).force);
 }
 inline linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_state& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const auto h = detail::momentum_of_coordinates(s);
   return detail::checked<double>(h.force, h.torque - cross(detail::divided_by_mass<double>(w.mass, w.moment), h.force));
 }
 inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const vec3<> centre = detail::divided_by_mass<double>(w.mass, w.moment);
   runtime_jacobian a = runtime_jacobian::Zero(6, s.tree().plan.coordinates);

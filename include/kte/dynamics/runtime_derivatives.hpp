@@ -2,8 +2,6 @@
 
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/runtime.hpp>
-#include <kte/tree/derivatives.hpp>
-#include <kte/tree/inverse_mass.hpp>
 
 #include <string_view>
 #include <vector>
@@ -24,43 +22,20 @@ inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
   };
   for (const auto& e : c.wiring().elements)
     if (!e.has_derivatives) refuse(*e.element);
-  for (const int e : s.tree().weights) refuse(element_of(c, e));
+  for (const int e : s.tree().weights) refuse(runtime_elements{c}.element(e));
   if (!s.tree().plan.tree)
     throw bad_argument(
         "kte: derivatives of runtime chains need trees, in which no coordinate follows another or moves two joints");
 }
 
-/// After articulated inertias, whose loads are used up.
-inline void invert_articulated(runtime_state& s, Eigen::MatrixXd& inverse) {
-  const auto& f = s.tree().forest;
-  inverse.setZero(s.dofs(), s.dofs());
-  place_in_world(s);
-  tree::inverse_masses(f, s.work, s.work.inverting, [&](int j, int k, double x) {
-    const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
-    if (a < s.dofs() && b < s.dofs()) inverse(a, b) = inverse(b, a) = x;
-  });
-  for (const int row : s.tree().plan.lone_rows)
-    inverse(row, row) = 1 / s.tree().own_mass[static_cast<std::size_t>(row)];
-}
 inline void inverse_of_masses(const kte_map_chain& c, runtime_state& s, Eigen::MatrixXd& inverse) {
-  const auto& t = s.tree();
-  auto& w = s.work;
-  if (!t.plan.tree) {
-    mass_of_coordinates(c, s);
-    inverse.resize(s.dofs(), s.dofs());
-    invert_by_factors(w.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+  if (s.tree().plan.tree) {
+    articulate_and_invert(runtime_elements{c}, s, inverse);
     return;
   }
-  place_bodies(c, s);
-  for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
-  std::fill(w.force.begin(), w.force.end(), 0.0);
-  tree::start_articulated(t.forest, w, false);
-  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
-    blame_axis(s, bad);
-  for (const int row : t.plan.lone_rows)
-    if (!(t.own_mass[static_cast<std::size_t>(row)] > 0)) [[unlikely]]
-      blame_mass(s, row, true);
-  invert_articulated(s, inverse);
+  mass_of_coordinates(runtime_elements{c}, s);
+  inverse.resize(s.dofs(), s.dofs());
+  invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
 }
 }  // namespace detail
 
@@ -82,27 +57,12 @@ const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state
 
 namespace detail {
 inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, runtime_state& s) {
-  const auto& f = s.tree().forest;
-  auto& w = s.work;
   coordinate_forces(c, s);
   take_needed_forces(s);
-  auto& r = w.of_forces;
-  const Eigen::Index n = s.dofs();
-  r.tau = w.forces;
-  r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
-  w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
-  place_in_world(s);
-  tree::start_variations(f, w, w.variations);
-  double *const q = r.by_q.data(), *const v = r.by_v.data(), *const a = r.by_a.data();
-  const int* const row = f.row.data();
-  tree::vary_forces(f, w, w.variations, [=](int j, int k, double by_q, double by_v, double by_a) KTE_INLINE_LAMBDA {
-    if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
-    const Eigen::Index at = row[k] * n + row[j];
-    q[at] = by_q, v[at] = by_v, a[at] = by_a;
-  });
-  w.derivatives = &r;
-  for (const int e : s.tree().on_coordinates) element_of(c, e).derive_forces(s);
-  check_result(r.tau, static_cast<std::size_t>(n), [&s] { blame("a force", s); });
+  auto& r = s.work.of_forces;
+  r.tau = s.work.forces;
+  derive_forces(runtime_elements{c}, s);
+  check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
   return r;
 }
 }  // namespace detail

@@ -32,7 +32,7 @@ inline void check_state_velocities(const runtime_state& s) {
 inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const kte_map_chain& c, runtime_state& s,
                                                        Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
   if (a.cols() == s.dofs()) return a;
-  hand_on(c, s, [&a](int base, int end, double ratio) { a.col(base) += ratio * a.col(end); });
+  hand_on(runtime_elements{c}, s, [&a](int base, int end, double ratio) { a.col(base) += ratio * a.col(end); });
   return a.leftCols(s.dofs());
 }
 }  // namespace detail
@@ -113,7 +113,7 @@ namespace detail {
 inline runtime_jacobian jacobian_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x, bool world) {
   const auto& t = s.tree();
   const auto& place = t.forest.frame(x.what, x.index);
-  place_ancestors(c, s, place.slot);
+  place_ancestors(runtime_elements{c}, s, place.slot);
   const auto& row = t.forest.row;
   runtime_jacobian j = runtime_jacobian::Zero(6, t.plan.coordinates);
   tree::dense_pose<double> seen;

@@ -43,7 +43,7 @@ inline const Eigen::VectorXd& applied_forces(runtime_state& s) {
 
 /// Inverse dynamics of the bodies alone, without accelerations of coordinates.
 inline void forces_of_bodies(const kte_map_chain& c, runtime_state& s, bool accelerated_bases) {
-  forces_on_coordinates(c, s, acting::bodies, accelerated_bases);
+  forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
 /// visit(row of an axis among all coordinates, momentum of its unit rate about the origin of the world).
