@@ -6,7 +6,8 @@
 #include <kte/dynamics/detail/tree.hpp>
 
 /// The algorithms on static chains that are not unrolled: the loops over records that runtime chains have. `Given`:
-/// dynamics/detail/given.hpp. Memory is allocated by each call.
+/// dynamics/detail/given.hpp. Records and memory are made by the first call and kept by chains too large to unroll;
+/// with scalars that are functions, by each call.
 namespace kte::detail {
 
 /// The elements of a static chain in the loops over records: one function for each type of element core, however many
@@ -25,23 +26,24 @@ struct static_elements {
 
   template <class State>
   void move(int e, State& s) const {
-    with_core(e, [&s](const auto& core, const int* index) {
-      using core_type = std::remove_cvref_t<decltype(core)>;
-      stored_element<core_type, State, by_index>{core, s, {index}}.motion(
-          std::make_index_sequence<input_count<core_type>>{});
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      passes_of(core, state, index).motion(inputs_of<Core>{});
     });
+    run(steps, e, s);
   }
   template <class State>
   void push(int e, State& s) const {
-    with_core(e, [&s](const auto& core, const int* index) {
-      using core_type = std::remove_cvref_t<decltype(core)>;
-      stored_element<core_type, State, by_index>{core, s, {index}}.force(
-          std::make_index_sequence<input_count<core_type>>{});
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      passes_of(core, state, index).force(inputs_of<Core>{});
     });
+    run(steps, e, s);
   }
   template <class State>
   void derive(int e, State& s) const {
-    with_core(e, [&s](const auto& core, const int* index) { subtract_force_derivatives(core, s, index); });
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      subtract_force_derivatives(core, state, index);
+    });
+    run(steps, e, s);
   }
   template <class State>
   [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
@@ -49,26 +51,44 @@ struct static_elements {
   }
 
  private:
+  template <class Core>
+  using inputs_of = std::make_index_sequence<input_count<Core>>;
+  template <class Core, class State>
+  static auto passes_of(const Core& core, State& s, const int* index) {
+    return stored_element<Core, State, by_index>{core, s, {index}};
+  }
   /// Joints, links and bodies are in the records.
   template <class Core>
   static constexpr bool acts = !is_transmission<Core> && !is_rigid_body<Core> &&
                                Core::ports.back().how != access::base;
-  template <class F, class Core>
-  [[gnu::noinline]] static void apart(const F& f, const Core& core, const int* index) {
-    f(core, index);
-  }
-  template <class F>
-  void with_core(int e, const F& f) const {
-    const auto if_this = [&]<std::size_t I>() {
-      if constexpr (acts<core_of<Chain, I>>)
-        if (e == static_cast<int>(I)) apart(f, chain.template core<I>(), wiring::table.slot.data() + wiring::first[I]);
-      return 0;
-    };
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const int done[]{if_this.template operator()<I>()..., 0};
-      (void)done;
+
+  template <class State>
+  using step = void (*)(const Chain&, State&);
+  /// What all elements do, by number: each as f<Core>.
+  template <class State, class F>
+  static constexpr auto steps_of(F) {
+    return []<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array<step<State>, Chain::size>{step_of<State, F, I>()...};
     }
     (std::make_index_sequence<Chain::size>{});
+  }
+  template <class State, class F, std::size_t I>
+  static constexpr step<State> step_of() {
+    if constexpr (!acts<core_of<Chain, I>>) {
+      return nullptr;
+    } else {
+      return [](const Chain& c, State& s) {
+        apart<F>(c.template core<I>(), s, wiring::table.slot.data() + wiring::first[I]);
+      };
+    }
+  }
+  template <class F, class Core, class State>
+  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+    F{}(core, s, index);
+  }
+  template <class Steps, class State>
+  void run(const Steps& steps, int e, State& s) const {
+    steps[static_cast<std::size_t>(e)](chain, s);
   }
 };
 template <class Chain, class Given>
@@ -117,13 +137,15 @@ auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
 }
 template <class S, class Chain, class Given, class Sign>
 auto forces_by_records(const Chain& c, const Given& g, Sign sign) {
-  static_state<S, Chain> s(c);
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
   return take_forces(c, g, s, sign);
 }
 
 template <class S, class Chain, class Given>
 joint_matrix<S, Chain::dofs> mass_by_records(const Chain& c, const Given& g) {
-  static_state<S, Chain> s(c);
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
   s.take(g), check_regular(c, s);
   mass_of_coordinates(static_elements{c, g}, s);
   return s.work.mass;
@@ -146,7 +168,8 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
 template <class S, class Chain, class Given>
 joint_vector<S, Chain::dofs> accelerations_by_records(const Chain& c, const Given& g,
                                                   const joint_vector<S, Chain::dofs>& tau) {
-  static_state<S, Chain> s(c);
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);
   return s.work.forces;
 }
@@ -154,7 +177,8 @@ joint_vector<S, Chain::dofs> accelerations_by_records(const Chain& c, const Give
 template <class S, class Chain, class Given>
 void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const joint_vector<S, Chain::dofs>& tau,
                                       joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {
-  static_state<S, Chain> s(c);
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);
   a = s.work.forces;
   invert_articulated(s, s.work.inverse);
@@ -162,7 +186,8 @@ void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const 
 }
 template <class S, class Chain, class Given>
 joint_matrix<S, Chain::dofs> inverse_mass_by_records(const Chain& c, const Given& g) {
-  static_state<S, Chain> s(c);
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
   s.take(g), check_regular(c, s);
   articulate_and_invert(static_elements{c, g}, s, s.work.inverse);
   return s.work.inverse;
@@ -170,7 +195,8 @@ joint_matrix<S, Chain::dofs> inverse_mass_by_records(const Chain& c, const Given
 
 template <class S, class Chain, class Given, class Result>
 void derivatives_by_records(const Chain& c, const Given& g, Result& r) {
-  static_state<S, Chain> s(c);
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
   r.tau = take_forces(c, g, s, minus_one);
   derive_forces(static_elements{c, g}, s);
   r.by_q = s.work.of_forces.by_q, r.by_v = s.work.of_forces.by_v, r.by_a = s.work.of_forces.by_a;

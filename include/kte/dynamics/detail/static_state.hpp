@@ -44,15 +44,18 @@ auto parameters_in(const Core& core) {
     return in_pose(core.relative(position_only(plain_coordinate<coordinate_kind<Core>>(true))));
   }
 }
-/// P of the records of a chain in calculations with S: derivatives by parameters are kept.
 template <class S, class Chain>
-using record_number = decltype([]<std::size_t... I>(std::index_sequence<I...>) {
-  using plain = typename plain_scalar<S>::type;
-  if constexpr ((std::is_convertible_v<decltype(parameters_in(std::declval<const core_of<Chain, I>&>())), plain> && ...))
-    return plain();
-  else
-    return S();
-}(std::make_index_sequence<Chain::size>{}));
+inline constexpr bool has_plain_parameters = []<std::size_t... I>(std::index_sequence<I...>) {
+  const bool plain[]{
+      std::is_convertible_v<decltype(parameters_in(std::declval<const core_of<Chain, I>&>())), S>..., true};
+  for (const bool p : plain)
+    if (!p) return false;
+  return true;
+}
+(std::make_index_sequence<Chain::size>{});
+/// P of the records of a chain in calculations with S: derivatives by parameters are kept.
+template <class S, class Chain, class Plain = typename plain_scalar<S>::type>
+using record_number = std::conditional_t<has_plain_parameters<Plain, Chain>, Plain, S>;
 
 /// Coordinates, signals, and the frames that elements act on.
 template <class S, class Chain>
@@ -111,12 +114,14 @@ class static_state {
     (void)done;
   }
 
-  /// Numbers that nobody asked for stay as they are.
+  /// Numbers that nobody asked for are zero.
   template <class To, class From>
   static void take_number(To& to, const From& from) {
-    if constexpr (std::is_same_v<To, S>) {
-      if constexpr (!std::is_same_v<From, skip>) to = as<S>(from);
-    } else if constexpr (!std::is_same_v<From, skip>) {
+    if constexpr (std::is_same_v<From, skip>) {
+      to = To(0);
+    } else if constexpr (std::is_same_v<To, S>) {
+      to = as<S>(from);
+    } else {
       take_number(to.x, from.x), take_number(to.y, from.y);
       if constexpr (requires { to.z; }) take_number(to.z, from.z);
     }
