@@ -15,7 +15,12 @@ class chain_tree {
   Plan plan;
   tree::forest<P> forest;
   std::vector<int> slot_of_base;  ///< of plan.bases
-  std::vector<P> own_mass;        ///< on coordinates, by row
+  struct rotor {
+    int coordinate;
+    P mass;
+  };
+  std::vector<rotor> rotors;  ///< masses on generalized coordinates, and nothing more
+  std::vector<P> own_mass;    ///< of all elements on coordinates, by row
   bool has_own_mass = false;
   bool only_bodies = false;                   ///< a tree of degrees of freedom with nothing but bodies on it
   std::vector<int> angles;                    ///< records of which sine and cosine are wanted
@@ -87,7 +92,12 @@ class chain_tree {
         break;
       }
       case part::body:
-        b.add_body(at(0), n.body);
+        if (ports[0].what == kind::gen) {
+          add_mass(index(0), n.mass);
+          rotors.push_back({index(0), n.mass});
+        } else {
+          b.add_body(at(0), n.body);
+        }
         break;
       case part::weight:
         b.add_weight(at(0), n.weight);
@@ -101,8 +111,7 @@ class chain_tree {
         exclude(number, " moves a frame and is no joint or link");
         break;
       case part::force: {
-        if (n.mass != P(0))
-          own_mass[static_cast<std::size_t>(plan.row_of_gen[static_cast<std::size_t>(index(0))])] += n.mass;
+        if (n.mass != P(0)) add_mass(index(0), n.mass);
         bool frames = false;
         for (const auto& p : ports) frames |= is_frame(p.what);
         if (frames)
@@ -111,6 +120,9 @@ class chain_tree {
           on_coordinates.push_back(number);
       }
     }
+  }
+  void add_mass(int coordinate, const P& mass) {
+    own_mass[static_cast<std::size_t>(plan.row_of_gen[static_cast<std::size_t>(coordinate)])] += mass;
   }
   template <class Index>
   void touch(int number, std::span<const port> ports, const Index& index) {

@@ -9,7 +9,7 @@ namespace kte::detail {
 enum class part : unsigned char {
   base,      ///< declares something
   stiff,     ///< a joint or link
-  body,      ///< a rigid body on a frame
+  body,      ///< a rigid body on a frame, or the mass of a coordinate
   weight,    ///< a mass on a frame that moves by a law of its own
   follower,  ///< writes a coordinate from others
   mover,     ///< writes a frame in another way
@@ -73,6 +73,20 @@ tree::stiff_numbers<P> stiff_numbers_of(const Core& core) {
   return x;
 }
 
+/// In another precision.
+template <class P>
+element_numbers<P> as_numbers(const element_numbers<double>& n) {
+  const auto placed = [](const auto& x) { return pose<mat3<vec3<P>>, vec3<P>>{as<P>(x.rotation), as<P>(x.position)}; };
+  element_numbers<P> x;
+  x.is = n.is, x.plain_loads = n.plain_loads;
+  x.stiff.at_zero = placed(n.stiff.at_zero), x.stiff.tried = placed(n.stiff.tried);
+  for (std::size_t k = 0; k < n.stiff.linear.size(); ++k)
+    x.stiff.linear[k] = as<P>(n.stiff.linear[k]), x.stiff.angular[k] = as<P>(n.stiff.angular[k]);
+  x.body = {static_cast<P>(n.body.mass), as<P>(n.body.com), as<P>(n.body.inertia)};
+  x.weight = {static_cast<P>(n.weight.mass), as<P>(n.weight.moment), as<P>(n.weight.inertia)};
+  x.mass = static_cast<P>(n.mass);
+  return x;
+}
 template <class P, class Core>
 element_numbers<P> numbers_of(const Core& core) {
   element_numbers<P> n;
@@ -89,6 +103,7 @@ element_numbers<P> numbers_of(const Core& core) {
     const auto m = core.template mass<P>();
     if constexpr (!is_frame(Core::ports[0].what)) {
       n.mass = as<P>(m);
+      if (is_rigid_body<Core>) n.is = part::body;
     } else {
       n.is = is_rigid_body<Core> ? part::body : part::weight;
       n.weight = {as<P>(m.mass), as<P>(m.moment), as<P>(m.inertia)};

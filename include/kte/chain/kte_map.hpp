@@ -11,7 +11,9 @@
 namespace kte {
 
 class kte_element;
-class runtime_state;
+template <class S>
+class basic_runtime_state;
+using runtime_state = basic_runtime_state<double>;
 class topology;
 
 /// A kinetostatic transmission element of a runtime chain: a type-erased element, a static chain, or a chain of such.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/chain/kte_map.hpp>
 #include <kte/chain/force_derivatives.hpp>
+#include <kte/chain/kte_map.hpp>
 #include <kte/chain/runtime_state.hpp>
 
 namespace kte {

@@ -4,6 +4,7 @@
 #include <kte/chain/runtime_tree.hpp>
 #include <kte/chain/shared_topology.hpp>
 #include <kte/chain/state.hpp>
+#include <kte/math/plain_scalar.hpp>
 
 #include <memory>
 
@@ -13,26 +14,35 @@ namespace kte {
 /// A value; one that is moved from is a state of a chain without elements.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
-class runtime_state {
+///
+/// S: double, or for chains of joints, links and bodies another scalar: float, long double, `dual`, `pack` for several
+/// states at once, numbers of more digits. `runtime_state` is that of double, which alone goes through passes.
+template <class S>
+class basic_runtime_state {
  public:
-  using scalar = double;
+  using scalar = S;
+  using parameter = detail::plain_scalar<S>;
+  using tree_type = detail::runtime_tree<parameter>;
   static constexpr bool has_sines = false;  ///< whether coordinates come with theirs
 
-  explicit runtime_state(shared_topology t)
-      : topology_(std::move(t)), tree_(std::make_shared<detail::runtime_tree>(detail::tree_of(*topology_))), work(*tree_, topology_->nv, topology_->elements.size()) {
+  explicit basic_runtime_state(shared_topology t)
+      : topology_(std::move(t)),
+        tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
+        work(*tree_, topology_->nv, topology_->elements.size()) {
+    if constexpr (!std::is_same_v<S, double>) detail::check_scalar(*topology_, *tree_);
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
   }
-  runtime_state(const runtime_state&) = default;
-  runtime_state(runtime_state&& o) noexcept : runtime_state(shared_topology{}) { swap(o); }
-  runtime_state& operator=(const runtime_state&) = default;
-  runtime_state& operator=(runtime_state&& o) noexcept {
+  basic_runtime_state(const basic_runtime_state&) = default;
+  basic_runtime_state(basic_runtime_state&& o) noexcept : basic_runtime_state(shared_topology{}) { swap(o); }
+  basic_runtime_state& operator=(const basic_runtime_state&) = default;
+  basic_runtime_state& operator=(basic_runtime_state&& o) noexcept {
     runtime_state moved(std::move(o));
     swap(moved);
     return *this;
   }
-  ~runtime_state() = default;
+  ~basic_runtime_state() = default;
 
   /// Thing i of kind K, for the passes.
   template <kind K>
@@ -52,28 +62,28 @@ class runtime_state {
 
  public:
   /// By name or handle; throws `unknown_name`, `bad_argument`.
-  gen_coord<>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
-  const gen_coord<>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
-  kte::frame_2D<>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
-  const kte::frame_2D<>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
-  kte::frame_3D<>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
-  const kte::frame_3D<>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
-  double& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
-  double input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
-  internal_state<>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
-  const internal_state<>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
-  rotation_coord_3D<>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
-  const rotation_coord_3D<>& rotation_3D(const name_or_handle& name) const {
+  gen_coord<S>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
+  const gen_coord<S>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
+  kte::frame_2D<S>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
+  const kte::frame_2D<S>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
+  kte::frame_3D<S>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
+  const kte::frame_3D<S>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
+  S& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
+  S input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
+  internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
+  const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
+  const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
     return at<kind::rotation_3D>(*this, name);
   }
-  pose_coord_2D<>& pose_2D(const name_or_handle& name) { return at<kind::pose_2D>(*this, name); }
-  const pose_coord_2D<>& pose_2D(const name_or_handle& name) const { return at<kind::pose_2D>(*this, name); }
-  pose_coord_3D<>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
-  const pose_coord_3D<>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
+  pose_coord_2D<S>& pose_2D(const name_or_handle& name) { return at<kind::pose_2D>(*this, name); }
+  const pose_coord_2D<S>& pose_2D(const name_or_handle& name) const { return at<kind::pose_2D>(*this, name); }
+  pose_coord_3D<S>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
+  const pose_coord_3D<S>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
 
   /// Number i of the generalized coordinates that are degrees of freedom; throws `bad_argument`.
-  gen_coord<>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
-  const gen_coord<>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
+  gen_coord<S>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
+  const gen_coord<S>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
   /// Degrees of freedom, and numbers of a configuration.
   int dofs() const { return topology_->nv; }
   int nq() const { return topology_->nq; }
@@ -82,14 +92,14 @@ class runtime_state {
 
   /// What this state was made for.
   const shared_topology& made_for() const { return topology_; }
-  const detail::runtime_tree& tree() const { return *tree_; }
+  const tree_type& tree() const { return *tree_; }
 
  private:
   int free_coordinate(int i) const {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
-  void swap(runtime_state& o) noexcept {
+  void swap(basic_runtime_state& o) noexcept {
     std::swap(topology_, o.topology_), std::swap(things_, o.things_);
     std::swap(free_coordinates_, o.free_coordinates_);
     std::swap(tree_, o.tree_), std::swap(work, o.work);
@@ -102,17 +112,17 @@ class runtime_state {
   struct lists;
   template <std::size_t... K>
   struct lists<std::index_sequence<K...>> {
-    using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), double>>...>;
+    using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), S>>...>;
   };
 
   shared_topology topology_;
-  std::shared_ptr<const detail::runtime_tree> tree_;
+  std::shared_ptr<const tree_type> tree_;
   typename lists<std::make_index_sequence<kinds>>::type things_;
   std::vector<int> free_coordinates_;
 
  public:
   /// Working memory of the algorithms; nothing in it needs to be read or kept.
-  detail::loop_memory<double, double> work;
+  detail::loop_memory<parameter, S> work;
 };
 
 }  // namespace kte

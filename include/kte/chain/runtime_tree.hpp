@@ -22,12 +22,30 @@ struct runtime_connections {
   int dofs() const { return t.nv; }
 };
 
-using runtime_tree = chain_tree<double, runtime_plan>;
-inline runtime_tree tree_of(const topology& t) {
+template <class P>
+using runtime_tree = chain_tree<P, runtime_plan>;
+template <class P>
+runtime_tree<P> tree_of(const topology& t) {
   const runtime_connections c{t};
   return {c, arrange<growing_list>(c), [&t](const auto& each) {
-            for (std::size_t e = 0; e < t.elements.size(); ++e) each(e, t.elements[e].element->numbers());
+            for (std::size_t e = 0; e < t.elements.size(); ++e) {
+              if constexpr (std::is_same_v<P, double>)
+                each(e, t.elements[e].element->numbers());
+              else
+                each(e, as_numbers<P>(t.elements[e].element->numbers()));
+            }
           }};
+}
+/// Throws `bad_argument` if forces, or coordinates that follow others, are known to elements alone: in double.
+template <class P>
+void check_scalar(const topology& t, const runtime_tree<P>& tree) {
+  const auto refuse = [&t](int e, const char* why) {
+    throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
+                       t.elements[static_cast<std::size_t>(e)].element->record().type + why);
+  };
+  if (tree.irregular >= 0) refuse(tree.irregular, tree.why);
+  for (const auto* list : {&tree.followers, &tree.on_coordinates, &tree.on_frames})
+    for (const int e : *list) refuse(e, " acts by a law of its own");
 }
 
 }  // namespace kte::detail

@@ -13,7 +13,8 @@ namespace kte {
 
 namespace detail {
 /// Throws unless the derivatives of a chain are known element by element.
-inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
+template <class S>
+void check_derivatives(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   check_regular(c, s);
   const auto refuse = [](const kte_element& e) {
     throw bad_argument(
@@ -28,7 +29,8 @@ inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
         "kte: derivatives of runtime chains need trees, in which no coordinate follows another or moves two joints");
 }
 
-inline void inverse_of_masses(const kte_map_chain& c, runtime_state& s, Eigen::MatrixXd& inverse) {
+template <class S>
+void inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s, runtime_matrix<S>& inverse) {
   if (s.tree().plan.tree) {
     articulate_and_invert(runtime_elements{c}, s, inverse);
     return;
@@ -40,7 +42,8 @@ inline void inverse_of_masses(const kte_map_chain& c, runtime_state& s, Eigen::M
 }  // namespace detail
 
 /// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
-inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   detail::inverse_of_masses(c, s, s.work.inverse);
@@ -48,15 +51,16 @@ inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtim
   return s.work.inverse;
 }
 /// The same at q, which is put into the state.
-template <indexable Q>
-const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   detail::take(c, s, q);
   return mass_matrix_inverse(c, s);
 }
 
 namespace detail {
-inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s) {
   coordinate_forces(c, s);
   take_needed_forces(s);
   auto& r = s.work.of_forces;
@@ -70,15 +74,17 @@ inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(con
 /// Inverse dynamics and its derivatives at the state's positions, rates and accelerations. As
 /// `inverse_dynamics_derivatives` on a static chain, for trees of joints and bodies with forces and masses on
 /// coordinates; others throw `bad_argument`.
-inline const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
-                                                                                           runtime_state& s) {
+template <class S>
+const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s) {
   detail::check_derivatives(c, s);
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
 /// The same at q, v, a, which are put into the state.
-template <indexable Q, indexable V, indexable A>
-const auto& inverse_dynamics_derivatives(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a) {
+template <class S, indexable Q, indexable V, indexable A>
+const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                         const A& a) {
   detail::check_derivatives(c, s);
   detail::take(c, s, q, v, a);
   return detail::forces_derived(c, s);
@@ -86,8 +92,9 @@ const auto& inverse_dynamics_derivatives(const kte_map_chain& c, runtime_state& 
 
 namespace detail {
 /// After forward dynamics: (1) of dynamics/derivatives.hpp.
-inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
-                                                                                    runtime_state& s) {
+template <class S>
+const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
+                                                                        basic_runtime_state<S>& s) {
   auto& r = s.work.of_accelerations;
   const Eigen::Index n = s.dofs();
   r.a = s.work.forces;
@@ -101,15 +108,16 @@ inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_deri
 
 /// Forward dynamics and its derivatives at the state's positions and rates under its inputs. As
 /// `forward_dynamics_derivatives` on a static chain, for chains as above.
-inline const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
-                                                                                           runtime_state& s) {
+template <class S>
+const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s) {
   detail::check_derivatives(c, s);
   forward_dynamics(c, s);
   return detail::accelerations_derived(c, s);
 }
 /// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
-template <indexable Q, indexable V, indexable T>
-const auto& forward_dynamics_derivatives(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
+template <class S, indexable Q, indexable V, indexable T>
+const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
   detail::check_derivatives(c, s);
   forward_dynamics(c, s, q, v, tau);
@@ -119,10 +127,10 @@ const auto& forward_dynamics_derivatives(const kte_map_chain& c, runtime_state& 
 /// As `hybrid_dynamics` on a static chain: known accelerations of the coordinates named, forces on all others.
 ///
 ///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});
-template <indexable Q, indexable V, indexable X>
-hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q,
-                                                               const V& v, const X& known,
-                                                               const std::vector<std::string_view>& prescribed) {
+template <class S, indexable Q, indexable V, indexable X>
+hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                                          const V& v, const X& known,
+                                                          const std::vector<std::string_view>& prescribed) {
   using namespace detail;
   check_regular(c, s);
   if (!s.tree().plan.tree)
@@ -139,11 +147,11 @@ hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_cha
       throw bad_argument("kte: '" + std::string(name) + "' is no degree of freedom of this chain");
     for (int i = 0; i < nv_of(k); ++i) is_known[static_cast<std::size_t>(at->v + i)] = 1;
   }
-  Eigen::VectorXd given = Eigen::VectorXd::Zero(s.dofs()), force = given;
+  runtime_vector<S> given = runtime_vector<S>::Zero(s.dofs()), force = given;
   for (std::size_t i = 0; i < n; ++i)
-    (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<double>(known[i]);
+    (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<S>(known[i]);
   take(c, s, q, v, given, force);
-  hybrid_dynamics_result<double, Eigen::Dynamic> r;
+  hybrid_dynamics_result<S, Eigen::Dynamic> r;
   r.a = accelerations_under(
       c, s, [&force](int i) { return force[i]; }, is_known);
   r.tau = inverse_dynamics(c, s);

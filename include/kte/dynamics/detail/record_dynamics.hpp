@@ -118,8 +118,8 @@ template <class Elements, class State>
 template <class Elements, class State>
 void check_lone_masses(const Elements& c, const State& s) {
   for (const int row : s.tree().plan.lone_rows)
-    if (!s.work.prescribed[static_cast<std::size_t>(row)] &&
-        !(s.tree().own_mass[static_cast<std::size_t>(row)] > 0)) [[unlikely]]
+    if (!s.work.prescribed[static_cast<std::size_t>(row)] && !(s.tree().own_mass[static_cast<std::size_t>(row)] > 0))
+        [[unlikely]]
       c.blame_mass(s, row, true);
 }
 /// Forces tau(i), and those of the elements, to accelerations in `forces`, by articulated bodies (ABA): in trees.
@@ -218,6 +218,8 @@ void derive_forces(const Elements& c, State& s) {
                       const Eigen::Index at = row[k] * n + row[j];
                       q[at] = by_q, v[at] = by_v, a[at] = by_a;
                     });
+  for (const auto& [coordinate, mass] : s.tree().rotors)
+    if (const int at = s.tree().plan.row_of_gen[static_cast<std::size_t>(coordinate)]; at < n) r.by_a(at, at) += mass;
   for (const int e : s.tree().on_coordinates) c.derive(e, s);
 }
 

@@ -51,8 +51,7 @@ void bring_up_to_date(const Elements& c, State& s) {
     c.move(e, s);
     update_angle(s.template get<kind::gen>(c.written(e)));
   }
-  for (const auto& [k, slot] : s.tree().turned)
-    with_coordinate(s, k, slot, [](auto& x) { update_angle(x); });
+  for (const auto& [k, slot] : s.tree().turned) with_coordinate(s, k, slot, [](auto& x) { update_angle(x); });
 }
 
 /// Puts a joint of several axes where its coordinate is.
@@ -109,7 +108,8 @@ void place_bodies(const Elements& c, State& s) {
   if (angles.size() == records.size()) return;
   for (std::size_t n = 0; n < records.size(); ++n) {
     const auto& r = records[n];
-    if (r.moves == tree::joint::prismatic) tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, tree::turn<S>{}, w.spots[n]);
+    if (r.moves == tree::joint::prismatic)
+      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, tree::turn<S>{}, w.spots[n]);
     if (r.moves == tree::joint::several) place_several(s, r, w.spots[n]);
   }
 }
@@ -117,6 +117,7 @@ void place_bodies(const Elements& c, State& s) {
 /// The same of a slot and all that it stands on. Followers: of all.
 template <class Elements, class State>
 void place_ancestors(const Elements& c, State& s, int slot) {
+  using S = typename State::scalar;
   bring_up_to_date(c, s);
   auto& w = s.work;
   const auto& f = s.tree().forest;
@@ -128,7 +129,7 @@ void place_ancestors(const Elements& c, State& s, int slot) {
       w.angle[count++] = r.turns * s.template get<kind::gen>(r.slot).q;
     at = r.parent;
   }
-  std::fill(w.angle.begin() + static_cast<std::ptrdiff_t>(count), w.angle.end(), 0.0);
+  std::fill(w.angle.begin() + static_cast<std::ptrdiff_t>(count), w.angle.end(), S(0));
   sincos_each(w.angle.data(), w.sine.data(), w.cosine.data(), std::min((count + 3) / 4 * 4, w.angle.size()));
   count = 0;
   for (int at = slot; at >= f.bases;) {
@@ -137,7 +138,7 @@ void place_ancestors(const Elements& c, State& s, int slot) {
     if (r.moves == tree::joint::several) {
       place_several(s, r, w.spots[n]);
     } else {
-      tree::turn<double> turn;
+      tree::turn<S> turn;
       if (r.moves != tree::joint::prismatic) turn = {w.cosine[count], w.sine[count]}, ++count;
       tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, turn, w.spots[n]);
     }
@@ -194,7 +195,8 @@ void place_in_world(State& s) {
 /// No forces on coordinates.
 template <class State>
 void clear_coordinates(State& s) {
-  for (std::size_t i = 0; i < s.tree().plan.row_of_gen.size(); ++i) s.template get<kind::gen>(static_cast<int>(i)).f = typename State::scalar(0);
+  for (std::size_t i = 0; i < s.tree().plan.row_of_gen.size(); ++i)
+    s.template get<kind::gen>(static_cast<int>(i)).f = typename State::scalar(0);
   for_each_listed_freedom(s, [](auto& c, const freedom&) {
     if constexpr (requires { clear_load(c); }) clear_load(c);
   });
@@ -218,9 +220,10 @@ void place_touched_frames(State& s, bool accelerated) {
         continue;
       }
     }
-    const auto m = compose(motion{place.position, place.rotation, b.velocity, b.ang_velocity,
-                                  accelerated ? b.acceleration : vec3<S>{}, accelerated ? b.ang_acceleration : vec3<S>{}},
-                           at_rest(at.at.rotation, at.at.position));
+    const auto m =
+        compose(motion{place.position, place.rotation, b.velocity, b.ang_velocity,
+                       accelerated ? b.acceleration : vec3<S>{}, accelerated ? b.ang_acceleration : vec3<S>{}},
+                at_rest(at.at.rotation, at.at.position));
     if (k == kind::frame_2D) {
       auto& x = s.template get<kind::frame_2D>(index);
       const auto flat = [](const vec3<S>& u) { return vec3{u.x, u.y, zero}; };
@@ -274,6 +277,8 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   if (t.only_bodies) {
     tree::move_bodies<false>(t.forest, w);
     tree::take_needs(t.forest, w);
+    if (t.has_own_mass)
+      for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
     for (const auto& r : t.forest.records) {
       const auto k = static_cast<std::size_t>(r.first);
       if (r.what == kind::gen) [[likely]]
@@ -284,6 +289,10 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
     return;
   }
   clear_coordinates(s);
+  for (const auto& [coordinate, mass] : t.rotors) {
+    auto& x = s.template get<kind::gen>(coordinate);
+    x.f -= mass * x.q_ddot;
+  }
   const auto& others = who == acting::all ? t.on_frames : t.weights;
   if (others.empty()) {
     tree::move_bodies<false>(t.forest, w);

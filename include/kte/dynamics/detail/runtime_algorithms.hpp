@@ -11,14 +11,15 @@ namespace kte {
 
 namespace detail {
 
-inline void check_masses(const runtime_state& s, const Eigen::MatrixXd& m) {
+template <class S>
+void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!all_finite(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
 /// By the factorised mass matrix.
-template <class Tau>
-void accelerate_by_mass(const kte_map_chain& c, runtime_state& s, const Tau& tau) {
-  for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](double& a) { a = 0; }); });
+template <class S, class Tau>
+void accelerate_by_mass(const kte_map_chain& c, basic_runtime_state<S>& s, const Tau& tau) {
+  for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](S& a) { a = S(0); }); });
   coordinate_forces(c, s);
   auto& a = s.work.forces;
   read_listed_numbers<vector_of::f>(s, a);
@@ -29,9 +30,9 @@ void accelerate_by_mass(const kte_map_chain& c, runtime_state& s, const Tau& tau
 
 /// At positions that are good. Some accelerations may be given, in the state: those of rows that are `prescribed`, in
 /// trees.
-template <class Tau>
-const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state& s, const Tau& applied,
-                                           std::span<const char> prescribed = {}) {
+template <class S, class Tau>
+const runtime_vector<S>& accelerations_under(const kte_map_chain& c, basic_runtime_state<S>& s, const Tau& applied,
+                                             std::span<const char> prescribed = {}) {
   auto& kept = s.work.kept;  // what is applied may be a result that the state holds
   for (int i = 0; i < s.dofs(); ++i) kept[static_cast<std::size_t>(i)] = applied(i);
   const auto tau = [&kept](int i) { return kept[static_cast<std::size_t>(i)]; };
@@ -39,8 +40,9 @@ const Eigen::VectorXd& accelerations_under(const kte_map_chain& c, runtime_state
     accelerate_articulated(runtime_elements{c}, s, tau, prescribed);
   else
     accelerate_by_mass(c, s, tau);
-  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()),
-               [&] { blame("an acceleration", s, Eigen::Map<const Eigen::VectorXd>(kept.data(), s.dofs())); });
+  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {
+    blame("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
+  });
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
@@ -54,7 +56,8 @@ inline runtime_frame find_frame(const kte_map_chain& c, const name_or_handle& fr
   return {k, index};
 }
 /// doMotion of an element, after that of all that it depends on, each once.
-inline void move_element(const topology& t, runtime_state& s, int element) {
+template <class S>
+void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
   const auto at = [](auto& x, int e) -> auto& { return x[static_cast<std::size_t>(e)]; };
   auto& wanted = s.work.wanted;
   at(wanted, element) = 1;
@@ -72,10 +75,27 @@ inline void move_element(const topology& t, runtime_state& s, int element) {
     if (std::exchange(at(wanted, e), 0)) at(t.elements, e).element->doMotion(s);
 }
 /// The same for a frame: what writes it, if an element does.
-inline void move(const topology& t, runtime_state& s, const runtime_frame& x) {
+template <class S>
+void move(const topology& t, basic_runtime_state<S>& s, const runtime_frame& x) {
   const int writer = t.writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
   if (writer >= 0) move_element(t, s, writer);
 }
+
+/// f(motion) of a frame in its present state.
+template <class S, class F>
+auto with_motion(basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
+  return x.what == kind::frame_2D ? f(spatial(s.template get<kind::frame_2D>(x.index)))
+                                  : f(spatial(s.template get<kind::frame_3D>(x.index)));
+}
+template <class S>
+struct passes_in {
+  static_assert(std::is_same_v<S, double>,
+                "kte: elements of runtime chains have passes in double alone: motion of frames and energies need a "
+                "kte::runtime_state");
+  static constexpr bool known = true;
+};
+template <class S>
+inline constexpr bool goes_through_passes = passes_in<S>::known;
 
 }  // namespace detail
 

@@ -16,21 +16,31 @@ struct runtime_elements {
   std::span<const port> ports(int e) const { return connection(e).ports; }
   int index(int e, std::size_t p) const { return connection(e).index[p]; }
   int written(int e) const { return connection(e).index.back(); }
+  // States of other scalars are for chains in which nothing is left for elements to do.
   void move(int e, runtime_state& s) const { element(e).doMotion(s); }
   void push(int e, runtime_state& s) const { element(e).doForce(s); }
   void derive(int e, runtime_state& s) const { element(e).derive_forces(s); }
-  [[noreturn]] void blame_mass(const runtime_state& s, int row, bool finite) const {
+  template <class State>
+  void move(int, State&) const {}
+  template <class State>
+  void push(int, State&) const {}
+  template <class State>
+  void derive(int, State&) const {}
+  template <class State>
+  [[noreturn]] void blame_mass(const State& s, int row, bool finite) const {
     detail::blame_mass(s, row, finite);
   }
 };
 
 /// Throws `bad_argument` unless the state is of this chain, which is no part of another.
-inline void check_whole(const kte_map_chain& c, const runtime_state& s) {
+template <class S>
+void check_whole(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   (void)c.wiring();
   c.check(s);
 }
 /// The same where passes alone know the chain.
-inline void check_regular(const kte_map_chain& c, const runtime_state& s) {
+template <class S>
+void check_regular(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   const auto& t = s.tree();
   if (t.irregular >= 0) [[unlikely]]
@@ -39,13 +49,15 @@ inline void check_regular(const kte_map_chain& c, const runtime_state& s) {
 }
 
 /// Inverse dynamics, into the state.
-inline void coordinate_forces(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
   check_whole(c, s);
-  if (s.tree().irregular < 0) [[likely]] {
-    forces_on_coordinates(runtime_elements{c}, s, acting::all);
-  } else {
-    c.doMotion(s), c.clearForce(s), c.doForce(s);
-  }
+  if constexpr (std::is_same_v<S, double>)
+    if (s.tree().irregular >= 0) [[unlikely]] {
+      c.doMotion(s), c.clearForce(s), c.doForce(s);
+      return;
+    }
+  forces_on_coordinates(runtime_elements{c}, s, acting::all);
 }
 
 }  // namespace kte::detail

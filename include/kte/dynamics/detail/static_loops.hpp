@@ -18,9 +18,7 @@ struct static_elements {
   const Given& given;
   using wiring = typename Chain::wiring;
 
-  static std::span<const port> ports(int e) {
-    return static_connections<Chain>{}.ports(static_cast<std::size_t>(e));
-  }
+  static std::span<const port> ports(int e) { return static_connections<Chain>{}.ports(static_cast<std::size_t>(e)); }
   static int index(int e, std::size_t p) { return wiring::slot(static_cast<std::size_t>(e), p); }
   static int written(int e) { return index(e, ports(e).size() - 1); }
 
@@ -59,8 +57,7 @@ struct static_elements {
   }
   /// Joints, links and bodies are in the records.
   template <class Core>
-  static constexpr bool acts = !is_transmission<Core> && !is_rigid_body<Core> &&
-                               Core::ports.back().how != access::base;
+  static constexpr bool acts = !is_transmission<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
 
   template <class State>
   using step = void (*)(const Chain&, State&);
@@ -167,7 +164,7 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
 }
 template <class S, class Chain, class Given>
 joint_vector<S, Chain::dofs> accelerations_by_records(const Chain& c, const Given& g,
-                                                  const joint_vector<S, Chain::dofs>& tau) {
+                                                      const joint_vector<S, Chain::dofs>& tau) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);
@@ -176,7 +173,7 @@ joint_vector<S, Chain::dofs> accelerations_by_records(const Chain& c, const Give
 /// The same, and the inverse of the mass matrix.
 template <class S, class Chain, class Given>
 void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const joint_vector<S, Chain::dofs>& tau,
-                                      joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {
+                                          joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);

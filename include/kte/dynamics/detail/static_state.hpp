@@ -4,21 +4,10 @@
 #include <kte/chain/loop_memory.hpp>
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/detail/static_plan.hpp>
+#include <kte/math/plain_scalar.hpp>
 
 /// The state of a static chain for the algorithms that are loops over records.
 namespace kte::detail {
-
-// ---- the numbers of records: those of the scalar, but plain ones where it is a pack or has derivatives
-
-template <class S>
-struct plain_scalar {
-  using type = S;
-};
-template <class S>
-requires requires { S::lanes; }
-struct plain_scalar<S> : plain_scalar<typename S::value_type> {};
-template <class T, int N>
-struct plain_scalar<dual<T, N>> : plain_scalar<T> {};
 
 /// What the numbers of a core add up to, by type.
 template <class Core>
@@ -46,15 +35,15 @@ auto parameters_in(const Core& core) {
 }
 template <class S, class Chain>
 inline constexpr bool has_plain_parameters = []<std::size_t... I>(std::index_sequence<I...>) {
-  const bool plain[]{
-      std::is_convertible_v<decltype(parameters_in(std::declval<const core_of<Chain, I>&>())), S>..., true};
+  const bool plain[]{std::is_convertible_v<decltype(parameters_in(std::declval<const core_of<Chain, I>&>())), S>...,
+                     true};
   for (const bool p : plain)
     if (!p) return false;
   return true;
 }
 (std::make_index_sequence<Chain::size>{});
 /// P of the records of a chain in calculations with S: derivatives by parameters are kept.
-template <class S, class Chain, class Plain = typename plain_scalar<S>::type>
+template <class S, class Chain, class Plain = plain_scalar<S>>
 using record_number = std::conditional_t<has_plain_parameters<Plain, Chain>, Plain, S>;
 
 /// Coordinates, signals, and the frames that elements act on.
@@ -187,9 +176,8 @@ class static_state {
   template <class Frame, class M>
   static void take_base(Frame& to, const M& m) {
     static constexpr zero3 none{};
-    set_motion(to,
-               motion{known(m.position, none), known(m.rotation, no_rotation{}), known(m.velocity, none),
-                      known(m.ang_velocity, none), known(m.acceleration, none), known(m.ang_acceleration, none)});
+    set_motion(to, motion{known(m.position, none), known(m.rotation, no_rotation{}), known(m.velocity, none),
+                          known(m.ang_velocity, none), known(m.acceleration, none), known(m.ang_acceleration, none)});
   }
 
   template <class Kinds>
