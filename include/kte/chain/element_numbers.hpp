@@ -16,6 +16,10 @@ enum class part : unsigned char {
   force      ///< the rest: acts on what it is connected to. May have a mass on a coordinate
 };
 
+/// Whether an element is more than what records hold.
+template <class Core>
+inline constexpr bool acts = !is_transmission<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
+
 template <class P>
 struct element_numbers {
   part is = part::force;

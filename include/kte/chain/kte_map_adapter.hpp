@@ -40,12 +40,19 @@ class kte_map_adapter final : public kte_element {
 
   detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
   void derive_forces(runtime_state& s) const override { detail::subtract_force_derivatives(core_, s, index_.data()); }
+  void derive_motion(detail::derivative_state& s) const override {
+    if constexpr (detail::acts<Core>) on(s).motion(inputs{});
+  }
+  void derive_force(detail::derivative_state& s) const override {
+    if constexpr (detail::acts<Core>) on(s).force(inputs{});
+  }
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
 
-  auto on(runtime_state& s) const {
-    return detail::stored_element<Core, runtime_state, detail::by_index>{core_, s, {index_.data()}};
+  template <class State>
+  auto on(State& s) const {
+    return detail::stored_element<Core, State, detail::by_index>{core_, s, {index_.data()}};
   }
 
   Core core_;

@@ -10,6 +10,27 @@
 
 namespace kte {
 
+namespace detail {
+/// What a state makes for itself when it is first wanted: copies of it begin without.
+class own_memory {
+ public:
+  own_memory() = default;
+  own_memory(const own_memory&) {}
+  own_memory& operator=(const own_memory&) {
+    made_.reset();
+    return *this;
+  }
+  template <class T, class Make>
+  T& get(const Make& make) {
+    if (!made_) made_ = std::make_shared<T>(make());
+    return *static_cast<T*>(made_.get());
+  }
+
+ private:
+  std::shared_ptr<void> made_;
+};
+}  // namespace detail
+
 /// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
 /// A value; one that is moved from is a state of a chain without elements.
 ///
@@ -29,7 +50,7 @@ class basic_runtime_state {
       : topology_(std::move(t)),
         tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
         work(*tree_, topology_->nv, topology_->elements.size()) {
-    if constexpr (!std::is_same_v<S, double>) detail::check_scalar(*topology_, *tree_);
+    detail::check_scalar<S>(*topology_, *tree_);
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
@@ -38,7 +59,7 @@ class basic_runtime_state {
   basic_runtime_state(basic_runtime_state&& o) noexcept : basic_runtime_state(shared_topology{}) { swap(o); }
   basic_runtime_state& operator=(const basic_runtime_state&) = default;
   basic_runtime_state& operator=(basic_runtime_state&& o) noexcept {
-    runtime_state moved(std::move(o));
+    basic_runtime_state moved(std::move(o));
     swap(moved);
     return *this;
   }
@@ -123,6 +144,7 @@ class basic_runtime_state {
  public:
   /// Working memory of the algorithms; nothing in it needs to be read or kept.
   detail::loop_memory<parameter, S> work;
+  detail::own_memory with_derivatives;
 };
 
 }  // namespace kte

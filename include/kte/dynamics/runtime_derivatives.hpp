@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/runtime_duals.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/runtime.hpp>
 
@@ -12,21 +13,10 @@
 namespace kte {
 
 namespace detail {
-/// Throws unless the derivatives of a chain are known element by element.
+/// Whether the derivatives of the forces of a chain are known element by element.
 template <class S>
-void check_derivatives(const kte_map_chain& c, const basic_runtime_state<S>& s) {
-  check_regular(c, s);
-  const auto refuse = [](const kte_element& e) {
-    throw bad_argument(
-        "kte: derivatives of runtime chains are known of joints, links, bodies and forces on coordinates, not of " +
-        e.record().type);
-  };
-  for (const auto& e : c.wiring().elements)
-    if (!e.has_derivatives) refuse(*e.element);
-  for (const int e : s.tree().weights) refuse(runtime_elements{c}.element(e));
-  if (!s.tree().plan.tree)
-    throw bad_argument(
-        "kte: derivatives of runtime chains need trees, in which no coordinate follows another or moves two joints");
+bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+  return s.tree().plan.tree && s.tree().weights.empty() && c.wiring().has_derivatives;
 }
 
 template <class S>
@@ -65,7 +55,10 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
   take_needed_forces(s);
   auto& r = s.work.of_forces;
   r.tau = s.work.forces;
-  derive_forces(runtime_elements{c}, s);
+  if (is_known_by_elements(c, s)) [[likely]]
+    derive_forces(runtime_elements{c}, s);
+  else if constexpr (std::is_same_v<S, double>)
+    derive_forces_by_duals(c, s);
   check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
   return r;
 }
@@ -77,7 +70,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
-  detail::check_derivatives(c, s);
+  detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
@@ -85,7 +78,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(c
 template <class S, indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
-  detail::check_derivatives(c, s);
+  detail::check_regular(c, s);
   detail::take(c, s, q, v, a);
   return detail::forces_derived(c, s);
 }
@@ -99,7 +92,10 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
   const Eigen::Index n = s.dofs();
   r.a = s.work.forces;
   r.by_q.resize(n, n), r.by_v.resize(n, n);
-  invert_articulated(s, r.by_tau);
+  if (s.tree().plan.tree) [[likely]]
+    invert_articulated(s, r.by_tau);
+  else
+    inverse_of_masses(c, s, r.by_tau);
   const auto& forces = forces_derived(c, s);
   solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
   return r;
@@ -111,7 +107,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
 template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
-  detail::check_derivatives(c, s);
+  detail::check_regular(c, s);
   forward_dynamics(c, s);
   return detail::accelerations_derived(c, s);
 }
@@ -119,7 +115,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(c
 template <class S, indexable Q, indexable V, indexable T>
 const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
-  detail::check_derivatives(c, s);
+  detail::check_regular(c, s);
   forward_dynamics(c, s, q, v, tau);
   return detail::accelerations_derived(c, s);
 }
@@ -133,8 +129,6 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c
                                                           const std::vector<std::string_view>& prescribed) {
   using namespace detail;
   check_regular(c, s);
-  if (!s.tree().plan.tree)
-    throw bad_argument("kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
   const auto n = static_cast<std::size_t>(s.dofs());
   check_size(n, known, "known");
   std::vector<char> is_known(n, 0);

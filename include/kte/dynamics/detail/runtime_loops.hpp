@@ -16,10 +16,12 @@ struct runtime_elements {
   std::span<const port> ports(int e) const { return connection(e).ports; }
   int index(int e, std::size_t p) const { return connection(e).index[p]; }
   int written(int e) const { return connection(e).index.back(); }
-  // States of other scalars are for chains in which nothing is left for elements to do.
   void move(int e, runtime_state& s) const { element(e).doMotion(s); }
   void push(int e, runtime_state& s) const { element(e).doForce(s); }
   void derive(int e, runtime_state& s) const { element(e).derive_forces(s); }
+  void move(int e, derivative_state& s) const { element(e).derive_motion(s); }
+  void push(int e, derivative_state& s) const { element(e).derive_force(s); }
+  // States of other scalars are for chains in which nothing is left for elements to do.
   template <class State>
   void move(int, State&) const {}
   template <class State>

@@ -55,10 +55,6 @@ struct static_elements {
   static auto passes_of(const Core& core, State& s, const int* index) {
     return stored_element<Core, State, by_index>{core, s, {index}};
   }
-  /// Joints, links and bodies are in the records.
-  template <class Core>
-  static constexpr bool acts = !is_transmission<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
-
   template <class State>
   using step = void (*)(const Chain&, State&);
   /// What all elements do, by number: each as f<Core>.
