@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/errors.hpp>
+#include <kte/kernels/joint_vector.hpp>
 
 #include <Eigen/Core>
 
@@ -29,7 +30,15 @@ constexpr bool is_finite(const S& x) {
 /// The same of all numbers of a vector or matrix.
 template <class M>
 bool all_finite(const Eigen::MatrixBase<M>& x) {
-  return (x - x).sum() == typename M::Scalar(0);
+  using S = typename M::Scalar;
+  S sum(0);
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    const auto column = x.col(j);
+    sum += sum_by_four<S>(static_cast<std::size_t>(x.rows()), [&column](std::size_t i) KTE_INLINE_LAMBDA {
+      return S(column.coeff(static_cast<Eigen::Index>(i)) * S(0));
+    });
+  }
+  return sum == S(0);
 }
 
 /// A time or a setting that has to be finite, or finite and positive. Throws `bad_argument` with its name and value.

@@ -26,7 +26,7 @@ class local_mass {
     M.setZero();
     for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
     coordinate_masses(std::make_index_sequence<Chain::size>{});
-    if constexpr (!written_once) sum_ = M.sum();
+    if constexpr (!written_once) sum_ = detail::zero_or_nan(M.data(), static_cast<std::size_t>(M.size()));
   }
   /// 0 if all numbers are finite, unless they are near to overflow.
   KTE_INLINE S zero_or_nan() const { return sum_ * S(0); }
@@ -207,7 +207,7 @@ KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Bas
       return unrolled_mass_matrix<S>(c, g, zero_or_nan);
     } else {
       const auto stored = stored_mass_matrix<S>(c, g);
-      zero_or_nan = (stored.array() * S(0)).sum();
+      zero_or_nan = detail::zero_or_nan(stored.data(), static_cast<std::size_t>(stored.size()));
       return stored;
     }
   }();

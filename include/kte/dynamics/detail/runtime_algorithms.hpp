@@ -12,14 +12,7 @@ namespace kte {
 namespace detail {
 
 inline void check_masses(const runtime_state& s, const Eigen::MatrixXd& m) {
-  const double* const x = m.data();
-  const auto n = static_cast<std::size_t>(m.size());
-  double sums[4]{};  // one would wait for itself; of Eigen's g++ 12 warns
-  std::size_t i = 0;
-  for (; i + 4 <= n; i += 4)
-    for (std::size_t k = 0; k < 4; ++k) sums[k] += x[i + k] * 0;
-  for (; i < n; ++i) sums[0] += x[i] * 0;
-  if (!((sums[0] + sums[1]) + (sums[2] + sums[3]) == 0)) [[unlikely]]
+  if (!all_finite(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
 /// Where an axis has nothing to move, or more than a number can say.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/integrators/detail/step_control.hpp>
+#include <kte/kernels/joint_vector.hpp>
 
 namespace kte::detail {
 
@@ -16,12 +17,22 @@ class error_weights {
   }
   /// Of a step from x0 to x1.
   void weigh(const X& x0, const X& x1) {
-    inverse_ = (absolute_ + relative_.cwiseProduct(x0.cwiseAbs().cwiseMax(x1.cwiseAbs()))).cwiseInverse();
+    using std::abs;
+    for (Eigen::Index i = 0; i < inverse_.size(); ++i) {
+      const S before = abs(x0[i]), after = abs(x1[i]);
+      inverse_[i] = S(1) / S(absolute_[i] + relative_[i] * (before < after ? after : before));
+    }
   }
   /// The square of the norm of e by the last weights, which are those of these states.
   template <class E>
   S square(const E& e, const X& x0, const X& x1) const {
-    const S mean = e.cwiseProduct(inverse_).squaredNorm() * share_;
+    const S mean = sum_by_four<S>(static_cast<std::size_t>(e.size()),
+                                  [&](std::size_t i) KTE_INLINE_LAMBDA {
+                                    const S weighted =
+                                        e.coeff(static_cast<Eigen::Index>(i)) * inverse_[static_cast<Eigen::Index>(i)];
+                                    return S(weighted * weighted);
+                                  }) *
+                   share_;
     if (is_finite(mean)) [[likely]]
       return mean;
     const S norm = error_norm_without_zeros(tolerances_, e, x0, x1);
