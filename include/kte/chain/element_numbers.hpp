@@ -22,7 +22,8 @@ struct element_numbers {
   tree::stiff_numbers<double> stiff{};
   rigid_body<double, vec3<>, sym3<>> body{};
   composite<double, vec3<>, sym3<>> weight{};
-  double mass = 0;  ///< on its coordinate
+  double mass = 0;        ///< on its coordinate
+  bool has_mass = false;  ///< whether it has one there, which may be 0
 };
 
 /// A coordinate of kind K as plain numbers: at zero, or where (1), (2) of tree/build.hpp are tried.
@@ -87,7 +88,7 @@ element_numbers numbers_of(const Core& core) {
   } else if constexpr (has_mass<Core, double>) {
     const auto m = core.template mass<double>();
     if constexpr (!is_frame(Core::ports[0].what)) {
-      n.mass = as<double>(m);
+      n.mass = as<double>(m), n.has_mass = true;
     } else {
       n.is = is_rigid_body<Core> ? part::body : part::weight;
       n.weight = {as<double>(m.mass), as<double>(m.moment), as<double>(m.inertia)};
