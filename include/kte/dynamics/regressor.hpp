@@ -102,12 +102,13 @@ class local_regressor {
       tree::body_motion<S> x;
       x.ang_velocity = as<S>(frame.ang_velocity), x.ang_acceleration = as<S>(frame.ang_acceleration);
       x.acceleration = as<S>(frame.acceleration);
-      add_body(wiring::writer(types::template what<I, 0>, wiring::slot(I, 0)), as<S>(matrix(frame.rotation)), x,
-               first_parameter<Chain>[I], parameter_count<core_t<I>>);
+      add_body<parameter_count<core_t<I>>>(wiring::writer(types::template what<I, 0>, wiring::slot(I, 0)),
+                                           as<S>(matrix(frame.rotation)), x, first_parameter<Chain>[I]);
     }
   }
   /// Of a body on the end of an element, in the axes R^T of its frame, as (1) of `jacobian`.
-  void add_body(int element, const mat3<vec3<S>>& r, const tree::body_motion<S>& x, int first, int count) {
+  template <int Count>
+  void add_body(int element, const mat3<vec3<S>>& r, const tree::body_motion<S>& x, int first) {
     const mat3<vec3<S>> t = transpose(r);
     vec3<S> way{};
     for (; element >= 0; element = plan.places[static_cast<std::size_t>(element)].below) {
@@ -116,10 +117,8 @@ class local_regressor {
         const auto& s = axes_[at.first + static_cast<std::size_t>(k)];
         const vec3<S> v = t * (s.linear + cross(s.angular, way)), u = t * s.angular;
         const auto all = tree::power_by_parameters(x, v, u);
-        for (int i = 0; i < count; ++i) {
-          const auto n = static_cast<std::size_t>(i);
-          y_(at.row + k, first + i) += all[count == 4 ? tree::parameters_in_plane[n] : n];
-        }
+        for (std::size_t i = 0; i < Count; ++i)
+          y_(at.row + k, first + static_cast<int>(i)) += all[Count == 4 ? tree::parameters_in_plane[i] : i];
       }
       way = step_[static_cast<std::size_t>(element)] + way;
     }
