@@ -63,7 +63,7 @@ template <class S, class Term>
 KTE_INLINE constexpr S sum_by_four(std::size_t n, const Term& term) {
   S sums[4]{S(0), S(0), S(0), S(0)};
   std::size_t i = 0;
-  for (; i + 4 <= n; i += 4)
+  for (; i < n / 4 * 4; i += 4)  // g++ 12 warns of i + 4 <= n, which holds of i = -4 as well
     for (std::size_t k = 0; k < 4; ++k) sums[k] += term(i + k);
   for (; i < n; ++i) sums[0] += term(i);
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
