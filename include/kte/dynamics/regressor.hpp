@@ -4,6 +4,8 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/tree/regressor.hpp>
 
+#include <utility>
+
 /// Inverse dynamics as linear function of the inertial parameters of the bodies, for their identification.
 namespace kte {
 
@@ -117,8 +119,7 @@ class local_regressor {
         const auto& s = axes_[at.first + static_cast<std::size_t>(k)];
         const vec3<S> v = t * (s.linear + cross(s.angular, way)), u = t * s.angular;
         const auto all = tree::power_by_parameters(x, v, u);
-        for (std::size_t i = 0; i < Count; ++i)
-          y_(at.row + k, first + static_cast<int>(i)) += all[Count == 4 ? tree::parameters_in_plane[i] : i];
+        for (int i = 0; i < Count; ++i) y_(at.row + k, first + i) += tree::parameter_at(all, i, Count);
       }
       way = step_[static_cast<std::size_t>(element)] + way;
     }
@@ -180,8 +181,7 @@ auto inertial_parameters(const static_chain<Gravity, E...>& c) {
       const vec3<S> h = as<S>(b.moment);
       const sym3<S> j = as<S>(b.inertia);
       const tree::per_parameter<S> all{as<S>(b.mass), h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
-      for (std::size_t i = 0; i < count; ++i)
-        pi[first + static_cast<int>(i)] = all[count == 4 ? tree::parameters_in_plane[i] : i];
+      for (int i = 0; i < count; ++i) pi[first + i] = tree::parameter_at(all, i, count);
     }
   });
   return pi;

@@ -21,12 +21,6 @@ int for_each_parametric(const kte_map_chain& c, const Visit& visit) {
   }
   return column;
 }
-/// Number i of a body with so many parameters, of the numbers (1) of tree/regressor.hpp.
-inline double parameter_at(const tree::per_parameter<double>& all, int i, int count) {
-  const auto n = static_cast<std::size_t>(i);
-  return all[count == 4 ? tree::parameters_in_plane[n] : n];
-}
-
 /// At the positions, rates and accelerations of the state.
 inline Eigen::MatrixXd regressor_of(const kte_map_chain& c, runtime_state& s) {
   const auto& t = s.tree();
@@ -44,7 +38,7 @@ inline Eigen::MatrixXd regressor_of(const kte_map_chain& c, runtime_state& s) {
     const auto& place = t.forest.frame(e.ports[0].what, index);
     tree::forces_by_parameters(t.forest, s.work, place, [&](int k, const tree::per_parameter<double>& x) {
       const int row = t.forest.row[static_cast<std::size_t>(k)];
-      for (int i = 0; i < count; ++i) y(row, first + i) += parameter_at(x, i, count);
+      for (int i = 0; i < count; ++i) y(row, first + i) += tree::parameter_at(x, i, count);
     });
   });
   hand_on(c, s, [&y](int base, int end, double ratio) { y.row(base) += ratio * y.row(end); });
@@ -61,7 +55,7 @@ inline Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
   for_each_parametric(c, [&pi](const topology::connection&, const element_numbers& n, int first, int count) {
     const auto& [m, h, j] = n.weight;
     const tree::per_parameter<double> all{m, h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
-    for (int i = 0; i < count; ++i) pi[first + i] = n.has_mass ? n.mass : parameter_at(all, i, count);
+    for (int i = 0; i < count; ++i) pi[first + i] = n.has_mass ? n.mass : tree::parameter_at(all, i, count);
   });
   return pi;
 }
