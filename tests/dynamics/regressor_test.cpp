@@ -1,5 +1,6 @@
 #include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/runtime_regressor.hpp>
+#include <kte/math/dual.hpp>
 
 #include <limits>
 
@@ -171,6 +172,7 @@ TEST_CASE("regressor of two links in the plane, by its formula") {
   const auto in_static = [&](const auto& q, const auto& v, const auto& a) { return torque_regressor(c, q, v, a); };
   check_formula(in_static, big(), 1e-47);
   check_formula(in_static, 0.0, 30 * eps);  // of some 15 roundings in a row, as has the formula
+  check_formula(in_static, 0.0f, 30 * static_cast<double>(std::numeric_limits<float>::epsilon()));
   const auto model = models::element_by_element(c);
   auto s = model.make_state();
   check_formula([&](const auto& q, const auto& v, const auto& a) { return torque_regressor(model, s, q, v, a); }, 0.0,
@@ -178,6 +180,16 @@ TEST_CASE("regressor of two links in the plane, by its formula") {
   Eigen::Matrix<double, 8, 1> pi;
   pi << 2.0, 0.2, 0.0, 0.32, 0.8, 0.0, 0.0, 0.0;
   CHECK((inertial_parameters(c) - pi).cwiseAbs().maxCoeff() <= eps / 4);  // of m c^2
+}
+
+TEST_CASE("derivative of a regressor by dual numbers") {
+  // The mass of the pendulum at l: l (g cos q + l a).
+  using number = dual<double, 1>;
+  std::array<number, 1> q{number(0.5)}, v{number(3.0)}, a{number(2.0)};
+  q[0].derivative[0] = 1;
+  const auto y = torque_regressor(models::pendulum.gravity(along_y(-8.0)), q, v, a);
+  CHECK(y(0, 0).value == within_relative(0.5 * (8 * std::cos(0.5) + 1), 4 * eps));
+  CHECK(y(0, 0).derivative[0] == within_relative(-4 * std::sin(0.5), 4 * eps));
 }
 
 TEST_CASE("regressor times parameters is inverse dynamics of bodies") {
