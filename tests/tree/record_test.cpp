@@ -1,7 +1,9 @@
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/runtime_regressor.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
@@ -142,6 +144,9 @@ TEST_CASE("joints of users' own move along and about z of their records", "[tree
     CHECK(gap(forward_dynamics(run, s, q, v, x), forward_dynamics(own_joints, q, v, x)) < 10 * rounding);
     CHECK(gap(mass_matrix_inverse(run, s, q), mass_matrix_inverse(own_joints, q)) < 10 * rounding);
     CHECK(gap(jacobian(run, s, q, "d"), jacobian(own_joints, q, d)) < rounding);
+    const Eigen::MatrixXd y = torque_regressor(run, s, q, v, x);
+    CHECK(gap(y, torque_regressor(own_joints, q, v, x)) < rounding);
+    CHECK(gap(y * inertial_parameters(run), inverse_dynamics(run, s)) < rounding);
     const auto of_forces = inverse_dynamics_derivatives(own_joints, q, v, x);
     const auto& derivatives = inverse_dynamics_derivatives(run, s, q, v, x);
     CHECK(gap(derivatives.by_q, of_forces.by_q) < rounding);
@@ -166,6 +171,7 @@ TEST_CASE("a joint without constant axes is known to the passes alone", "[tree][
   CHECK_THROWS_AS(forward_dynamics(run, s, q, v, x), bad_argument);
   CHECK_THROWS_AS(mass_matrix_inverse(run, s, q), bad_argument);
   CHECK_THROWS_AS(jacobian(run, s, q, "a"), bad_argument);
+  CHECK_THROWS_WITH(torque_regressor(run, s, q, v, x), Catch::Contains("uneven_3D does not move along axes"));
   CHECK_NOTHROW(forward_kinematics(run, s, q, "a"));
 }
 
@@ -183,6 +189,8 @@ TEST_CASE("a mass that is no rigid body has the law it says", "[tree]") {
   const std::array tau{needed};
   CHECK(forward_dynamics(run, s, q, v, tau)[0] == within(x[0], 2e-14));
   CHECK_THROWS_WITH(inverse_dynamics_derivatives(run, s, q, v, x), Catch::Contains("not of dragged_3D"));
+  CHECK(torque_regressor(run, s, q, v, x).cols() == 0);  // its parameters, if any, are not those of a body
+  CHECK(inertial_parameters(run).size() == 0);
 }
 
 TEST_CASE("forces in runtime chains see positions without a word", "[tree]") {
