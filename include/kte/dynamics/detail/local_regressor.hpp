@@ -11,9 +11,10 @@ namespace kte::detail {
 
 /// How many inertial parameters an element has.
 template <class Core>
-inline constexpr int parameter_count = is_rigid_body<Core> ? (Core::ports[0].what == kind::frame_2D ? 4 : 10)
-                                       : has_mass<Core, double>&& Core::ports[0].what == kind::gen ? 1
-                                                                                                   : 0;
+inline constexpr int parameter_count = Core::ports[0].what == kind::gen        ? has_mass<Core, double>
+                                       : !is_rigid_body<Core>                  ? 0
+                                       : Core::ports[0].what == kind::frame_2D ? 4
+                                                                               : 10;
 /// The columns of the elements of a chain; at its end how many there are.
 template <class Chain>
 inline constexpr auto first_parameter = []<std::size_t... I>(std::index_sequence<I...>) {
@@ -36,6 +37,30 @@ KTE_INLINE constexpr void for_each_element(const F& f) {
   (std::make_index_sequence<Chain::size>{});
 }
 
+/// Of a joint or link: the element whose end is its base, or -1; its axes, of which the first is number `first` of all,
+/// and the row of its coordinate.
+struct tree_step {
+  int below = -1, axes = 0, row = -1;
+  std::size_t first = 0;
+};
+template <class Chain>
+inline constexpr auto tree_steps = [] {
+  std::array<tree_step, Chain::size + 1> steps{};  // the last has the number of all axes
+  const static_connections<Chain> c;
+  for (std::size_t e = 0; e < Chain::size; ++e) {
+    auto& x = steps[e];
+    steps[e + 1].first = x.first;
+    if (!c.stiff(e)) continue;
+    const auto ports = c.ports(e);
+    const std::size_t base = ports.size() - 2;
+    x.below = c.writer(ports[base].what, c.index(e, base));
+    x.row = static_plan<Chain>.joint_row[e];
+    x.axes = base == 0 ? 0 : nv_of(ports[0].what);
+    steps[e + 1].first += static_cast<std::size_t>(x.axes);
+  }
+  return steps;
+}();
+
 /// Matrices that are too large for the stack have their columns on the heap. (A limit of 0 is none.)
 template <int N, int P, class S>
 inline constexpr bool fits_on_stack = EIGEN_STACK_ALLOCATION_LIMIT == 0 ||
@@ -52,6 +77,7 @@ class local_regressor {
   template <std::size_t I>
   using core_t = typename types::template core<I>;
   static constexpr auto& plan = static_plan<Chain>;
+  static constexpr auto& steps = tree_steps<Chain>;
 
  public:
   static constexpr int rows = plan.coordinates;
@@ -87,7 +113,7 @@ class local_regressor {
         for_each_number<joint_dofs<core_t<I>>>([&]<int N>() KTE_INLINE_LAMBDA {
           const auto s = axis_of<N>(core, x);
           const auto& r = this->template at_port<I, base + 1>().rotation;
-          axes_[plan.places[I].first + N] = {as<S>(r * s.velocity), as<S>(r * s.ang_velocity)};
+          axes_[steps[I].first + N] = {as<S>(r * s.velocity), as<S>(r * s.ang_velocity)};
         });
       }
     } else {
@@ -114,8 +140,8 @@ class local_regressor {
   void add_body(int element, const mat3<vec3<S>>& r, const tree::body_motion<S>& x, int first) {
     const mat3<vec3<S>> t = transpose(r);
     vec3<S> way{};
-    for (; element >= 0; element = plan.places[static_cast<std::size_t>(element)].below) {
-      const auto& at = plan.places[static_cast<std::size_t>(element)];
+    for (; element >= 0; element = steps[static_cast<std::size_t>(element)].below) {
+      const auto& at = steps[static_cast<std::size_t>(element)];
       for (int k = 0; k < at.axes; ++k) {
         const auto& s = axes_[at.first + static_cast<std::size_t>(k)];
         const vec3<S> v = t * (s.linear + cross(s.angular, way)), u = t * s.angular;
@@ -138,8 +164,8 @@ class local_regressor {
 
   const Chain& chain_;
   const local_motion<Chain, Given> motion_;
-  std::array<vec3<S>, Chain::size + 1> step_;               ///< from the base of an element to its end
-  std::array<tree::world_axis<S>, plan.columns + 1> axes_;  ///< of all joints
+  std::array<vec3<S>, Chain::size + 1> step_;                           ///< from the base of an element to its end
+  std::array<tree::world_axis<S>, steps[Chain::size].first + 1> axes_;  ///< of all joints
   matrix_type& y_;
 };
 
