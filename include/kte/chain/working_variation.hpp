@@ -124,8 +124,15 @@ struct working_variation : working_element<Core, State> {
   }
   template <std::size_t... P>
   void by_ports([[maybe_unused]] std::index_sequence<P...> all) const {
-    const int done[]{(row<P>() < 0 ? 0 : (by_port<P>(all), 0))..., 0};
+    const int done[]{(row<P>() < 0 || is_again<P>() ? 0 : (by_port<P>(all), 0))..., 0};
     (void)done;
+  }
+  /// Whether port P leads to the coordinate of a port before it: `seen` then varies both at once.
+  template <std::size_t P>
+  bool is_again() const {
+    for (std::size_t before = 0; before < P; ++before)
+      if (Core::ports[before].what == kind::gen && this->index[before] == this->index[P]) return true;
+    return false;
   }
   /// By the coordinate at port L.
   template <std::size_t L, std::size_t... P>
