@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <vector>
 
@@ -86,8 +87,7 @@ void compare_bits(const Static& fixed, const kte_map_chain& loose, unsigned seed
     pairs(s, r, [&]<class T>(T& a, T& b) {
       std::array<double, sizeof(T) / sizeof(double)> numbers;
       for (double& x : numbers) x = random(3.0);
-      std::memcpy(&a, numbers.data(), sizeof a);
-      std::memcpy(&b, numbers.data(), sizeof b);
+      a = b = std::bit_cast<T>(numbers);
     });
     fixed.doMotion(s), loose.doMotion(r), compare();
     fixed.clearForce(s), loose.clearForce(r), compare();
