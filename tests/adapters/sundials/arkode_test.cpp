@@ -10,7 +10,7 @@ using kte::test::contains_text;
 namespace {
 
 using scalar_state = Eigen::Matrix<double, 1, 1>;
-const scalar_state one(1.0);
+const scalar_state start(1.0);
 /// x = exp(-t^2/2): f needs the time that is.
 constexpr auto bell = [](double t, const scalar_state& x) { return scalar_state(-t * x[0]); };
 const tolerances<double> tight{.absolute = 1e-10, .relative = 1e-10};
@@ -18,8 +18,8 @@ const tolerances<double> tight{.absolute = 1e-10, .relative = 1e-10};
 }  // namespace
 
 TEST_CASE("ARKODE: the table is the one that was asked for, explicit or implicit") {
-  kte::sundials::explicit_runge_kutta verner(bell, 0.0, one, tight, ARKODE_VERNER_8_5_6);
-  kte::sundials::implicit_runge_kutta trbdf2(bell, 0.0, one, {}, ARKODE_TRBDF2_3_3_2);
+  kte::sundials::explicit_runge_kutta verner(bell, 0.0, start, tight, ARKODE_VERNER_8_5_6);
+  kte::sundials::implicit_runge_kutta trbdf2(bell, 0.0, start, {}, ARKODE_TRBDF2_3_3_2);
   verner.integrate(1), trbdf2.integrate(1);
   ARKodeButcherTable of_implicit = nullptr, of_explicit = nullptr;
   ARKStepGetCurrentButcherTables(verner.memory(), &of_implicit, &of_explicit);
@@ -32,7 +32,7 @@ TEST_CASE("ARKODE: the table is the one that was asked for, explicit or implicit
   REQUIRE(of_implicit != nullptr);
   CHECK(of_implicit->stages == 3);
   CHECK(of_implicit->q == 2);
-  CHECK_THROWS_AS(kte::sundials::implicit_runge_kutta(bell, 0.0, one, {}, ARKODE_DIRK_NONE), bad_argument);
+  CHECK_THROWS_AS(kte::sundials::implicit_runge_kutta(bell, 0.0, start, {}, ARKODE_DIRK_NONE), bad_argument);
 }
 
 TEST_CASE("ARKODE: backward, f is called at the times that are, and the statistics are its counts") {
@@ -54,8 +54,8 @@ TEST_CASE("ARKODE: backward, f is called at the times that are, and the statisti
     CHECK(most <= 2);
     CHECK(solver.interpolate(2) == solver.state());
   };
-  kte::sundials::explicit_runge_kutta dormand_prince(f, 1.0, one, tight);
-  kte::sundials::implicit_runge_kutta kvaerno(f, 1.0, one, tight);
+  kte::sundials::explicit_runge_kutta dormand_prince(f, 1.0, start, tight);
+  kte::sundials::implicit_runge_kutta kvaerno(f, 1.0, start, tight);
   check(dormand_prince);
   CHECK(dormand_prince.statistics().jacobians == 0);
   CHECK(dormand_prince.statistics().factorizations == 0);
@@ -63,7 +63,7 @@ TEST_CASE("ARKODE: backward, f is called at the times that are, and the statisti
   CHECK(kvaerno.statistics().jacobians > 0);
   CHECK(kvaerno.statistics().factorizations >= kvaerno.statistics().jacobians);
   long by_error = 0, by_newton = 0;
-  dormand_prince.restart(0, one);
+  dormand_prince.restart(0, start);
   const auto before = dormand_prince.statistics().rejected;
   dormand_prince.integrate(8);
   ARKStepGetNumErrTestFails(dormand_prince.memory(), &by_error);
