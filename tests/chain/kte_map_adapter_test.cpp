@@ -97,7 +97,7 @@ TEST_CASE("the loops over records are told what each element is", "[adapter]") {
   CHECK(of_body.body.mass == 1.5);
   CHECK(of_body.body.com == body.com);
   const auto of_wheel = alone(inertia_gen("q", 0.25)).element.numbers();
-  CHECK(of_wheel.is == part::force);
+  CHECK(of_wheel.is == part::body);
   CHECK(of_wheel.mass == 0.25);
   const auto of_link = alone(rigid_link_3D("a", "b", along_y(0.5))).element.numbers();
   CHECK(of_link.stiff.at_zero.position == vec3{0.0, 0.5, 0.0});
@@ -135,9 +135,8 @@ TEST_CASE("derivatives of the forces on coordinates are subtracted, by whatever 
   const alone springs(connect(pair_of_springs{}, "q", "p"), {"p", "q"});
   runtime_state s(springs.wiring);
   s.coordinate("p").q = 0.25, s.coordinate("q").q = 2.0;
-  inverse_dynamics_result<double, Eigen::Dynamic> d;
+  auto& d = s.work.of_forces;
   d.by_q = d.by_v = d.by_a = Eigen::Matrix2d::Constant(100);
-  s.work.derivatives = &d;
   springs.element.derive_forces(s);
   CHECK(d.by_q == Eigen::Matrix2d{{100 + 10.0, 100 + 1.25}, {100, 100 + 2.0}});
   CHECK(d.by_v == Eigen::Matrix2d{{100, 100}, {100 - 0.5, 100}});
@@ -158,8 +157,6 @@ TEST_CASE("an element with both ports on one coordinate is derived by it once", 
 TEST_CASE("what frames feel is not derived by elements on their own", "[adapter]") {
   const alone body_alone(inertia_3D("a", body));
   runtime_state s(body_alone.wiring);
-  inverse_dynamics_result<double, Eigen::Dynamic> d;
-  s.work.derivatives = &d;
   body_alone.element.derive_forces(s);
-  CHECK(d.by_q.size() == 0);
+  CHECK(s.work.of_forces.by_q.size() == 0);
 }

@@ -3,6 +3,7 @@
 #include <kte/chain/element_numbers.hpp>
 #include <kte/chain/port.hpp>
 #include <kte/chain/record.hpp>
+#include <kte/math/dual_number.hpp>
 
 #include <functional>
 #include <memory>
@@ -11,7 +12,14 @@
 namespace kte {
 
 class kte_element;
-class runtime_state;
+template <class S>
+class basic_runtime_state;
+using runtime_state = basic_runtime_state<double>;
+namespace detail {
+/// In which derivatives go through elements, four directions at a time.
+using derivative_number = dual<double, 4>;
+using derivative_state = basic_runtime_state<derivative_number>;
+}  // namespace detail
 class topology;
 
 /// A kinetostatic transmission element of a runtime chain: a type-erased element, a static chain, or a chain of such.
@@ -60,9 +68,12 @@ class kte_element : public kte_map {
   virtual bool switches() const = 0;
 
   /// What it is to the loops over records (tree/record.hpp).
-  virtual detail::element_numbers numbers() const = 0;
+  virtual detail::element_numbers<double> numbers() const = 0;
   /// Of an element that acts on coordinates alone: subtracts the derivatives of its forces.
   virtual void derive_forces(runtime_state&) const = 0;
+  /// doMotion and doForce with derivatives, of an element that is more than a joint, a link or a body.
+  virtual void derive_motion(detail::derivative_state&) const = 0;
+  virtual void derive_force(detail::derivative_state&) const = 0;
 };
 
 }  // namespace kte

@@ -1,27 +1,10 @@
 #pragma once
 
+#include <kte/chain/force_derivatives.hpp>
 #include <kte/chain/kte_map.hpp>
 #include <kte/chain/runtime_state.hpp>
-#include <kte/chain/working_variation.hpp>
 
 namespace kte {
-
-namespace detail {
-/// What derivatives of forces see of a state.
-struct derived_state {
-  using scalar = double;
-  runtime_state& s;
-  const runtime_plan& plan;
-  struct {
-    inverse_dynamics_result<double, Eigen::Dynamic>* derivatives;
-  } work;
-  template <kind K>
-  auto& get(int i) {
-    return s.get<K>(i);
-  }
-  int dofs() const { return s.dofs(); }
-};
-}  // namespace detail
 
 /// An element of a runtime chain: the same core as in a static chain, connected by texts.
 template <class Core>
@@ -55,18 +38,21 @@ class kte_map_adapter final : public kte_element {
     return !typed_constant<number>;
   }
 
-  detail::element_numbers numbers() const override { return detail::numbers_of(core_); }
-  void derive_forces(runtime_state& s) const override {
-    static constexpr detail::place none{};
-    detail::derived_state d{s, s.tree().plan, {s.work.derivatives}};
-    detail::working_variation<Core, detail::derived_state>{{core_, d, index_.data(), none}}.vary_coordinates();
+  detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
+  void derive_forces(runtime_state& s) const override { detail::subtract_force_derivatives(core_, s, index_.data()); }
+  void derive_motion(detail::derivative_state& s) const override {
+    if constexpr (detail::acts<Core>) on(s).motion(inputs{});
+  }
+  void derive_force(detail::derivative_state& s) const override {
+    if constexpr (detail::acts<Core>) on(s).force(inputs{});
   }
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
 
-  auto on(runtime_state& s) const {
-    return detail::stored_element<Core, runtime_state, detail::by_index>{core_, s, {index_.data()}};
+  template <class State>
+  auto on(State& s) const {
+    return detail::stored_element<Core, State, detail::by_index>{core_, s, {index_.data()}};
   }
 
   Core core_;

@@ -102,16 +102,17 @@ class kte_map_chain : public kte_map {
   }
 
   /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if a force acts on a coordinate that
-  /// no element moves by.
-  runtime_state make_state() const {
+  /// no element moves by, `bad_argument` if S is not double and elements have laws of their own.
+  template <class S = double>
+  basic_runtime_state<S> make_state() const {
     const auto& t = wiring();
     t.check_complete();
-    runtime_state s(topology_);
-    const vec3<> up = vec3<>{} - gravity_;
+    basic_runtime_state<S> s(topology_);
+    const vec3<S> up = as<S>(vec3<>{} - gravity_);
     for (std::size_t i = 0; i < t.names[1].size(); ++i)
-      if (t.writers[1][i] < 0) s.get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
+      if (t.writers[1][i] < 0) s.template get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
     for (std::size_t i = 0; i < t.names[2].size(); ++i)
-      if (t.writers[2][i] < 0) s.get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
+      if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
     return s;
   }
 
@@ -153,7 +154,8 @@ class kte_map_chain : public kte_map {
   int dofs() const { return wiring().nv; }
   int nq() const { return wiring().nq; }
   /// Throws `bad_argument` unless the state was made for this chain as it is now.
-  void check(const runtime_state& s) const {
+  template <class S>
+  void check(const basic_runtime_state<S>& s) const {
     if (use_ != use::part && s.made_for()->layout != wiring().layout) [[unlikely]]
       throw bad_argument(
           "kte: this state was made for another chain, or before the last element was appended or gravity was "

@@ -46,7 +46,8 @@ template <class Core>
 requires requires { Core::reads_positions; }
 inline constexpr bool reads_positions<Core> = Core::reads_positions;
 
-/// Whether the forces of an element with a mass on a frame are those of a rigid body, `core.body`, and no others.
+/// Whether the forces of an element with a mass are those of a rigid body on its frame, `core.body`, or of the mass of
+/// its coordinate, and no others.
 template <class Core>
 inline constexpr bool is_rigid_body = false;
 }  // namespace detail

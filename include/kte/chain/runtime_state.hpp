@@ -4,42 +4,30 @@
 #include <kte/chain/runtime_tree.hpp>
 #include <kte/chain/shared_topology.hpp>
 #include <kte/chain/state.hpp>
-#include <kte/kernels/derivatives.hpp>
-#include <kte/tree/derivatives.hpp>
-#include <kte/tree/inverse_mass.hpp>
+#include <kte/math/plain_scalar.hpp>
 
 #include <memory>
 
 namespace kte {
 
 namespace detail {
-/// Beside the loops over records.
-struct runtime_memory : tree::memory<double, double> {
-  explicit runtime_memory(const topology& t, const runtime_tree& r)
-      : memory(r.forest),
-        forces(t.nv),
-        kept(2 * static_cast<std::size_t>(t.nv)),
-        prescribed(static_cast<std::size_t>(t.nv)),
-        wanted(t.elements.size()),
-        angle((r.angles.size() + 3) / 4 * 4),
-        sine(angle.size()),
-        cosine(angle.size()) {
-    for (std::size_t k = 0; k < own_mass.size(); ++k)
-      own_mass[k] = r.own_mass[static_cast<std::size_t>(r.forest.row[k])];
+/// What a state makes for itself when it is first wanted: copies of it begin without.
+class own_memory {
+ public:
+  own_memory() = default;
+  own_memory(const own_memory&) {}
+  own_memory& operator=(const own_memory&) {
+    made_.reset();
+    return *this;
   }
-  Eigen::VectorXd forces;                   ///< what is given back: forces or accelerations
-  std::vector<double> kept;                 ///< rates and accelerations that are put aside
-  std::vector<char> prescribed;             ///< by row: whether its acceleration is given
-  std::vector<char> wanted;                 ///< by element: whether what is asked for depends on it
-  std::vector<double> angle, sine, cosine;  ///< of `runtime_tree::angles`, and zeros up to a multiple of four
-  inverse_dynamics_result<double, Eigen::Dynamic>* derivatives = nullptr;
-  /// As large as M or larger: made by the first call that gives them.
-  Eigen::MatrixXd mass, inverse;
-  Eigen::MatrixXd all;  ///< masses of all coordinates, if there are others than degrees of freedom
-  tree::inverse_memory<double> inverting;
-  tree::variation_memory<double> variations;
-  inverse_dynamics_result<double, Eigen::Dynamic> of_forces;
-  forward_dynamics_result<double, Eigen::Dynamic> of_accelerations;
+  template <class T, class Make>
+  T& get(const Make& make) {
+    if (!made_) made_ = std::make_shared<T>(make());
+    return *static_cast<T*>(made_.get());
+  }
+
+ private:
+  std::shared_ptr<void> made_;
 };
 }  // namespace detail
 
@@ -47,25 +35,35 @@ struct runtime_memory : tree::memory<double, double> {
 /// A value; one that is moved from is a state of a chain without elements.
 ///
 ///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
-class runtime_state {
+///
+/// S: double, or for chains of joints, links and bodies another scalar: float, long double, `dual`, `pack` for several
+/// states at once, numbers of more digits. `runtime_state` is that of double, which alone goes through passes.
+template <class S>
+class basic_runtime_state {
  public:
-  using scalar = double;
+  using scalar = S;
+  using parameter = detail::plain_scalar<S>;
+  using tree_type = detail::runtime_tree<parameter>;
+  static constexpr bool has_sines = false;  ///< whether coordinates come with theirs
 
-  explicit runtime_state(shared_topology t)
-      : topology_(std::move(t)), tree_(std::make_shared<detail::runtime_tree>(*topology_)), work(*topology_, *tree_) {
+  explicit basic_runtime_state(shared_topology t)
+      : topology_(std::move(t)),
+        tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
+        work(*tree_, topology_->nv, topology_->elements.size()) {
+    detail::check_scalar<S>(*topology_, *tree_);
     resize(std::make_index_sequence<kinds>{});
     for (const auto& f : topology_->free)
       if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
   }
-  runtime_state(const runtime_state&) = default;
-  runtime_state(runtime_state&& o) noexcept : runtime_state(shared_topology{}) { swap(o); }
-  runtime_state& operator=(const runtime_state&) = default;
-  runtime_state& operator=(runtime_state&& o) noexcept {
-    runtime_state moved(std::move(o));
+  basic_runtime_state(const basic_runtime_state&) = default;
+  basic_runtime_state(basic_runtime_state&& o) noexcept : basic_runtime_state(shared_topology{}) { swap(o); }
+  basic_runtime_state& operator=(const basic_runtime_state&) = default;
+  basic_runtime_state& operator=(basic_runtime_state&& o) noexcept {
+    basic_runtime_state moved(std::move(o));
     swap(moved);
     return *this;
   }
-  ~runtime_state() = default;
+  ~basic_runtime_state() = default;
 
   /// Thing i of kind K, for the passes.
   template <kind K>
@@ -85,28 +83,28 @@ class runtime_state {
 
  public:
   /// By name or handle; throws `unknown_name`, `bad_argument`.
-  gen_coord<>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
-  const gen_coord<>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
-  kte::frame_2D<>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
-  const kte::frame_2D<>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
-  kte::frame_3D<>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
-  const kte::frame_3D<>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
-  double& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
-  double input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
-  internal_state<>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
-  const internal_state<>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
-  rotation_coord_3D<>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
-  const rotation_coord_3D<>& rotation_3D(const name_or_handle& name) const {
+  gen_coord<S>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
+  const gen_coord<S>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
+  kte::frame_2D<S>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
+  const kte::frame_2D<S>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
+  kte::frame_3D<S>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
+  const kte::frame_3D<S>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
+  S& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
+  S input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
+  internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
+  const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
+  const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
     return at<kind::rotation_3D>(*this, name);
   }
-  pose_coord_2D<>& pose_2D(const name_or_handle& name) { return at<kind::pose_2D>(*this, name); }
-  const pose_coord_2D<>& pose_2D(const name_or_handle& name) const { return at<kind::pose_2D>(*this, name); }
-  pose_coord_3D<>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
-  const pose_coord_3D<>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
+  pose_coord_2D<S>& pose_2D(const name_or_handle& name) { return at<kind::pose_2D>(*this, name); }
+  const pose_coord_2D<S>& pose_2D(const name_or_handle& name) const { return at<kind::pose_2D>(*this, name); }
+  pose_coord_3D<S>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
+  const pose_coord_3D<S>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
 
   /// Number i of the generalized coordinates that are degrees of freedom; throws `bad_argument`.
-  gen_coord<>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
-  const gen_coord<>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
+  gen_coord<S>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
+  const gen_coord<S>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
   /// Degrees of freedom, and numbers of a configuration.
   int dofs() const { return topology_->nv; }
   int nq() const { return topology_->nq; }
@@ -115,14 +113,14 @@ class runtime_state {
 
   /// What this state was made for.
   const shared_topology& made_for() const { return topology_; }
-  const detail::runtime_tree& tree() const { return *tree_; }
+  const tree_type& tree() const { return *tree_; }
 
  private:
   int free_coordinate(int i) const {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
-  void swap(runtime_state& o) noexcept {
+  void swap(basic_runtime_state& o) noexcept {
     std::swap(topology_, o.topology_), std::swap(things_, o.things_);
     std::swap(free_coordinates_, o.free_coordinates_);
     std::swap(tree_, o.tree_), std::swap(work, o.work);
@@ -135,17 +133,18 @@ class runtime_state {
   struct lists;
   template <std::size_t... K>
   struct lists<std::index_sequence<K...>> {
-    using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), double>>...>;
+    using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), S>>...>;
   };
 
   shared_topology topology_;
-  std::shared_ptr<const detail::runtime_tree> tree_;
+  std::shared_ptr<const tree_type> tree_;
   typename lists<std::make_index_sequence<kinds>>::type things_;
   std::vector<int> free_coordinates_;
 
  public:
   /// Working memory of the algorithms; nothing in it needs to be read or kept.
-  detail::runtime_memory work;
+  detail::loop_memory<parameter, S> work;
+  detail::own_memory with_derivatives;
 };
 
 }  // namespace kte

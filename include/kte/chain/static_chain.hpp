@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/chain/gravity.hpp>
+#include <kte/chain/kept_states.hpp>
 #include <kte/chain/passes.hpp>
 
 #include <boost/hana/at.hpp>
@@ -9,8 +10,9 @@
 #include <boost/hana/unpack.hpp>
 
 /// Up to how many elements algorithms whose code grows faster than their number are unrolled: mass matrix, articulated
-/// bodies, derivatives. Passes and inverse dynamics are up to three times as many. Beyond that each type of element
-/// core has a function. Like other options, the same in all units of a program.
+/// bodies, derivatives. Passes and inverse dynamics are up to three times as many. Beyond that passes have a function
+/// for each type of element core, and algorithms are loops (dynamics/detail/static_loops.hpp). Like other options, the
+/// same in all units of a program.
 #if !defined(KTE_UNROLLED_ELEMENTS)
 #  define KTE_UNROLLED_ELEMENTS 48
 #endif
@@ -25,7 +27,7 @@ inline constexpr bool unrolls_all = Elements <= KTE_UNROLLED_ELEMENTS;
 }  // namespace detail
 
 /// A mechanism as a type: elements in order, connected by their keys, with a gravity. Build it with `kte::chain`.
-/// Immutable and without pointers: constexpr where its numbers are, free to copy, safe to share between threads.
+/// Immutable: constexpr where its numbers are, free to copy, safe to share between threads.
 ///
 /// Passes on a state (made by `make_state`):
 ///   doMotion    motion of all frames, front to back
@@ -139,6 +141,10 @@ class static_chain {
 
   boost::hana::tuple<E...> elements_;
   Gravity gravity_;
+
+ public:
+  /// For calculations that are not unrolled.
+  [[no_unique_address]] detail::kept_states<!detail::unrolls_all<size>> kept;
 };
 
 namespace detail {

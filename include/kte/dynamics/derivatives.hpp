@@ -34,7 +34,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
       coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
       r.tau = forces_of<S>(pass, minus_one);
     } else {
-      stored_derivatives<S>(c, g, r);
+      derivatives_by_records<S>(c, g, r);
     }
     check_forces<typename Chain::wiring>(r.tau, g);
   } else {
@@ -58,7 +58,7 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     if constexpr (is_unrolled<Chain, S>) {
       local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate_and_invert(tau, r.a, r.by_tau);
     } else {
-      stored_accelerations_and_inverse<S>(c, g, tau, r.a, r.by_tau);
+      accelerations_and_inverse_by_records<S>(c, g, tau, r.a, r.by_tau);
     }
   } else {
     r.a = accelerations_under<S>(c, at, rates, base, tau);

@@ -16,7 +16,7 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
   if constexpr (is_unrolled<Chain, S>) {
     local_articulated<S, Chain, Given>(c, g).accelerate(tau, a);
   } else {
-    a = stored_accelerations<S>(c, g, tau);
+    a = accelerations_by_records<S>(c, g, tau);
   }
 }
 /// By articulated bodies where the chain is a tree of joints, otherwise by the factorised mass matrix.

@@ -56,16 +56,15 @@ struct some_accelerations {
 ///
 ///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));
 ///
-/// By the articulated-body algorithm, to which a prescribed joint is a link in motion, then inverse dynamics for the
-/// forces. For chains of links and joints, in which coordinates do not follow others.
+/// By the articulated-body algorithm, to which a prescribed joint is a link in motion; where coordinates follow others,
+/// or two joints share one, by the rows of M that belong to unknown accelerations. Then by inverse dynamics for the
+/// forces.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
 auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
                      prescribed_coordinates<Keys...>) {
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
   using S = value_of<Q>;
-  static_assert(detail::is_tree_of_joints<chain_type>,
-                "kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
   detail::check_configuration<chain_type>(q);
   check_size<chain_type::dofs>(v, "v"), check_size<chain_type::dofs>(known, "known");
   using accelerations = detail::some_accelerations<S, wiring, X, Keys...>;
@@ -80,7 +79,18 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   using base_type = std::remove_const_t<decltype(base)>;
   using given_type = detail::given<decltype(at), detail::each<S, V>, accelerations, base_type, true>;
   const given_type g{at, {v}, {known}, base};
-  if constexpr (detail::is_tree_of_joints<chain_type>) detail::articulated_accelerations(c, g, force, r.a);
+  if constexpr (detail::is_tree_of_joints<chain_type>) {
+    detail::articulated_accelerations(c, g, force, r.a);
+  } else {
+    using at_rest = detail::same<zero_t>;
+    r.a = force - detail::coordinate_forces<S>(c, detail::given{at, detail::each<S, V>{v}, at_rest{}, base}, minus_one);
+    for (int i = 0; i < chain_type::dofs; ++i)
+      if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
+    auto m = detail::local_mass_matrix<S>(c, at, base);
+    detail::solve_partly_known(m, r.a, accelerations::is_known,
+                               [&at](int row) { detail::blame_mass<wiring>(row, true, at.q); });
+    detail::check_accelerations<wiring>(r.a, g, force);
+  }
   r.tau = detail::coordinate_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
                                        minus_one);
   for (int i = 0; i < chain_type::dofs; ++i)  // what is known is given back as it came

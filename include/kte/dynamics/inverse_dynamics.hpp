@@ -2,7 +2,7 @@
 
 #include <kte/chain/transmission.hpp>
 #include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/detail/stored_dynamics.hpp>
+#include <kte/dynamics/detail/static_loops.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
 namespace kte {
@@ -42,7 +42,7 @@ KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
       static_assert(sizeof(typename pass::need) > 0);
       return forces_of<S>(pass(c, g), sign);
     } else {
-      return stored_forces<S>(c, g, sign);
+      return forces_by_records<S>(c, g, sign);
     }
   }();
   check_forces<typename Chain::wiring>(f, g);

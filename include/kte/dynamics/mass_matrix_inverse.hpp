@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/local_inverse_mass.hpp>
-#include <kte/dynamics/detail/stored_dynamics.hpp>
+#include <kte/dynamics/detail/static_loops.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 
 namespace kte {
@@ -24,7 +24,7 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     if constexpr (is_unrolled<Chain, S>) {
       local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
     } else {
-      m = stored_inverse_mass<S>(c, g);
+      m = inverse_mass_by_records<S>(c, g);
     }
   } else {
     auto factors = local_mass_matrix<S>(c, at, base);

@@ -3,6 +3,7 @@
 #include <kte/chain/layout.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/tree/jacobian.hpp>
 
 /// The algorithms on runtime chains, under the names they have on static chains. They work in the memory of a state and
 /// return references into it, valid until the next call with that state; they allocate nothing. A call that refuses an
@@ -10,70 +11,74 @@
 namespace kte {
 
 /// Inverse dynamics (RNEA) at the state's positions, rates and accelerations. As `inverse_dynamics` on a static chain.
-inline const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::coordinate_forces(c, s);
   detail::take_needed_forces(s);
   detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::blame("a force", s); });
   return s.work.forces;
 }
 /// The same at q, v, a, which are put into the state.
-template <indexable Q, indexable V, indexable A>
-const Eigen::VectorXd& inverse_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a) {
+template <class S, indexable Q, indexable V, indexable A>
+const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                          const A& a) {
   detail::take(c, s, q, v, a);
   return inverse_dynamics(c, s);
 }
 
 /// The mass matrix at the state's positions (CRBA). As `mass_matrix` on a static chain.
-inline const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
-  detail::mass_of_coordinates(c, s);
+  detail::mass_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
 /// The same at q, which is put into the state.
-template <indexable Q>
-const Eigen::MatrixXd& mass_matrix(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   detail::take(c, s, q);
-  detail::mass_of_coordinates(c, s);
+  detail::mass_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_masses(s, s.work.mass);
   return s.work.mass;
 }
 
 /// Forward dynamics at the state's positions and rates under its inputs, as on a static chain. The accelerations are
 /// also put into the coordinates of the state.
-inline const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
-  return detail::accelerations_under(c, s, [](int) { return 0.0; });
+  return detail::accelerations_under(c, s, [](int) { return S(0); });
 }
 /// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
-template <indexable Q, indexable V, indexable T>
-const Eigen::VectorXd& forward_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
-                                        const T& tau) {
+template <class S, indexable Q, indexable V, indexable T>
+const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                          const T& tau) {
   detail::check_regular(c, s);
   detail::take(c, s, q, v, detail::not_given{}, tau);
-  return detail::accelerations_under(c, s,
-                                     [&](int i) { return static_cast<double>(tau[static_cast<std::size_t>(i)]); });
+  return detail::accelerations_under(c, s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
 }
 
 namespace detail {
 /// At positions that are good.
-inline pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
-  if (s.tree().irregular >= 0) [[unlikely]] {
-    move(c.wiring(), s, x);
-    return x.what == kind::frame_2D ? plain_pose(spatial(s.get<kind::frame_2D>(x.index)))
-                                    : plain_pose(s.get<kind::frame_3D>(x.index));
-  }
+template <class S>
+pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  if constexpr (std::is_same_v<S, double>)
+    if (s.tree().irregular >= 0) [[unlikely]] {
+      move(c.wiring(), s, x);
+      return with_motion(s, x, [](const auto& m) { return plain_pose<S>(m); });
+    }
   const auto& f = s.tree().forest;
   const auto& place = f.frame(x.what, x.index);
-  place_ancestors(c, s, place.slot);
-  tree::dense_pose<double> seen;
+  place_ancestors(runtime_elements{c}, s, place.slot);
+  tree::dense_pose<S> seen;
   const int base = tree::pose_in_base(f, s.work, place, seen);
-  pose<mat3<vec3<>>, vec3<>> in_world = seen;
+  tree::dense_pose<S> in_world = seen;
   for_each_base(s, [&](const auto& m, std::size_t slot) {
-    if (static_cast<int>(slot) == base) in_world = compose(plain_pose(m), seen);
+    if (static_cast<int>(slot) == base) in_world = compose(plain_pose<S>(m), seen);
   });
   return in_world;
 }
@@ -81,17 +86,18 @@ inline pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain& c, runtime_state&
 
 /// Where a frame stands at the state's positions, in the axes in which the bases are given. Only the elements between
 /// the bases and the frame are evaluated. A 2D frame is given as one in space. Throws `unknown_name`.
-inline pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s,
-                                                     const name_or_handle& frame) {
+template <class S>
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_positions(s);
   return detail::pose_of(c, s, x);
 }
 /// The same at q, which is put into the state.
-template <indexable Q>
-pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain& c, runtime_state& s, const Q& q,
-                                              const name_or_handle& frame) {
+template <class S, indexable Q>
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                                const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q);
   return detail::pose_of(c, s, x);

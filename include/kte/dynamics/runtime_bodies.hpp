@@ -9,23 +9,27 @@
 namespace kte {
 
 /// As on static chains. The state keeps its velocities and accelerations.
-inline const Eigen::VectorXd& static_forces(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
   return inverse_dynamics(c, s);
 }
-inline const Eigen::VectorXd& gravity_forces(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
   detail::forces_of_bodies(c, s, true);
   return detail::applied_forces(s);
 }
-inline const Eigen::VectorXd& nonlinear_effects(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
   return inverse_dynamics(c, s);
 }
-inline const Eigen::VectorXd& coriolis_forces(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
   detail::forces_of_bodies(c, s, false);
@@ -33,55 +37,64 @@ inline const Eigen::VectorXd& coriolis_forces(const kte_map_chain& c, runtime_st
 }
 
 /// After doMotion, J.
-inline double kinetic_energy(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
   c.doMotion(s);
+  static_assert(detail::goes_through_passes<S>);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->kinetic_energy(s);
-  return detail::checked_energy<double>(sum);
+  return detail::checked_energy<S>(sum);
 }
 /// Of springs, and of all bodies under the chain's gravity: zero at the origin. J.
-inline double potential_energy(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   c.doMotion(s);
+  static_assert(detail::goes_through_passes<S>);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->potential_energy(s);
-  detail::carry(c, s);
-  return detail::checked_energy<double>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment));
+  detail::carry(detail::runtime_elements{c}, s);
+  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment));
 }
-inline energies<double> energy(const kte_map_chain& c, runtime_state& s) {
-  const double kinetic = kinetic_energy(c, s);
+template <class S>
+energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  const S kinetic = kinetic_energy(c, s);
   return {kinetic, potential_energy(c, s)};
 }
 
 /// By composite inertias, with those of the mass matrix.
-inline mass_centre<> centre_of_mass(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  return {w.mass, detail::divided_by_mass<double>(w.mass, w.moment)};
+  return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment)};
 }
-inline vec3<> centre_of_mass_velocity(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
-  detail::carry(c, s);
-  return detail::divided_by_mass<double>(tree::weight_in_world(s.tree().forest, s.work).mass,
-                                         detail::momentum_of_coordinates(s).force);
+  detail::carry(detail::runtime_elements{c}, s);
+  return detail::divided_by_mass<S>(tree::weight_in_world(s.tree().forest, s.work).mass,
+                                    detail::momentum_of_coordinates(s).force);
 }
-inline linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const auto h = detail::momentum_of_coordinates(s);
-  return detail::checked<double>(h.force, h.torque - cross(detail::divided_by_mass<double>(w.mass, w.moment), h.force));
+  return detail::checked<S>(h.force, h.torque - cross(detail::divided_by_mass<S>(w.mass, w.moment), h.force));
 }
-inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  detail::carry(c, s);
+  detail::carry(detail::runtime_elements{c}, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const vec3<> centre = detail::divided_by_mass<double>(w.mass, w.moment);
-  runtime_jacobian a = runtime_jacobian::Zero(6, s.tree().plan.coordinates);
-  detail::for_each_momentum(s, [&](int row, const tree::dense_wrench<double>& h) {
-    const vec3<> k = h.torque - cross(centre, h.force);
+  const vec3<S> centre = detail::divided_by_mass<S>(w.mass, w.moment);
+  basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
+  detail::for_each_momentum(s, [&](int row, const tree::dense_wrench<S>& h) {
+    const vec3<S> k = h.torque - cross(centre, h.force);
     auto column = a.col(row);
     column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
     column[3] += k.x, column[4] += k.y, column[5] += k.z;
@@ -90,58 +103,58 @@ inline runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s)
 }
 
 // The same at q, or q and v, which are put into the state.
-template <indexable Q>
-const Eigen::VectorXd& static_forces(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::take(c, s, q);
   return static_forces(c, s);
 }
-template <indexable Q>
-const Eigen::VectorXd& gravity_forces(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::take(c, s, q);
   return gravity_forces(c, s);
 }
-template <indexable Q, indexable V>
-const Eigen::VectorXd& nonlinear_effects(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
+template <class S, indexable Q, indexable V>
+const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::take(c, s, q, v);
   return nonlinear_effects(c, s);
 }
-template <indexable Q, indexable V>
-const Eigen::VectorXd& coriolis_forces(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
+template <class S, indexable Q, indexable V>
+const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::take(c, s, q, v);
   return coriolis_forces(c, s);
 }
-template <indexable Q, indexable V>
-double kinetic_energy(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
+template <class S, indexable Q, indexable V>
+S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::take(c, s, q, v);
   return kinetic_energy(c, s);
 }
-template <indexable Q>
-double potential_energy(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::take(c, s, q);
   return potential_energy(c, s);
 }
-template <indexable Q, indexable V>
-energies<double> energy(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
+template <class S, indexable Q, indexable V>
+energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::take(c, s, q, v);
   return energy(c, s);
 }
-template <indexable Q>
-mass_centre<> centre_of_mass(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::take(c, s, q);
   return centre_of_mass(c, s);
 }
-template <indexable Q, indexable V>
-vec3<> centre_of_mass_velocity(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
+template <class S, indexable Q, indexable V>
+vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::take(c, s, q, v);
   return centre_of_mass_velocity(c, s);
 }
-template <indexable Q, indexable V>
-linear_angular<> centroidal_momentum(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v) {
+template <class S, indexable Q, indexable V>
+linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::take(c, s, q, v);
   return centroidal_momentum(c, s);
 }
-template <indexable Q>
-runtime_jacobian centroidal_map(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::take(c, s, q);
   return centroidal_map(c, s);
 }

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <kte/dynamics/detail/runtime_duals.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/runtime.hpp>
-#include <kte/tree/derivatives.hpp>
-#include <kte/tree/inverse_mass.hpp>
 
 #include <string_view>
 #include <vector>
@@ -14,58 +13,27 @@
 namespace kte {
 
 namespace detail {
-/// Throws unless the derivatives of a chain are known element by element.
-inline void check_derivatives(const kte_map_chain& c, const runtime_state& s) {
-  check_regular(c, s);
-  const auto refuse = [](const kte_element& e) {
-    throw bad_argument(
-        "kte: derivatives of runtime chains are known of joints, links, bodies and forces on coordinates, not of " +
-        e.record().type);
-  };
-  for (const auto& e : c.wiring().elements)
-    if (!e.has_derivatives) refuse(*e.element);
-  for (const int e : s.tree().weights) refuse(element_of(c, e));
-  if (!s.tree().plan.tree)
-    throw bad_argument(
-        "kte: derivatives of runtime chains need trees, in which no coordinate follows another or moves two joints");
+/// Whether the derivatives of the forces of a chain are known element by element.
+template <class S>
+bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+  return s.tree().plan.tree && s.tree().weights.empty() && c.wiring().has_derivatives;
 }
 
-/// After articulated inertias, whose loads are used up.
-inline void invert_articulated(runtime_state& s, Eigen::MatrixXd& inverse) {
-  const auto& f = s.tree().forest;
-  inverse.setZero(s.dofs(), s.dofs());
-  place_in_world(s);
-  tree::inverse_masses(f, s.work, s.work.inverting, [&](int j, int k, double x) {
-    const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
-    if (a < s.dofs() && b < s.dofs()) inverse(a, b) = inverse(b, a) = x;
-  });
-  for (const int row : s.tree().plan.lone_rows)
-    inverse(row, row) = 1 / s.tree().own_mass[static_cast<std::size_t>(row)];
-}
-inline void inverse_of_masses(const kte_map_chain& c, runtime_state& s, Eigen::MatrixXd& inverse) {
-  const auto& t = s.tree();
-  auto& w = s.work;
-  if (!t.plan.tree) {
-    mass_of_coordinates(c, s);
-    inverse.resize(s.dofs(), s.dofs());
-    invert_by_factors(w.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+template <class S>
+void inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s, runtime_matrix<S>& inverse) {
+  if (s.tree().plan.tree) {
+    articulate_and_invert(runtime_elements{c}, s, inverse);
     return;
   }
-  place_bodies(c, s);
-  for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
-  std::fill(w.force.begin(), w.force.end(), 0.0);
-  tree::start_articulated(t.forest, w, false);
-  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
-    blame_axis(s, bad);
-  for (const int row : t.plan.lone_rows)
-    if (!(t.own_mass[static_cast<std::size_t>(row)] > 0)) [[unlikely]]
-      blame_mass(s, row, true);
-  invert_articulated(s, inverse);
+  mass_of_coordinates(runtime_elements{c}, s);
+  inverse.resize(s.dofs(), s.dofs());
+  invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
 }
 }  // namespace detail
 
 /// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
-inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   detail::inverse_of_masses(c, s, s.work.inverse);
@@ -73,36 +41,25 @@ inline const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtim
   return s.work.inverse;
 }
 /// The same at q, which is put into the state.
-template <indexable Q>
-const Eigen::MatrixXd& mass_matrix_inverse(const kte_map_chain& c, runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   detail::take(c, s, q);
   return mass_matrix_inverse(c, s);
 }
 
 namespace detail {
-inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, runtime_state& s) {
-  const auto& f = s.tree().forest;
-  auto& w = s.work;
+template <class S>
+const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s) {
   coordinate_forces(c, s);
   take_needed_forces(s);
-  auto& r = w.of_forces;
-  const Eigen::Index n = s.dofs();
-  r.tau = w.forces;
-  r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
-  w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
-  place_in_world(s);
-  tree::start_variations(f, w, w.variations);
-  double *const q = r.by_q.data(), *const v = r.by_v.data(), *const a = r.by_a.data();
-  const int* const row = f.row.data();
-  tree::vary_forces(f, w, w.variations, [=](int j, int k, double by_q, double by_v, double by_a) KTE_INLINE_LAMBDA {
-    if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
-    const Eigen::Index at = row[k] * n + row[j];
-    q[at] = by_q, v[at] = by_v, a[at] = by_a;
-  });
-  w.derivatives = &r;
-  for (const int e : s.tree().on_coordinates) element_of(c, e).derive_forces(s);
-  check_result(r.tau, static_cast<std::size_t>(n), [&s] { blame("a force", s); });
+  auto& r = s.work.of_forces;
+  r.tau = s.work.forces;
+  if (is_known_by_elements(c, s)) [[likely]]
+    derive_forces(runtime_elements{c}, s);
+  else if constexpr (std::is_same_v<S, double>)
+    derive_forces_by_duals(c, s);
+  check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
   return r;
 }
 }  // namespace detail
@@ -110,29 +67,35 @@ inline const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(con
 /// Inverse dynamics and its derivatives at the state's positions, rates and accelerations. As
 /// `inverse_dynamics_derivatives` on a static chain, for trees of joints and bodies with forces and masses on
 /// coordinates; others throw `bad_argument`.
-inline const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
-                                                                                           runtime_state& s) {
-  detail::check_derivatives(c, s);
+template <class S>
+const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
 /// The same at q, v, a, which are put into the state.
-template <indexable Q, indexable V, indexable A>
-const auto& inverse_dynamics_derivatives(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a) {
-  detail::check_derivatives(c, s);
+template <class S, indexable Q, indexable V, indexable A>
+const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                         const A& a) {
+  detail::check_regular(c, s);
   detail::take(c, s, q, v, a);
   return detail::forces_derived(c, s);
 }
 
 namespace detail {
 /// After forward dynamics: (1) of dynamics/derivatives.hpp.
-inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
-                                                                                    runtime_state& s) {
+template <class S>
+const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
+                                                                        basic_runtime_state<S>& s) {
   auto& r = s.work.of_accelerations;
   const Eigen::Index n = s.dofs();
   r.a = s.work.forces;
   r.by_q.resize(n, n), r.by_v.resize(n, n);
-  invert_articulated(s, r.by_tau);
+  if (s.tree().plan.tree) [[likely]]
+    invert_articulated(s, r.by_tau);
+  else
+    inverse_of_masses(c, s, r.by_tau);
   const auto& forces = forces_derived(c, s);
   solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
   return r;
@@ -141,17 +104,18 @@ inline const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_deri
 
 /// Forward dynamics and its derivatives at the state's positions and rates under its inputs. As
 /// `forward_dynamics_derivatives` on a static chain, for chains as above.
-inline const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
-                                                                                           runtime_state& s) {
-  detail::check_derivatives(c, s);
+template <class S>
+const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
   forward_dynamics(c, s);
   return detail::accelerations_derived(c, s);
 }
 /// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
-template <indexable Q, indexable V, indexable T>
-const auto& forward_dynamics_derivatives(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
+template <class S, indexable Q, indexable V, indexable T>
+const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
-  detail::check_derivatives(c, s);
+  detail::check_regular(c, s);
   forward_dynamics(c, s, q, v, tau);
   return detail::accelerations_derived(c, s);
 }
@@ -159,14 +123,12 @@ const auto& forward_dynamics_derivatives(const kte_map_chain& c, runtime_state& 
 /// As `hybrid_dynamics` on a static chain: known accelerations of the coordinates named, forces on all others.
 ///
 ///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});
-template <indexable Q, indexable V, indexable X>
-hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q,
-                                                               const V& v, const X& known,
-                                                               const std::vector<std::string_view>& prescribed) {
+template <class S, indexable Q, indexable V, indexable X>
+hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                                          const V& v, const X& known,
+                                                          const std::vector<std::string_view>& prescribed) {
   using namespace detail;
   check_regular(c, s);
-  if (!s.tree().plan.tree)
-    throw bad_argument("kte: hybrid dynamics is for chains in which no coordinate follows another or moves two joints");
   const auto n = static_cast<std::size_t>(s.dofs());
   check_size(n, known, "known");
   std::vector<char> is_known(n, 0);
@@ -179,11 +141,11 @@ hybrid_dynamics_result<double, Eigen::Dynamic> hybrid_dynamics(const kte_map_cha
       throw bad_argument("kte: '" + std::string(name) + "' is no degree of freedom of this chain");
     for (int i = 0; i < nv_of(k); ++i) is_known[static_cast<std::size_t>(at->v + i)] = 1;
   }
-  Eigen::VectorXd given = Eigen::VectorXd::Zero(s.dofs()), force = given;
+  runtime_vector<S> given = runtime_vector<S>::Zero(s.dofs()), force = given;
   for (std::size_t i = 0; i < n; ++i)
-    (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<double>(known[i]);
+    (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<S>(known[i]);
   take(c, s, q, v, given, force);
-  hybrid_dynamics_result<double, Eigen::Dynamic> r;
+  hybrid_dynamics_result<S, Eigen::Dynamic> r;
   r.a = accelerations_under(
       c, s, [&force](int i) { return force[i]; }, is_known);
   r.tau = inverse_dynamics(c, s);

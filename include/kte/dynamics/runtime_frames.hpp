@@ -9,19 +9,15 @@
 namespace kte {
 
 namespace detail {
-/// f(motion) of a frame in its present state.
-template <class F>
-auto with_motion(runtime_state& s, const runtime_frame& x, const F& f) {
-  return x.what == kind::frame_2D ? f(spatial(s.get<kind::frame_2D>(x.index)))
-                                  : f(spatial(s.get<kind::frame_3D>(x.index)));
-}
-template <class X>
-void check_state(const runtime_state& s, const X& visit, const char* what) {
+template <class S, class X>
+void check_state(const basic_runtime_state<S>& s, const X& visit, const char* what) {
   bool finite = true;
-  for_each_listed_freedom(s, [&](const auto& c, const freedom&) { visit(c, [&](double x) { finite &= x - x == 0; }); });
+  for_each_listed_freedom(
+      s, [&](const auto& c, const freedom&) { visit(c, [&](const S& x) { finite &= all(x - x == S(0)); }); });
   if (!finite) throw bad_argument(what);
 }
-inline void check_state_velocities(const runtime_state& s) {
+template <class S>
+void check_state_velocities(const basic_runtime_state<S>& s) {
   check_positions(s);
   check_state(
       s, [](const auto& c, const auto& f) { visit_v(c, f); }, "kte: a velocity is no finite number");
@@ -29,10 +25,11 @@ inline void check_state_velocities(const runtime_state& s) {
 
 /// Columns of all coordinates over the degrees of freedom: those of followers count for what they follow, those of
 /// coordinates that are given are left out.
-inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const kte_map_chain& c, runtime_state& s,
-                                                       Eigen::Matrix<double, 6, Eigen::Dynamic> a) {
+template <class S>
+Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                           Eigen::Matrix<S, 6, Eigen::Dynamic> a) {
   if (a.cols() == s.dofs()) return a;
-  hand_on(c, s, [&a](int base, int end, double ratio) { a.col(base) += ratio * a.col(end); });
+  hand_on(runtime_elements{c}, s, [&a](int base, int end, const S& ratio) { a.col(base) += ratio * a.col(end); });
   return a.leftCols(s.dofs());
 }
 }  // namespace detail
@@ -40,27 +37,34 @@ inline Eigen::Matrix<double, 6, Eigen::Dynamic> folded(const kte_map_chain& c, r
 /// All frames at the state's positions: in the state, which is returned.
 ///
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position
-inline const runtime_state& forward_kinematics(const kte_map_chain& c, runtime_state& s) {
+template <class S>
+const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  static_assert(detail::goes_through_passes<S>);
   c.check(s);
   detail::check_positions(s);
   c.doMotion(s);
   return s;
 }
 /// The same at q, which is put into the state.
-template <indexable Q>
-requires(!names_something<Q>) const runtime_state& forward_kinematics(const kte_map_chain& c, runtime_state& s,
-                                                                      const Q& q) {
+template <class S, indexable Q>
+requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s, const Q& q) {
+  static_assert(detail::goes_through_passes<S>);
   detail::take(c, s, q);
   c.doMotion(s);
   return s;
 }
 
 namespace detail {
-inline linear_angular<> velocity_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
+template <class S>
+linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  static_assert(goes_through_passes<S>);
   move(c.wiring(), s, x);
   return with_motion(s, x, [](const auto& m) { return checked<double>(m.velocity, m.ang_velocity); });
 }
-inline linear_angular<> acceleration_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x) {
+template <class S>
+linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  static_assert(goes_through_passes<S>);
   move(c.wiring(), s, x);
   const vec3<> all = c.gravity(), g = x.what == kind::frame_2D ? vec3<>{all.x, all.y, 0.0} : all;
   return with_motion(s, x, [&g](const auto& m) {
@@ -71,15 +75,16 @@ inline linear_angular<> acceleration_of(const kte_map_chain& c, runtime_state& s
 
 /// The velocity and angular velocity of a frame in its own axes, as the state has bases and rates. Only the elements
 /// between the bases and the frame are evaluated.
-inline linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
+template <class S>
+linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
   return detail::velocity_of(c, s, x);
 }
-template <indexable Q, indexable V>
-linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
-                                const name_or_handle& frame) {
+template <class S, indexable Q, indexable V>
+linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                 const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q, v);
   return detail::velocity_of(c, s, x);
@@ -89,7 +94,8 @@ linear_angular<> frame_velocity(const kte_map_chain& c, runtime_state& s, const 
 /// which is taken away here:
 ///
 ///   a + R^T g          (1)
-inline linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
+template <class S>
+linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
@@ -97,53 +103,59 @@ inline linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state
       s, [](const auto& y, const auto& f) { visit_a(y, f); }, "kte: an acceleration is no finite number");
   return detail::acceleration_of(c, s, x);
 }
-template <indexable Q, indexable V, indexable A>
-linear_angular<> frame_acceleration(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
-                                    const name_or_handle& frame) {
+template <class S, indexable Q, indexable V, indexable A>
+linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                     const A& a, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q, v, a);
   return detail::acceleration_of(c, s, x);
 }
 
 /// The Jacobian of a frame, as on static chains.
-using runtime_jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+template <class S>
+using basic_runtime_jacobian = Eigen::Matrix<S, 6, Eigen::Dynamic>;
+using runtime_jacobian = basic_runtime_jacobian<double>;
 
 namespace detail {
 /// At positions that are good.
-inline runtime_jacobian jacobian_of(const kte_map_chain& c, runtime_state& s, const runtime_frame& x, bool world) {
+template <class S>
+basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+                                      bool world) {
   const auto& t = s.tree();
   const auto& place = t.forest.frame(x.what, x.index);
-  place_ancestors(c, s, place.slot);
+  place_ancestors(runtime_elements{c}, s, place.slot);
   const auto& row = t.forest.row;
-  runtime_jacobian j = runtime_jacobian::Zero(6, t.plan.coordinates);
-  tree::dense_pose<double> seen;
-  const int base = tree::jacobian_columns(t.forest, s.work, place, seen, [&](int k, const vec3<>& v, const vec3<>& w) {
-    auto column = j.col(row[static_cast<std::size_t>(k)]);
-    column[0] += v.x, column[1] += v.y, column[2] += v.z;
-    column[3] += w.x, column[4] += w.y, column[5] += w.z;
-  });
+  basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
+  tree::dense_pose<S> seen;
+  const int base =
+      tree::jacobian_columns(t.forest, s.work, place, seen, [&](int k, const vec3<S>& v, const vec3<S>& w) {
+        auto column = j.col(row[static_cast<std::size_t>(k)]);
+        column[0] += v.x, column[1] += v.y, column[2] += v.z;
+        column[3] += w.x, column[4] += w.y, column[5] += w.z;
+      });
   if (world) {
-    mat3<vec3<>> axes = seen.rotation;
+    mat3<vec3<S>> axes = seen.rotation;
     for_each_base(s, [&](const auto& m, std::size_t slot) {
-      if (static_cast<int>(slot) == base) axes = as<double>(matrix(m.rotation) * seen.rotation);
+      if (static_cast<int>(slot) == base) axes = as<S>(matrix(m.rotation) * seen.rotation);
     });
     for (int k = 0; k < j.cols(); ++k) {
-      const vec3<> v = axes * vec3{j(0, k), j(1, k), j(2, k)}, w = axes * vec3{j(3, k), j(4, k), j(5, k)};
+      const vec3<S> v = axes * vec3{j(0, k), j(1, k), j(2, k)}, w = axes * vec3{j(3, k), j(4, k), j(5, k)};
       j.col(k) << v.x, v.y, v.z, w.x, w.y, w.z;
     }
   }
   return folded(c, s, std::move(j));
 }
-inline runtime_jacobian jacobian_at_state(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame,
-                                          bool world) {
+template <class S>
+basic_runtime_jacobian<S> jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                            const name_or_handle& frame, bool world) {
   check_regular(c, s);
   const auto x = find_frame(c, frame);
   check_positions(s);
   return jacobian_of(c, s, x, world);
 }
-template <class Q>
-runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame,
-                             bool world) {
+template <class S, class Q>
+basic_runtime_jacobian<S> jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                      const name_or_handle& frame, bool world) {
   check_regular(c, s);
   const auto x = find_frame(c, frame);
   take(c, s, q);
@@ -151,21 +163,24 @@ runtime_jacobian jacobian_at(const kte_map_chain& c, runtime_state& s, const Q& 
 }
 }  // namespace detail
 
-inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
+template <class S>
+basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   return detail::jacobian_at_state(c, s, frame, false);
 }
-inline runtime_jacobian jacobian(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame,
-                                 in_world_axes_t) {
+template <class S>
+basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+                                   in_world_axes_t) {
   return detail::jacobian_at_state(c, s, frame, true);
 }
-template <indexable Q>
-requires(!names_something<Q>) runtime_jacobian
-    jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame) {
+template <class S, indexable Q>
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                                 const Q& q, const name_or_handle& frame) {
   return detail::jacobian_at(c, s, q, frame, false);
 }
-template <indexable Q>
-requires(!names_something<Q>) runtime_jacobian
-    jacobian(const kte_map_chain& c, runtime_state& s, const Q& q, const name_or_handle& frame, in_world_axes_t) {
+template <class S, indexable Q>
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                                 const Q& q, const name_or_handle& frame,
+                                                                 in_world_axes_t) {
   return detail::jacobian_at(c, s, q, frame, true);
 }
 

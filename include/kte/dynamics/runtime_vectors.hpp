@@ -7,10 +7,16 @@
 /// The numbers of a runtime state as vectors, as dynamics/state_vectors.hpp has them for static chains.
 namespace kte {
 
+/// Numbers of a runtime chain.
+template <class S>
+using runtime_vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+template <class S>
+using runtime_matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
 namespace detail {
-template <vector_of Which>
-Eigen::VectorXd read_numbers(const runtime_state& s) {
-  Eigen::VectorXd x(Which == vector_of::q ? s.nq() : s.dofs());
+template <vector_of Which, class S>
+runtime_vector<S> read_numbers(const basic_runtime_state<S>& s) {
+  runtime_vector<S> x(Which == vector_of::q ? s.nq() : s.dofs());
   read_listed_numbers<Which>(s, x);
   return x;
 }
@@ -18,17 +24,19 @@ Eigen::VectorXd read_numbers(const runtime_state& s) {
 template <vector_of Which, class C, class X>
 void put(C& c, const freedom& at, const X& x) {
   auto i = begin_of<Which>(at);
-  visit_numbers<Which>(c, [&](double& number) { number = static_cast<double>(x[i++]); });
+  visit_numbers<Which>(c,
+                       [&](auto& number) { number = static_cast<std::remove_reference_t<decltype(number)>>(x[i++]); });
 }
-template <vector_of Which, indexable X>
-void write_numbers(runtime_state& s, const X& x, const char* name) {
+template <vector_of Which, class S, indexable X>
+void write_numbers(basic_runtime_state<S>& s, const X& x, const char* name) {
   if constexpr (Which == vector_of::q)
     check_configuration(s.nq(), s.dofs(), x);
   else
     check_size(static_cast<std::size_t>(s.dofs()), x, name);
   for_each_listed_freedom(s, [&x](auto& c, const freedom& at) { put<Which>(c, at, x); });
 }
-inline std::vector<layout_entry<>> layout_of_state(const runtime_state& s) {
+template <class S>
+std::vector<layout_entry<>> layout_of_state(const basic_runtime_state<S>& s) {
   std::vector<layout_entry<>> layout;
   for (const auto& f : s.freedoms())
     layout.push_back({s.made_for()->names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what,
@@ -36,42 +44,54 @@ inline std::vector<layout_entry<>> layout_of_state(const runtime_state& s) {
   return layout;
 }
 /// Throws `bad_argument` that names the number at fault, of those in the state and of `tau`.
-[[noreturn, gnu::cold]] inline void blame(const char* what, const runtime_state& s, const Eigen::VectorXd& tau = {}) {
+template <class S>
+[[noreturn, gnu::cold]] void blame(const char* what, const basic_runtime_state<S>& s,
+                                   const runtime_vector<S>& tau = {}) {
   const auto layout = layout_of_state(s);
-  const auto span = [](const Eigen::VectorXd& x) {
-    return std::span<const double>(x.data(), static_cast<std::size_t>(x.size()));
-  };
-  const auto q = read_numbers<vector_of::q>(s), v = read_numbers<vector_of::v>(s), a = read_numbers<vector_of::a>(s);
-  raise_if_no_rotation(layout, span(q));
-  if (tau.size() > 0) raise_not_finite(what, layout, {{"q", span(q), true}, {"v", span(v)}, {"tau", span(tau)}});
-  raise_not_finite(what, layout, {{"q", span(q), true}, {"v", span(v)}, {"a", span(a)}});
+  const auto q = plain_numbers(read_numbers<vector_of::q>(s)), v = plain_numbers(read_numbers<vector_of::v>(s)),
+             a = plain_numbers(tau.size() > 0 ? tau : read_numbers<vector_of::a>(s));
+  if (std::is_convertible_v<S, double>) raise_if_no_rotation(layout, q);
+  raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {tau.size() > 0 ? "tau" : "a", a}});
 }
 /// As on static chains: a mass of coordinate `row` that cannot be used.
-[[noreturn, gnu::cold]] inline void blame_mass(const runtime_state& s, int row, bool finite) {
+template <class S>
+[[noreturn, gnu::cold]] void blame_mass(const basic_runtime_state<S>& s, int row, bool finite) {
   const auto layout = layout_of_state(s);
   if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
-  const auto q = read_numbers<vector_of::q>(s);
-  const argument positions{"q", {q.data(), static_cast<std::size_t>(q.size())}, true};
+  const auto q = plain_numbers(read_numbers<vector_of::q>(s));
+  const argument positions{"q", q, true};
   if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
   raise_endless_mass(name_of_row(layout, row));
 }
 }  // namespace detail
 
-inline Eigen::VectorXd positions(const runtime_state& s) { return detail::read_numbers<detail::vector_of::q>(s); }
-inline Eigen::VectorXd velocities(const runtime_state& s) { return detail::read_numbers<detail::vector_of::v>(s); }
-inline Eigen::VectorXd accelerations(const runtime_state& s) { return detail::read_numbers<detail::vector_of::a>(s); }
-inline Eigen::VectorXd forces(const runtime_state& s) { return detail::read_numbers<detail::vector_of::f>(s); }
+template <class S>
+runtime_vector<S> positions(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::q>(s);
+}
+template <class S>
+runtime_vector<S> velocities(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::v>(s);
+}
+template <class S>
+runtime_vector<S> accelerations(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::a>(s);
+}
+template <class S>
+runtime_vector<S> forces(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::f>(s);
+}
 
-template <indexable X>
-void set_positions(runtime_state& s, const X& q) {
+template <class S, indexable X>
+void set_positions(basic_runtime_state<S>& s, const X& q) {
   detail::write_numbers<detail::vector_of::q>(s, q, "q");
 }
-template <indexable X>
-void set_velocities(runtime_state& s, const X& v) {
+template <class S, indexable X>
+void set_velocities(basic_runtime_state<S>& s, const X& v) {
   detail::write_numbers<detail::vector_of::v>(s, v, "v");
 }
-template <indexable X>
-void set_accelerations(runtime_state& s, const X& a) {
+template <class S, indexable X>
+void set_accelerations(basic_runtime_state<S>& s, const X& a) {
   detail::write_numbers<detail::vector_of::a>(s, a, "a");
 }
 

@@ -120,6 +120,8 @@ struct inertia_gen {
 namespace detail {
 template <kind Dim, class M, class C, class I>
 inline constexpr bool is_rigid_body<core::inertia<Dim, M, C, I>> = true;
+template <class M>
+inline constexpr bool is_rigid_body<core::inertia_gen<M>> = true;
 }  // namespace detail
 
 /// A body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.

@@ -62,8 +62,9 @@ namespace detail {
 template <class S, class Term>
 KTE_INLINE constexpr S sum_by_four(std::size_t n, const Term& term) {
   S sums[4]{S(0), S(0), S(0), S(0)};
+  const std::size_t whole = n - n % 4;
   std::size_t i = 0;
-  for (; i + 4 <= n; i += 4)
+  for (; i < whole; i += 4)
     for (std::size_t k = 0; k < 4; ++k) sums[k] += term(i + k);
   for (; i < n; ++i) sums[0] += term(i);
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);

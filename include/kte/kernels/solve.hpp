@@ -147,4 +147,21 @@ KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail = {}) {
   substitute(m, b);
 }
 
+/// The same where some of x are known: of b, which are x for them. Their rows and columns of M are used up.
+template <class Matrix, class Vector, class Known, class Fail = singular_somewhere>
+void solve_partly_known(Matrix& m, Vector& b, const Known& is_known, const Fail& fail = {}) {
+  using S = typename Matrix::Scalar;
+  const Eigen::Index n = m.rows();
+  const auto known = [&is_known](Eigen::Index i) { return is_known[static_cast<std::size_t>(i)]; };
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (!known(k)) continue;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      if (!known(i)) b[i] -= m(i, k) * b[k];
+      m(i, k) = m(k, i) = S(0);
+    }
+    m(k, k) = S(1);
+  }
+  solve_in_place(m, b, fail);
+}
+
 }  // namespace kte::detail

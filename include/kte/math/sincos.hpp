@@ -92,6 +92,12 @@ inline void sincos_each(const double* angle, double* sine, double* cosine, std::
   for (; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
 }
 
+/// Of other scalars, one by one.
+template <class S>
+void sincos_each(const S* angle, S* sine, S* cosine, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
+}
+
 /// Sines and cosines of the N angles of a chain.
 template <class S, std::size_t N>
 struct sines {

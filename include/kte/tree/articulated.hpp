@@ -144,7 +144,7 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
 /// further mass m on an axis keeps something of I along it. Where the acceleration of the joint is given, all that its
 /// body carries goes on.
 template <class P, class S>
-[[gnu::noinline]] int give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const S* own_mass,
+[[gnu::noinline]] int give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const P* own_mass,
                                articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
   auto& [a, h, j] = x.inertia;
   int bad = -1;
@@ -166,7 +166,7 @@ template <class P, class S>
     h = detail::less_dyad(h, u.force, gain.torque);
     j = detail::less_dyad(j, u.torque, gain.torque);
     x.load = {x.load.force - rate * u.force, x.load.torque - rate * u.torque};
-    if (r.moves == joint::screw || own_mass[k] != S(0)) continue;
+    if (r.moves == joint::screw || own_mass[k] != P(0)) continue;
     const auto n = static_cast<int>(r.axis[static_cast<std::size_t>(k)]);
     leave_nothing(n, x.inertia);
     set_component(x.load.force, x.load.torque, n, S(-force[k]));
@@ -192,7 +192,7 @@ int articulate(const forest<P>& f, memory<P, S>& m) {
     articulated_body<S>* const parent =
         r.parent < f.bases ? nullptr : &m.articulated[static_cast<std::size_t>(r.parent)];
     int own = -1;
-    if (r.moves == joint::revolute && m.yields[i] && m.own_mass[k] == S(0)) {
+    if (r.moves == joint::revolute && m.yields[i] && m.own_mass[k] == P(0)) {
       if (!give_way_about_z(r, m.spots[i], m.force[k], x, m.answers[k], parent)) [[unlikely]]
         own = 0;
     } else {
@@ -221,15 +221,15 @@ void accelerate(const forest<P>& f, memory<P, S>& m) {
     vec3<S> al = at.in(base.ang_acceleration) + x.ang_drift;
     S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
     const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
-    const S* const own_mass = &m.own_mass[static_cast<std::size_t>(r.first)];
-    if (r.moves == joint::revolute && m.yields[i] && *own_mass == S(0)) {
+    const P* const own_mass = &m.own_mass[static_cast<std::size_t>(r.first)];
+    if (r.moves == joint::revolute && m.yields[i] && *own_mass == P(0)) {
       const auto& [gain, rate, inverse] = *answers;
       const S now = rate - (dot(gain.force, a) + (gain.torque.x * al.x + gain.torque.y * al.y));
       *change = now - al.z, al.z = now;
     } else if (m.yields[i]) {
       for (int k = 0; k < r.axes; ++k) {
         const auto& [gain, rate, inverse] = answers[k];
-        if (r.moves == joint::screw || own_mass[k] != S(0)) {
+        if (r.moves == joint::screw || own_mass[k] != P(0)) {
           change[k] = rate - (dot(gain.force, a) + dot(gain.torque, al));
           std::array<S, 6> one{};
           one[static_cast<std::size_t>(k)] = change[k];

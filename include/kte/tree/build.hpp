@@ -65,15 +65,17 @@ struct forest_builder {
     } else {
       using std::cos;
       using std::sin;
-      const P q(tried_angle), angle = r.turns * q;
+      const P q = static_cast<P>(tried_angle), angle = r.turns * q;
       const P c = cos(angle), s = sin(angle);
       moved = {{{c, -s, P(0)}, {s, c, P(0)}, {P(0), P(0), P(1)}}, {P(0), P(0), r.slides * q}};
     }
     // at zero the end stands at at_zero in the base; the body at at_zero end^-1
     const pose_type y = compose(compose(compose(x.at_zero, inverse(end.at)), moved), end.at);
-    const auto near = [](const vec3<P>& a, const vec3<P>& b) {
+    const double least = 1e-8, rounding = 64 * static_cast<double>(std::numeric_limits<P>::epsilon());
+    const P squared = static_cast<P>(std::max(least * least, rounding * rounding));
+    const auto near = [&squared](const vec3<P>& a, const vec3<P>& b) {
       const vec3<P> d = a - b;
-      return dot(d, d) <= P(1e-16) * (P(1) + dot(a, a));
+      return dot(d, d) <= squared * (P(1) + dot(a, a));
     };
     return near(y.position, x.tried.position) && near(y.rotation.x, x.tried.rotation.x) &&
            near(y.rotation.y, x.tried.rotation.y) && near(y.rotation.z, x.tried.rotation.z);

@@ -65,7 +65,7 @@ struct memory {
   // bases.
   std::vector<spot<S>> spots;                ///< of records
   std::vector<S> rate, acceleration, force;  ///< of axes
-  std::vector<S> own_mass;
+  std::vector<P> own_mass;
   std::vector<char> yields;            ///< of records
   std::vector<body_motion<S>> bodies;  ///< of slots
 

@@ -9,12 +9,13 @@ namespace kte::tree {
 template <class S>
 struct turn {
   S cos = S(1), sin = S(0);
-  /// One after the other, about the same axis.
-  KTE_INLINE friend turn operator*(const turn& a, const turn& b) {
-    return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
-  }
   KTE_INLINE turn back() const { return {cos, -sin}; }
 };
+/// One after the other, about the same axis.
+template <class T, class S>
+KTE_INLINE turn<S> operator*(const turn<T>& a, const turn<S>& b) {
+  return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
+}
 
 template <class T, class S>
 KTE_INLINE vec3<S> out_z(const turn<T>& t, const vec3<S>& u) {

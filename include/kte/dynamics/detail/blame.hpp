@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <span>
+#include <vector>
 
 /// Which argument made a result that is no finite number. Nothing of this is on the way of results that are.
 namespace kte::detail {
@@ -64,6 +65,25 @@ template <class Layout>
     if (q[r] == 0 && q[r + 1] == 0 && q[r + 2] == 0 && q[r + 3] == 0)
       raise<bad_argument>(std::string("kte: quaternion '").append(e.name).append("' has length 0"));
   }
+}
+
+/// As a double; typed zeros, and what is not asked for, as 0.
+template <class X>
+double plain_number(const X& x) {
+  if constexpr (std::is_same_v<X, zero_t> || std::is_same_v<X, skip>) {
+    return 0;
+  } else if constexpr (requires { static_cast<double>(x); }) {
+    return static_cast<double>(x);
+  } else {
+    return 0;  // of several states, or with derivatives: no one number to name
+  }
+}
+/// Of a vector of a runtime chain.
+template <class X>
+std::vector<double> plain_numbers(const X& x) {
+  std::vector<double> all;
+  for (Eigen::Index i = 0; i < x.size(); ++i) all.push_back(plain_number(x[i]));
+  return all;
 }
 
 /// The name of the coordinate that row i of v belongs to.
@@ -126,19 +146,10 @@ template <class... E>
 struct layout_of_wiring<wiring<E...>> {
   static constexpr auto table = layout_of<wiring<E...>, E...>();
 };
-/// The numbers at<0>(), at<1>() ... as doubles; typed zeros, and what is not asked for, as 0.
+/// The numbers at<0>(), at<1>() ... as doubles.
 template <int N, class V>
 std::array<double, std::size_t{N} + 1> plain_numbers(const V& v) {
-  const auto plain = [](const auto& x) {
-    using X = std::remove_cvref_t<decltype(x)>;
-    if constexpr (std::is_same_v<X, zero_t> || std::is_same_v<X, skip>) {
-      return 0.0;
-    } else if constexpr (requires { static_cast<double>(x); }) {
-      return static_cast<double>(x);
-    } else {
-      return 0.0;  // of several states, or with derivatives: no one number to name
-    }
-  };
+  const auto plain = [](const auto& x) { return plain_number(x); };
   return [&]<int... I>(std::integer_sequence<int, I...>) {
     return std::array<double, std::size_t{N} + 1>{plain(v.template at<I>())...};
   }

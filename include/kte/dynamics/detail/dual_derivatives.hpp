@@ -9,56 +9,69 @@ namespace kte {
 namespace detail {
 
 /// A configuration that moves along velocity number `direction` of a coordinate: lane `lane` of its numbers.
-template <class S, class Q, int N, std::size_t M>
-void displace(freedom f, const Q& q, int direction, std::size_t lane, std::array<dual<S, N>, M>& x) {
+template <class S, int N>
+void displace(freedom f, int direction, std::size_t lane, std::span<dual<S, N>> x) {
   std::array<S, 6> unit{};
   unit[static_cast<std::size_t>(direction)] = S(1);
-  f.v = 0;
-  std::array<S, M> rate{};
-  rate_of_one<S>(f, q, unit, rate);
-  for (auto i = static_cast<std::size_t>(f.q), k = i; k < i + static_cast<std::size_t>(nq_of(f.what)); ++k)
-    x[k].derivative[lane] = rate[k];
+  std::array<S, 7> own{}, rate{};
+  const auto first = static_cast<std::size_t>(f.q), count = static_cast<std::size_t>(nq_of(f.what));
+  for (std::size_t k = 0; k < count; ++k) own[k] = x[first + k].value;
+  f.q = f.v = 0;
+  rate_of_one<S>(f, own, unit, rate);
+  for (std::size_t k = 0; k < count; ++k) x[first + k].derivative[lane] = rate[k];
 }
 
-/// Derivatives of inverse dynamics by q and v in dual numbers, four directions at a time: for chains of any elements.
-template <class S, class Chain, class Base, class Q, class V, class A>
-void dual_derivatives(const Chain& c, const Base& base, const Q& q, const V& v, const A& a,
-                      inverse_dynamics_result<S, Chain::dofs>& r) {
-  constexpr int lanes = 4;
-  using number = dual<S, lanes>;
-  using wiring = typename Chain::wiring;
-  constexpr std::size_t n = std::size_t{Chain::dofs}, nq = std::size_t{Chain::nq};
-  const auto evaluate = [&](const auto& x, const auto& y) {
-    const configuration<number, wiring, std::array<number, nq>> at(x);
-    return coordinate_forces<number>(c, given{at, each<number, std::array<number, n>>{y}, each<number, A>{a}, base},
-                                     minus_one);
-  };
-  const auto constants = [](const auto& x, auto& out) {
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = number(S(x[i]));
-  };
-  std::array<number, nq> x;
-  std::array<number, n> y;
+/// Derivatives of tau = evaluate(), which reads q and v as dual numbers, by q and v: as many directions at a time as
+/// they have, into `r`.
+template <class S, int N, class Evaluate, class Result>
+void derive_by_duals(std::span<const freedom> freedoms, std::span<dual<S, N>> q, std::span<dual<S, N>> v,
+                     const Evaluate& evaluate, Result& r) {
+  const int dofs = static_cast<int>(v.size());
   for (int by_v = 0; by_v < 2; ++by_v)
-    for (int first = 0; first < Chain::dofs; first += lanes) {
-      constants(q, x), constants(v, y);
-      for (std::size_t f = 0; f < wiring::freedoms; ++f) {
-        const freedom& at = wiring::table.free[f];
-        for (int k = 0; k < nv_of(at.what); ++k) {
-          const int lane = at.v + k - first;
-          if (lane < 0 || lane >= lanes) continue;
+    for (int first = 0; first < dofs; first += N) {
+      for (auto* numbers : {&q, &v})
+        for (auto& x : *numbers) x = dual<S, N>(x.value);
+      for (const freedom& f : freedoms)
+        for (int k = 0; k < nv_of(f.what); ++k) {
+          const int lane = f.v + k - first;
+          if (lane < 0 || lane >= N) continue;
           if (by_v)
-            y[static_cast<std::size_t>(at.v + k)].derivative[static_cast<std::size_t>(lane)] = S(1);
+            v[static_cast<std::size_t>(f.v + k)].derivative[static_cast<std::size_t>(lane)] = S(1);
           else
-            displace(at, q, k, static_cast<std::size_t>(lane), x);
+            displace(f, k, static_cast<std::size_t>(lane), q);
         }
-      }
-      const auto tau = evaluate(x, y);
-      for (int i = 0; i < Chain::dofs; ++i) {
+      const auto& tau = evaluate();
+      for (int i = 0; i < dofs; ++i) {
         r.tau[i] = tau[i].value;
-        for (int j = first; j < Chain::dofs && j < first + lanes; ++j)
+        for (int j = first; j < dofs && j < first + N; ++j)
           (by_v ? r.by_v : r.by_q)(i, j) = tau[i].derivative[static_cast<std::size_t>(j - first)];
       }
     }
+}
+
+/// Derivatives of inverse dynamics by q and v of a static chain of any elements.
+template <class S, class Chain, class Base, class Q, class V, class A>
+void dual_derivatives(const Chain& c, const Base& base, const Q& q, const V& v, const A& a,
+                      inverse_dynamics_result<S, Chain::dofs>& r) {
+  using number = dual<S, 4>;
+  using wiring = typename Chain::wiring;
+  using positions = std::array<number, std::size_t{Chain::nq}>;
+  using rates = std::array<number, std::size_t{Chain::dofs}>;
+  positions x;
+  rates y;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = number(S(q[i]));
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = number(S(v[i]));
+  auto lent = c.kept.template borrow<static_state<number, Chain>>(c);
+  static_state<number, Chain>& s = lent;
+  const auto evaluate = [&] {
+    const configuration<number, wiring, positions> at(x);
+    const given g{at, each<number, rates>{y}, each<number, A>{a}, base};
+    const auto tau = take_forces(c, g, s, minus_one);
+    check_forces<wiring>(tau, g);
+    return tau;
+  };
+  derive_by_duals(std::span(wiring::table.free.data(), wiring::freedoms), std::span<number>(x), std::span<number>(y),
+                  evaluate, r);
 }
 
 }  // namespace detail

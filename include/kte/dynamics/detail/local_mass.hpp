@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/detail/stored_dynamics.hpp>
+#include <kte/dynamics/detail/static_loops.hpp>
 #include <kte/dynamics/detail/tree.hpp>
 #include <kte/kernels/joint.hpp>
 #include <kte/kernels/joint_vector.hpp>
@@ -206,7 +206,7 @@ KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Bas
     if constexpr (is_unrolled<Chain, S>) {
       return unrolled_mass_matrix<S>(c, g, zero_or_nan);
     } else {
-      const auto stored = stored_mass_matrix<S>(c, g);
+      const auto stored = mass_by_records<S>(c, g);
       zero_or_nan = detail::zero_or_nan(stored.data(), static_cast<std::size_t>(stored.size()));
       return stored;
     }

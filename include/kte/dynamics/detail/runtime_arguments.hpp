@@ -19,13 +19,18 @@ void for_each_given_coordinate(State& s, const Visit& visit) {
 /// Whether positions can be computed with.
 class position_check {
  public:
-  void number(double x) { good_ &= x - x == 0; }
+  template <class S>
+  void number(const S& x) {
+    good_ &= all(x - x == S(0));
+  }
   template <class C>
   void coordinate(const C& c) {
-    visit_q(c, [this](double x) { number(x); });
+    visit_q(c, [this](const auto& x) { this->number(x); });
     if constexpr (requires { c.rotation; }) {
       const auto& r = c.rotation;
-      good_ &= r.w != 0 || r.x != 0 || r.y != 0 || r.z != 0;
+      using std::abs;
+      using S = std::remove_cvref_t<decltype(r.w)>;
+      good_ &= all(S(S(abs(r.w) + abs(r.x)) + S(abs(r.y) + abs(r.z))) != S(0));
     }
   }
   bool good() const { return good_; }
@@ -35,39 +40,41 @@ class position_check {
 };
 
 /// Throws `bad_argument` that names the number at fault, of one vector of arguments for a state.
-template <class X>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_argument(const char* what, const runtime_state& s, const X& x,
-                                                           const char* name, int n, bool configuration = false) {
-  Eigen::VectorXd numbers(n);
-  for (int i = 0; i < n; ++i) numbers[i] = static_cast<double>(x[static_cast<std::size_t>(i)]);
-  const std::span<const double> all(numbers.data(), static_cast<std::size_t>(n));
+template <class S, class X>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_argument(const char* what, const basic_runtime_state<S>& s,
+                                                           const X& x, const char* name, int n,
+                                                           bool configuration = false) {
+  runtime_vector<S> numbers(n);
+  for (int i = 0; i < n; ++i) numbers[i] = static_cast<S>(x[static_cast<std::size_t>(i)]);
+  const auto all = plain_numbers(numbers);
   const auto layout = layout_of_state(s);
-  if (configuration) raise_if_no_rotation(layout, all);
+  if (configuration && std::is_convertible_v<S, double>) raise_if_no_rotation(layout, all);
   raise_not_finite(what, layout, {{name, all, configuration}});
 }
 
 /// Of a state.
-inline void check_positions(const runtime_state& s) {
+template <class S>
+void check_positions(const basic_runtime_state<S>& s) {
   position_check all;
   for_each_listed_freedom(s, [&all](const auto& c, const freedom&) { all.coordinate(c); });
-  for_each_given_coordinate(s, [&all](const gen_coord<>& c) { all.number(c.q); });
+  for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
     blame("a coordinate", s);
 }
 /// Of a vector, for a state.
-template <indexable Q>
-KTE_INLINE void check_positions(const runtime_state& s, const Q& q) {
+template <class S, indexable Q>
+KTE_INLINE void check_positions(const basic_runtime_state<S>& s, const Q& q) {
   check_configuration(s.nq(), s.dofs(), q);
   position_check all;
   if (s.nq() == s.dofs()) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<double>(q[i]));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<S>(q[i]));
   } else {
     for_each_listed_freedom(s, [&](auto c, const freedom& at) {
       put<vector_of::q>(c, at, q);
       all.coordinate(c);
     });
   }
-  for_each_given_coordinate(s, [&all](const gen_coord<>& c) { all.number(c.q); });
+  for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
     blame_argument("a coordinate", s, q, "q", s.nq(), true);
 }
@@ -75,15 +82,15 @@ KTE_INLINE void check_positions(const runtime_state& s, const Q& q) {
 /// What a call is not given.
 struct not_given {};
 
-template <class X>
-KTE_INLINE void check_numbers(const runtime_state& s, const X& x, const char* name, const char* what) {
+template <class S, class X>
+KTE_INLINE void check_numbers(const basic_runtime_state<S>& s, const X& x, const char* name, const char* what) {
   if constexpr (!std::is_same_v<X, not_given>) {
     const auto n = static_cast<std::size_t>(s.dofs());
     check_size(n, x, name);
     bool finite = true;
     for (std::size_t i = 0; i < n; ++i) {
-      const auto number = static_cast<double>(x[i]);
-      finite &= number - number == 0;
+      const auto number = static_cast<S>(x[i]);
+      finite &= all(number - number == S(0));
     }
     if (!finite) [[unlikely]]
       blame_argument(what, s, x, name, s.dofs());
@@ -91,8 +98,9 @@ KTE_INLINE void check_numbers(const runtime_state& s, const X& x, const char* na
 }
 
 /// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
-template <class Q, class V = not_given, class A = not_given, class Tau = not_given>
-void take(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v = {}, const A& a = {}, const Tau& tau = {}) {
+template <class S, class Q, class V = not_given, class A = not_given, class Tau = not_given>
+void take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {}, const A& a = {},
+          const Tau& tau = {}) {
   c.check(s);
   check_positions(s, q);
   check_numbers(s, v, "v", "a velocity");

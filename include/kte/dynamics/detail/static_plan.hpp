@@ -34,19 +34,18 @@ struct static_connections {
   constexpr std::size_t freedoms() const { return wiring::freedoms; }
   constexpr freedom freedom_at(std::size_t f) const { return wiring::table.free[f]; }
   constexpr int dofs() const { return wiring::dofs; }
-  constexpr bool is_angle(int i) const { return wiring::angle(i); }
 };
 template <class Chain>
 struct static_lists {
-  /// Rows and columns are two a port at most: none has more than six, of three ports.
+  /// Rows are two a port at most: none has more than six, of three ports.
   template <class T>
   using list = short_list<T, 2 * Chain::wiring::ports + 2>;
 };
 template <class Chain>
 inline constexpr auto static_plan = arrange<static_lists<Chain>::template list>(static_connections<Chain>{});
 
-/// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over elements
-/// (dynamics/detail/stored_chain.hpp) are as fast and compile in a tenth of the time
+/// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over records
+/// (dynamics/detail/static_loops.hpp) are as fast and compile in a tenth of the time
 /// (docs/decisions/02-compile-time.md).
 template <class S>
 inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || requires {

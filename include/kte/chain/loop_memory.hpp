@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kte/kernels/derivatives.hpp>
+#include <kte/tree/derivatives.hpp>
+#include <kte/tree/inverse_mass.hpp>
+
+namespace kte::detail {
+
+/// Working memory of the loops over records, so that they allocate nothing but by the first call that needs it.
+template <class P, class S>
+struct loop_memory : tree::memory<P, S> {
+  using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  using matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+
+  template <class Tree>
+  loop_memory(const Tree& t, int dofs, std::size_t elements)
+      : tree::memory<P, S>(t.forest),
+        forces(dofs),
+        kept(2 * static_cast<std::size_t>(dofs)),
+        prescribed(static_cast<std::size_t>(dofs)),
+        wanted(elements),
+        angle((t.angles.size() + 3) / 4 * 4),
+        sine(angle.size()),
+        cosine(angle.size()) {
+    for (std::size_t k = 0; k < this->own_mass.size(); ++k)
+      this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.forest.row[k])];
+  }
+  vector forces;                       ///< what is given back: forces or accelerations
+  std::vector<S> kept;                 ///< rates and accelerations that are put aside
+  std::vector<char> prescribed;        ///< by row: whether its acceleration is given
+  std::vector<char> wanted;            ///< by element: whether what is asked for depends on it
+  std::vector<S> angle, sine, cosine;  ///< of `chain_tree::angles`, and zeros up to a multiple of four
+  /// As large as M or larger: made by the first call that gives them.
+  matrix mass, inverse;
+  matrix all;  ///< masses of all coordinates, if there are others than degrees of freedom
+  tree::inverse_memory<S> inverting;
+  tree::variation_memory<S> variations;
+  inverse_dynamics_result<S, Eigen::Dynamic> of_forces;
+  forward_dynamics_result<S, Eigen::Dynamic> of_accelerations;
+};
+
+}  // namespace kte::detail

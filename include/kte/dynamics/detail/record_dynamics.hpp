@@ -1,0 +1,226 @@
+#pragma once
+
+#include <kte/dynamics/detail/record_loops.hpp>
+#include <kte/kernels/solve.hpp>
+
+#include <span>
+
+/// The algorithms as loops over records, in the working memory of a state, which has its coordinates and bases and is
+/// found good. For all `Elements` and states of dynamics/detail/record_loops.hpp.
+namespace kte::detail {
+
+/// The change of what a follower writes by a coordinate that it follows: of q_dot, when that has a rate of one.
+template <class Elements, class State, class Coordinate>
+auto ratio_of(const Elements& c, State& s, int follower, Coordinate& followed) {
+  using S = typename State::scalar;
+  auto& end = s.template get<kind::gen>(c.written(follower));
+  const Coordinate before = followed, end_before = end;
+  const auto rate_at = [&](const S& rate) -> S {
+    followed.q_dot = rate;
+    c.move(follower, s);
+    return end.q_dot;
+  };
+  const S at_rest = rate_at(S(0)), ratio = rate_at(S(1)) - at_rest;
+  followed = before, end = end_before;
+  return ratio;
+}
+/// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
+template <class Elements, class State, class Add>
+void hand_on(const Elements& c, State& s, const Add& add) {
+  const auto& t = s.tree();
+  for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
+    const auto ports = c.ports(*f);
+    const int end = t.plan.row_of_gen[static_cast<std::size_t>(c.written(*f))];
+    for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
+      if (ports[p].what != kind::gen) continue;
+      const int followed = c.index(*f, p);
+      add(t.plan.row_of_gen[static_cast<std::size_t>(followed)], end,
+          ratio_of(c, s, *f, s.template get<kind::gen>(followed)));
+    }
+  }
+}
+
+/// The inertias of bodies with all they carry, and axes, in the world.
+template <class Elements, class State>
+void carry(const Elements& c, State& s) {
+  place_bodies(c, s);
+  place_in_world(s);
+  tree::carry_bodies(s.tree().forest, s.work);
+}
+/// The mass matrix (CRBA), into the working memory.
+template <class Elements, class State>
+void mass_of_coordinates(const Elements& c, State& s) {
+  using S = typename State::scalar;
+  carry(c, s);
+  const auto& t = s.tree();
+  const auto& row = t.forest.row;
+  auto& w = s.work;
+  const bool others = t.plan.coordinates > s.dofs();
+  auto& m = others ? w.all : w.mass;
+  m.setZero(t.plan.coordinates, t.plan.coordinates);
+  S* const data = m.data();
+  const Eigen::Index n = m.rows();
+  tree::masses(t.forest, w, [&, once = t.plan.tree](int j, int k, const S& x) {
+    const int a = row[static_cast<std::size_t>(j)], b = row[static_cast<std::size_t>(k)];
+    if (once) [[likely]] {
+      data[b * n + a] = data[a * n + b] = x;
+    } else {  // where joints share a coordinate, both triangles meet on the diagonal
+      data[b * n + a] += x;
+      if (j != k) data[a * n + b] += x;
+    }
+  });
+  if (t.has_own_mass)
+    for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
+  if (!others) return;
+  hand_on(c, s, [&m](int base, int end, const S& ratio) {
+    m.row(base) += ratio * m.row(end);
+    m.col(base) += ratio * m.col(end);
+  });
+  w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+}
+
+/// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
+/// of articulated bodies.
+template <class Elements, class State>
+void push_by_rates(const Elements& c, State& s) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  auto& w = s.work;
+  clear_coordinates(s);
+  for (std::size_t i = 0; i < t.forest.records.size(); ++i)
+    if (w.yields[i]) each_axis<vector_of::a>(s, t.forest.records[i], [](S& x, std::size_t) { x = S(0); });
+  for (const int row : t.plan.lone_rows)
+    if (!w.prescribed[static_cast<std::size_t>(row)])
+      for_each_listed_freedom(s, [row](auto& x, const freedom& at) {
+        if (at.v == row) visit_a(x, [](S& a) { a = S(0); });
+      });
+  if (!t.on_frames.empty()) {
+    std::fill(w.acceleration.begin(), w.acceleration.end(), S(0));
+    tree::move_bodies<true>(t.forest, w);
+    place_in_world(s);
+    place_touched_frames(s, false);
+    for (const int e : t.on_frames) c.push(e, s);
+    for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
+      auto& load = w.articulated[slot].load;
+      load = {load.force + x.force, load.torque + x.torque};
+    });
+  }
+  for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) c.push(*e, s);
+}
+/// Where an axis has nothing to move, or more than a number can say.
+template <class Elements, class State>
+[[noreturn, gnu::cold]] void blame_axis(const Elements& c, const State& s, int axis) {
+  const auto& inverse = s.work.answers[static_cast<std::size_t>(axis)].inverse;
+  c.blame_mass(s, s.tree().forest.row[static_cast<std::size_t>(axis)],
+               all(inverse == inverse) && !all(inverse == typename State::scalar(0)));
+}
+/// Masses of coordinates that move no joint.
+template <class Elements, class State>
+void check_lone_masses(const Elements& c, const State& s) {
+  for (const int row : s.tree().plan.lone_rows)
+    if (!s.work.prescribed[static_cast<std::size_t>(row)] && !(s.tree().own_mass[static_cast<std::size_t>(row)] > 0))
+        [[unlikely]]
+      c.blame_mass(s, row, true);
+}
+/// Forces tau(i), and those of the elements, to accelerations in `forces`, by articulated bodies (ABA): in trees.
+/// Accelerations of rows that are `prescribed` are those of the state.
+template <class Elements, class State, class Tau>
+void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  auto& w = s.work;
+  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
+  std::copy(prescribed.begin(), prescribed.end(), w.prescribed.begin());
+  place_bodies(c, s);
+  take_rates(s), take_bases(s);
+  for (std::size_t i = 0; i < t.forest.records.size(); ++i) {
+    const auto& r = t.forest.records[i];
+    const int row = t.forest.row[static_cast<std::size_t>(r.first)];
+    w.yields[i] = r.yields && !w.prescribed[static_cast<std::size_t>(row)];
+  }
+  tree::start_articulated(t.forest, w, true);
+  if (t.on_coordinates.empty() && t.on_frames.empty()) {
+    for (int i = 0; i < s.dofs(); ++i) w.forces[i] = tau(i);
+  } else {
+    push_by_rates(c, s);
+    read_listed_numbers<vector_of::f>(s, w.forces);
+    for (int i = 0; i < s.dofs(); ++i) w.forces[i] += tau(i);
+  }
+  for (std::size_t k = 0; k < t.forest.row.size(); ++k)
+    w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : S(0);
+  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
+    blame_axis(c, s, bad);
+  if (!t.on_frames.empty()) take_rates(s);  // accelerations of what does not yield
+  tree::accelerate(t.forest, w);
+  for (std::size_t k = 0; k < t.forest.row.size(); ++k)
+    if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];
+  if (t.plan.lone_rows.empty()) return;
+  check_lone_masses(c, s);
+  for (const int row : t.plan.lone_rows) {
+    if (!w.prescribed[static_cast<std::size_t>(row)]) {
+      w.forces[row] /= t.own_mass[static_cast<std::size_t>(row)];
+      continue;
+    }
+    for_each_listed_freedom(s, [&](const auto& x, const freedom& at) {
+      if (at.v == row) visit_a(x, [&](const auto& a) { w.forces[row] = a; });
+    });
+  }
+}
+
+/// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.
+template <class State, class Matrix>
+void invert_articulated(State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  const auto& f = s.tree().forest;
+  inverse.setZero(s.dofs(), s.dofs());
+  place_in_world(s);
+  tree::inverse_masses(f, s.work, s.work.inverting, [&](int j, int k, const S& x) {
+    const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
+    if (a < s.dofs() && b < s.dofs()) inverse(a, b) = inverse(b, a) = x;
+  });
+  for (const int row : s.tree().plan.lone_rows)
+    inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
+}
+/// The same of a tree at rest.
+template <class Elements, class State, class Matrix>
+void articulate_and_invert(const Elements& c, State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  auto& w = s.work;
+  place_bodies(c, s);
+  for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
+  std::fill(w.force.begin(), w.force.end(), S(0));
+  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
+  tree::start_articulated(t.forest, w, false);
+  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
+    blame_axis(c, s, bad);
+  check_lone_masses(c, s);
+  invert_articulated(s, inverse);
+}
+
+/// Derivatives of what must be applied, after `forces_on_coordinates`: into `of_forces`, but for tau.
+template <class Elements, class State>
+void derive_forces(const Elements& c, State& s) {
+  using S = typename State::scalar;
+  const auto& f = s.tree().forest;
+  auto& w = s.work;
+  auto& r = w.of_forces;
+  const Eigen::Index n = s.dofs();
+  r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
+  w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
+  place_in_world(s);
+  tree::start_variations(f, w, w.variations);
+  S *const q = r.by_q.data(), *const v = r.by_v.data(), *const a = r.by_a.data();
+  const int* const row = f.row.data();
+  tree::vary_forces(f, w, w.variations,
+                    [=](int j, int k, const S& by_q, const S& by_v, const S& by_a) KTE_INLINE_LAMBDA {
+                      if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
+                      const Eigen::Index at = row[k] * n + row[j];
+                      q[at] = by_q, v[at] = by_v, a[at] = by_a;
+                    });
+  for (const auto& [coordinate, mass] : s.tree().rotors)
+    if (const int at = s.tree().plan.row_of_gen[static_cast<std::size_t>(coordinate)]; at < n) r.by_a(at, at) += mass;
+  for (const int e : s.tree().on_coordinates) c.derive(e, s);
+}
+
+}  // namespace kte::detail

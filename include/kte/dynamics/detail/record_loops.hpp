@@ -1,0 +1,337 @@
+#pragma once
+
+#include <kte/chain/chain_tree.hpp>
+#include <kte/chain/loop_memory.hpp>
+#include <kte/dynamics/state_vectors.hpp>
+#include <kte/math/sincos.hpp>
+#include <kte/tree/articulated.hpp>
+#include <kte/tree/composite.hpp>
+#include <kte/tree/newton_euler.hpp>
+
+/// Between the state of a chain and the loops over records: coordinates, bases and the forces of elements. State: as
+/// `runtime_state`, of a runtime chain or of a static one that is not unrolled. `Elements` says of element e
+///   move(e, s), push(e, s)          its doMotion and doForce
+///   ports(e), index(e, p)           what it is connected to; written(e): what its last port is connected to
+///   derive(e, s)                    derivatives of its forces (chain/force_derivatives.hpp)
+///   blame_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
+namespace kte::detail {
+
+/// visit(coordinate `slot` of kind k).
+template <class State, class Visit>
+KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) {
+  switch (k) {
+    case kind::gen:
+      return visit(s.template get<kind::gen>(slot));
+    case kind::rotation_3D:
+      return visit(s.template get<kind::rotation_3D>(slot));
+    case kind::pose_2D:
+      return visit(s.template get<kind::pose_2D>(slot));
+    default:
+      return visit(s.template get<kind::pose_3D>(slot));
+  }
+}
+/// The same of a record.
+template <class State, class P, class Visit>
+KTE_INLINE void with_coordinate(State& s, const tree::record<P>& r, const Visit& visit) {
+  with_coordinate(s, r.what, r.slot, visit);
+}
+/// The numbers that come with the axes of a record.
+template <vector_of Which, class State, class P, class Number>
+KTE_INLINE void each_axis(State& s, const tree::record<P>& r, const Number& number) {
+  with_coordinate(s, r, [&](auto& c) {
+    auto k = static_cast<std::size_t>(r.first);
+    visit_numbers<Which>(c, [&](auto& x) { number(x, k++); });
+  });
+}
+
+/// Coordinates that follow others, and sines and matrices of coordinates that elements read beside those of joints.
+template <class Elements, class State>
+void bring_up_to_date(const Elements& c, State& s) {
+  for (const int e : s.tree().followers) {
+    c.move(e, s);
+    update_angle(s.template get<kind::gen>(c.written(e)));
+  }
+  for (const auto& [k, slot] : s.tree().turned) with_coordinate(s, k, slot, [](auto& x) { update_angle(x); });
+}
+
+/// Puts a joint of several axes where its coordinate is.
+template <class State, class P, class S>
+void place_several(State& s, const tree::record<P>& r, tree::spot<S>& at) {
+  with_coordinate(s, r, [&](auto& c) {
+    if constexpr (!requires { c.q; }) {
+      if constexpr (!State::has_sines) update_angle(c);
+      const auto m = spatial(c);
+      at.rotation = as<S>(matrix(m.rotation));
+      at.position = tree::slid(r, as<S>(m.position));
+    }
+  });
+}
+/// The sine and cosine by which a record turns, where angles are not gathered.
+template <class State, class P>
+auto turn_of(State& s, const tree::record<P>& r) {
+  using S = typename State::scalar;
+  using std::cos;
+  using std::sin;
+  const auto& c = s.template get<kind::gen>(r.slot);
+  if (r.turns == P(1) && s.has_sine(r.slot)) return tree::turn<S>{c.cos, c.sin};
+  const S angle = r.turns * c.q;
+  return tree::turn<S>{cos(angle), sin(angle)};
+}
+/// Bodies to where the coordinates of the state are.
+template <class Elements, class State>
+void place_bodies(const Elements& c, State& s) {
+  using S = typename State::scalar;
+  bring_up_to_date(c, s);
+  auto& w = s.work;
+  const auto& records = s.tree().forest.records;
+  const auto& angles = s.tree().angles;
+  if constexpr (!State::has_sines) {
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const auto& r = records[static_cast<std::size_t>(angles[i])];
+      w.angle[i] = r.turns * s.template get<kind::gen>(r.slot).q;
+    }
+    sincos_each(w.angle.data(), w.sine.data(), w.cosine.data(), w.angle.size());
+  }
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const auto n = static_cast<std::size_t>(angles[i]);
+    const auto& r = records[n];
+    tree::turn<S> turn;
+    if constexpr (State::has_sines)
+      turn = turn_of(s, r);
+    else
+      turn = {w.cosine[i], w.sine[i]};
+    if (r.moves == tree::joint::revolute) [[likely]]
+      w.spots[n].angle = r.after * turn;
+    else
+      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, turn, w.spots[n]);
+  }
+  if (angles.size() == records.size()) return;
+  for (std::size_t n = 0; n < records.size(); ++n) {
+    const auto& r = records[n];
+    if (r.moves == tree::joint::prismatic)
+      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, tree::turn<S>{}, w.spots[n]);
+    if (r.moves == tree::joint::several) place_several(s, r, w.spots[n]);
+  }
+}
+
+/// The same of a slot and all that it stands on. Followers: of all.
+template <class Elements, class State>
+void place_ancestors(const Elements& c, State& s, int slot) {
+  using S = typename State::scalar;
+  bring_up_to_date(c, s);
+  auto& w = s.work;
+  const auto& f = s.tree().forest;
+  // Angles are gathered in order of the way.
+  std::size_t count = 0;
+  for (int at = slot; at >= f.bases;) {
+    const auto& r = f.records[static_cast<std::size_t>(at - f.bases)];
+    if (r.moves == tree::joint::revolute || r.moves == tree::joint::screw)
+      w.angle[count++] = r.turns * s.template get<kind::gen>(r.slot).q;
+    at = r.parent;
+  }
+  std::fill(w.angle.begin() + static_cast<std::ptrdiff_t>(count), w.angle.end(), S(0));
+  sincos_each(w.angle.data(), w.sine.data(), w.cosine.data(), std::min((count + 3) / 4 * 4, w.angle.size()));
+  count = 0;
+  for (int at = slot; at >= f.bases;) {
+    const auto n = static_cast<std::size_t>(at - f.bases);
+    const auto& r = f.records[n];
+    if (r.moves == tree::joint::several) {
+      place_several(s, r, w.spots[n]);
+    } else {
+      tree::turn<S> turn;
+      if (r.moves != tree::joint::prismatic) turn = {w.cosine[count], w.sine[count]}, ++count;
+      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, turn, w.spots[n]);
+    }
+    at = r.parent;
+  }
+}
+
+template <class State>
+void take_rates(State& s) {
+  for (const auto& r : s.tree().forest.records) {
+    const auto k = static_cast<std::size_t>(r.first);
+    if (r.what == kind::gen) [[likely]] {
+      const auto& c = s.template get<kind::gen>(r.slot);
+      s.work.rate[k] = c.q_dot, s.work.acceleration[k] = c.q_ddot;
+    } else {
+      each_axis<vector_of::v>(s, r, [&s](auto& x, std::size_t i) { s.work.rate[i] = x; });
+      each_axis<vector_of::a>(s, r, [&s](auto& x, std::size_t i) { s.work.acceleration[i] = x; });
+    }
+  }
+}
+
+/// visit(motion of a base as kernels see it, its slot).
+template <class State, class Visit>
+void for_each_base(State& s, const Visit& visit) {
+  const auto& t = s.tree();
+  for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
+    const auto [k, index] = t.plan.bases[i];
+    const auto slot = static_cast<std::size_t>(t.slot_of_base[i]);
+    if (k == kind::frame_2D)
+      visit(spatial(s.template get<kind::frame_2D>(index)), slot);
+    else
+      visit(spatial(s.template get<kind::frame_3D>(index)), slot);
+  }
+}
+template <class State>
+void take_bases(State& s) {
+  using S = typename State::scalar;
+  for_each_base(s, [&s](const auto& m, std::size_t slot) {
+    auto& b = s.work.bodies[slot];
+    b.velocity = as<S>(m.velocity), b.ang_velocity = as<S>(m.ang_velocity);
+    b.acceleration = as<S>(m.acceleration), b.ang_acceleration = as<S>(m.ang_acceleration);
+  });
+}
+template <class State>
+void place_in_world(State& s) {
+  using S = typename State::scalar;
+  for_each_base(s, [&s](const auto& m, std::size_t slot) {
+    auto& b = s.work.world[slot];
+    b.rotation = as<S>(matrix(m.rotation)), b.position = as<S>(m.position), b.step = {};
+  });
+  tree::place_in_world(s.tree().forest, s.work);
+}
+
+/// No forces on coordinates.
+template <class State>
+void clear_coordinates(State& s) {
+  for (std::size_t i = 0; i < s.tree().plan.row_of_gen.size(); ++i)
+    s.template get<kind::gen>(static_cast<int>(i)).f = typename State::scalar(0);
+  for_each_listed_freedom(s, [](auto& c, const freedom&) {
+    if constexpr (requires { clear_load(c); }) clear_load(c);
+  });
+}
+
+/// Frames that elements act on, where their bodies have them.
+template <class State>
+void place_touched_frames(State& s, bool accelerated) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  for (const auto& [k, index] : t.touched) {
+    const auto& at = t.forest.frame(k, index);
+    const auto& b = s.work.bodies[static_cast<std::size_t>(at.slot)];
+    const auto& place = s.work.world[static_cast<std::size_t>(at.slot)];
+    if (at.slot < t.forest.bases) {  // its own motion is in the state, unless it is fixed to the base by links
+      if (std::find(t.plan.bases.begin(), t.plan.bases.end(), std::pair{k, index}) != t.plan.bases.end()) {
+        if (k == kind::frame_2D)
+          clear_load(s.template get<kind::frame_2D>(index));
+        else
+          clear_load(s.template get<kind::frame_3D>(index));
+        continue;
+      }
+    }
+    const auto m =
+        compose(motion{place.position, place.rotation, b.velocity, b.ang_velocity,
+                       accelerated ? b.acceleration : vec3<S>{}, accelerated ? b.ang_acceleration : vec3<S>{}},
+                at_rest(at.at.rotation, at.at.position));
+    if (k == kind::frame_2D) {
+      auto& x = s.template get<kind::frame_2D>(index);
+      const auto flat = [](const vec3<S>& u) { return vec3{u.x, u.y, zero}; };
+      const auto normal = [](const vec3<S>& u) { return vec3{zero, zero, u.z}; };
+      set_motion(x, motion{flat(m.position), rotation_2D{m.rotation.x.x, m.rotation.y.x}, flat(m.velocity),
+                           normal(m.ang_velocity), flat(m.acceleration), normal(m.ang_acceleration)});
+      clear_load(x);
+    } else {
+      auto& x = s.template get<kind::frame_3D>(index);
+      set_motion(x, m);
+      clear_load(x);
+    }
+  }
+}
+/// f(slot, wrench at the origin of its body) for what elements put on frames.
+template <class State, class F>
+void for_each_frame_load(State& s, const F& f) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  for (const auto& [k, index] : t.touched) {
+    const auto& at = t.forest.frame(k, index);
+    if (at.slot < t.forest.bases) continue;
+    tree::dense_wrench<S> w;
+    if (k == kind::frame_2D) {
+      const auto x = load_of(s.template get<kind::frame_2D>(index));
+      w = {as<S>(x.force), as<S>(x.torque)};
+    } else {
+      const auto x = load_of(s.template get<kind::frame_3D>(index));
+      w = {x.force, x.torque};
+    }
+    const auto seen = transmit(at.at, w);
+    f(static_cast<std::size_t>(at.slot), tree::dense_wrench<S>{as<S>(seen.force), as<S>(seen.torque)});
+  }
+}
+
+/// Which elements count.
+enum class acting { all, bodies };
+
+/// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
+/// of the state; of bodies alone, with bases that are accelerated or not.
+template <class Elements, class State>
+void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  auto& w = s.work;
+  place_bodies(c, s);
+  take_rates(s), take_bases(s);
+  if (!accelerated_bases)
+    for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
+      w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
+  if (t.only_bodies) {
+    tree::move_bodies<false>(t.forest, w);
+    tree::take_needs(t.forest, w);
+    if (t.has_own_mass)
+      for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
+    for (const auto& r : t.forest.records) {
+      const auto k = static_cast<std::size_t>(r.first);
+      if (r.what == kind::gen) [[likely]]
+        s.template get<kind::gen>(r.slot).f = -w.force[k];
+      else
+        each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
+    }
+    return;
+  }
+  clear_coordinates(s);
+  for (const auto& [coordinate, mass] : t.rotors) {
+    auto& x = s.template get<kind::gen>(coordinate);
+    x.f -= mass * x.q_ddot;
+  }
+  const auto& others = who == acting::all ? t.on_frames : t.weights;
+  if (others.empty()) {
+    tree::move_bodies<false>(t.forest, w);
+  } else {
+    tree::move_bodies<true>(t.forest, w);
+    place_in_world(s);
+    place_touched_frames(s, true);
+    for (const int e : others) c.push(e, s);
+    for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
+      auto& needs = w.bodies[slot].needs;
+      needs = {needs.force - x.force, needs.torque - x.torque};
+    });
+  }
+  tree::take_needs(t.forest, w);
+  for (const auto& r : t.forest.records)
+    each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
+  // What acts on coordinates, and followers, which hand on what is on them: from the last.
+  auto f = t.followers.rbegin();
+  const auto pass_on = [&](int until) {
+    for (; f != t.followers.rend() && *f > until; ++f) c.push(*f, s);
+  };
+  if (who == acting::all)
+    for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) {
+      pass_on(*e);
+      c.push(*e, s);
+    }
+  pass_on(-1);
+}
+
+/// After that, what must be applied for the motion to happen, into `forces` of the working memory.
+template <class State>
+void take_needed_forces(State& s) {
+  const auto& t = s.tree();
+  auto& f = s.work.forces;
+  if (t.only_bodies) {
+    for (std::size_t k = 0; k < t.forest.row.size(); ++k) f[t.forest.row[k]] = s.work.force[k];
+  } else {
+    read_listed_numbers<vector_of::f>(s, f);
+    f = -f;
+  }
+}
+}  // namespace kte::detail

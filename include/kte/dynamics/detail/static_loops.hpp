@@ -1,0 +1,198 @@
+#pragma once
+
+#include <kte/chain/force_derivatives.hpp>
+#include <kte/dynamics/detail/record_dynamics.hpp>
+#include <kte/dynamics/detail/static_state.hpp>
+#include <kte/dynamics/detail/tree.hpp>
+
+/// The algorithms on static chains that are not unrolled: the loops over records that runtime chains have. `Given`:
+/// dynamics/detail/given.hpp. Records and memory are made by the first call and kept by chains too large to unroll;
+/// with scalars that are functions, by each call.
+namespace kte::detail {
+
+/// The elements of a static chain in the loops over records: one function for each type of element core, however many
+/// elements there are of it.
+template <class Chain, class Given>
+struct static_elements {
+  const Chain& chain;
+  const Given& given;
+  using wiring = typename Chain::wiring;
+
+  static std::span<const port> ports(int e) { return static_connections<Chain>{}.ports(static_cast<std::size_t>(e)); }
+  static int index(int e, std::size_t p) { return wiring::slot(static_cast<std::size_t>(e), p); }
+  static int written(int e) { return index(e, ports(e).size() - 1); }
+
+  template <class State>
+  void move(int e, State& s) const {
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      passes_of(core, state, index).motion(inputs_of<Core>{});
+    });
+    run(steps, e, s);
+  }
+  template <class State>
+  void push(int e, State& s) const {
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      passes_of(core, state, index).force(inputs_of<Core>{});
+    });
+    run(steps, e, s);
+  }
+  template <class State>
+  void derive(int e, State& s) const {
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      subtract_force_derivatives(core, state, index);
+    });
+    run(steps, e, s);
+  }
+  template <class State>
+  [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
+    detail::blame_mass<wiring>(row, finite, given.at.q);
+  }
+
+ private:
+  template <class Core>
+  using inputs_of = std::make_index_sequence<input_count<Core>>;
+  template <class Core, class State>
+  static auto passes_of(const Core& core, State& s, const int* index) {
+    return stored_element<Core, State, by_index>{core, s, {index}};
+  }
+  template <class State>
+  using step = void (*)(const Chain&, State&);
+  /// What all elements do, by number: each as f<Core>.
+  template <class State, class F>
+  static constexpr auto steps_of(F) {
+    return []<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array<step<State>, Chain::size>{step_of<State, F, I>()...};
+    }
+    (std::make_index_sequence<Chain::size>{});
+  }
+  template <class State, class F, std::size_t I>
+  static constexpr step<State> step_of() {
+    if constexpr (!acts<core_of<Chain, I>>) {
+      return nullptr;
+    } else {
+      return [](const Chain& c, State& s) {
+        apart<F>(c.template core<I>(), s, wiring::table.slot.data() + wiring::first[I]);
+      };
+    }
+  }
+  template <class F, class Core, class State>
+  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+    F{}(core, s, index);
+  }
+  template <class Steps, class State>
+  void run(const Steps& steps, int e, State& s) const {
+    steps[static_cast<std::size_t>(e)](chain, s);
+  }
+};
+template <class Chain, class Given>
+static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
+
+template <class Core>
+constexpr std::string_view name_of_joint() {
+  if constexpr (is_transmission<Core>) {
+    return Core::type;
+  } else {
+    return {};
+  }
+}
+/// Whether only passes know a chain: some element moves a frame and is no joint or link, or has loads of its own.
+template <class Chain>
+inline constexpr bool needs_passes =
+    !moves_frames_stiffly<Chain> || !std::is_void_v<typename decltype(find_own_loads<Chain>())::type>;
+
+/// Throws `bad_argument` where a joint turns out to be more than records say.
+template <class Chain, class State>
+void check_regular(const Chain&, const State& s) {
+  if (s.tree().irregular < 0) [[likely]]
+    return;
+  const auto name = []<std::size_t... I>(std::size_t i, std::index_sequence<I...>) {
+    const std::string_view names[]{name_of_joint<core_of<Chain, I>>()...};
+    return names[i];
+  }
+  (static_cast<std::size_t>(s.tree().irregular), std::make_index_sequence<Chain::size>{});
+  raise<bad_argument>(std::string("kte: ").append(name).append(s.tree().why));
+}
+
+/// Inverse dynamics at what is given: the forces of virtual power on all degrees of freedom, times `sign`.
+template <class Chain, class Given, class State, class Sign>
+auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
+  s.take(g);
+  if constexpr (needs_passes<Chain>) {
+    c.doMotion(s), c.clearForce(s), c.doForce(s);
+  } else {
+    check_regular(c, s);
+    forces_on_coordinates(static_elements{c, g}, s, acting::all);
+  }
+  joint_vector<typename State::scalar, Chain::dofs> f;
+  read_listed_numbers<vector_of::f>(s, f);
+  for (auto& x : f) x = as<typename State::scalar>(sign * x);
+  return f;
+}
+template <class S, class Chain, class Given, class Sign>
+auto forces_by_records(const Chain& c, const Given& g, Sign sign) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  return take_forces(c, g, s, sign);
+}
+
+template <class S, class Chain, class Given>
+joint_matrix<S, Chain::dofs> mass_by_records(const Chain& c, const Given& g) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  s.take(g), check_regular(c, s);
+  mass_of_coordinates(static_elements{c, g}, s);
+  return s.work.mass;
+}
+
+/// Accelerations under forces `tau`. A degree of freedom of which an acceleration is given (in `Given` it is no typed
+/// zero) keeps that.
+template <class Chain, class Given, class State, class Tau>
+void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau) {
+  static constexpr auto prescribed = []<int... I>(std::integer_sequence<int, I...>) {
+    return std::array<char, sizeof...(I)>{
+        !std::is_same_v<decltype(std::declval<const Given&>().a.template at<I>()), zero_t>...};
+  }
+  (std::make_integer_sequence<int, Chain::dofs>{});
+  s.take(g), check_regular(c, s);
+  accelerate_articulated(
+      static_elements{c, g}, s, [&tau](int i) { return tau[i]; }, prescribed);
+  check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
+}
+template <class S, class Chain, class Given>
+joint_vector<S, Chain::dofs> accelerations_by_records(const Chain& c, const Given& g,
+                                                      const joint_vector<S, Chain::dofs>& tau) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  accelerate_static(c, g, s, tau);
+  return s.work.forces;
+}
+/// The same, and the inverse of the mass matrix.
+template <class S, class Chain, class Given>
+void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const joint_vector<S, Chain::dofs>& tau,
+                                          joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  accelerate_static(c, g, s, tau);
+  a = s.work.forces;
+  invert_articulated(s, s.work.inverse);
+  inverse = s.work.inverse;
+}
+template <class S, class Chain, class Given>
+joint_matrix<S, Chain::dofs> inverse_mass_by_records(const Chain& c, const Given& g) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  s.take(g), check_regular(c, s);
+  articulate_and_invert(static_elements{c, g}, s, s.work.inverse);
+  return s.work.inverse;
+}
+
+template <class S, class Chain, class Given, class Result>
+void derivatives_by_records(const Chain& c, const Given& g, Result& r) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  r.tau = take_forces(c, g, s, minus_one);
+  derive_forces(static_elements{c, g}, s);
+  r.by_q = s.work.of_forces.by_q, r.by_v = s.work.of_forces.by_v, r.by_a = s.work.of_forces.by_a;
+}
+
+}  // namespace kte::detail

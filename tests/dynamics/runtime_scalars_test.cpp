@@ -1,0 +1,157 @@
+#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/math/dual.hpp>
+#include <kte/math/pack.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "catch.hpp"
+#include "chain/models.hpp"
+#include "random.hpp"
+
+// Runtime chains in other scalars than double: the same loops over records, each against 50 digits.
+
+using namespace kte;
+using kte::test::within;
+using digits50 = boost::multiprecision::cpp_bin_float_50;
+
+namespace {
+inline constexpr struct trunk_pose_ final : pose_3D_key<"trunk pose"> {
+} trunk_pose;
+inline constexpr struct ball_ final : rotation_3D_key<"ball"> {
+} ball;
+
+/// A trunk that is free; a leg of a general axis and a slide; an arm of a ball and a hinge, with a rotor.
+kte_map_chain creature() {
+  using namespace models;
+  constexpr rigid_body body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}};
+  static constexpr auto c = chain(free_joint_3D(trunk_pose, ground, trunk), inertia_3D(trunk, body),
+                                  rigid_link_3D(trunk, left, vec3{0.1, 0.2, -0.3}, quarter_turn_x),
+                                  revolute_joint_3D(hip, left, thigh, vec3{0.6, 0.0, 0.8}), inertia_3D(thigh, body),
+                                  prismatic_joint_3D(slide, thigh, shank, axis::minus_y), inertia_3D(shank, body),
+                                  spherical_joint_3D(ball, trunk, right), inertia_3D(right, body),
+                                  inertia_3D(right, point_mass(0.5)), revolute_joint_3D(knee, right, hand, axis::x),
+                                  inertia_3D(hand, point_mass(0.7, along_z(-0.4))), inertia_gen(knee, 0.05))
+                                .gravity(vec3{0.3, -0.4, -9.81});
+  return element_by_element(c);
+}
+
+/// The results of all algorithms, each in a row.
+template <class S>
+using results = std::vector<std::vector<S>>;
+template <class S>
+results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_vector<S>& q,
+                       const runtime_vector<S>& v, const runtime_vector<S>& a) {
+  results<S> all;
+  const auto add = [&all](const auto& x) { all.emplace_back(x.data(), x.data() + x.size()); };
+  const auto add_vector = [&all](const auto& x) { all.push_back({x.x, x.y, x.z}); };
+  add(inverse_dynamics(c, s, q, v, a)), add(mass_matrix(c, s, q)), add(forward_dynamics(c, s, q, v, a));
+  add(mass_matrix_inverse(c, s, q));
+  const auto& id = inverse_dynamics_derivatives(c, s, q, v, a);
+  add(id.by_q), add(id.by_v), add(id.by_a);
+  const auto& fd = forward_dynamics_derivatives(c, s, q, v, a);
+  add(fd.by_q), add(fd.by_v), add(fd.by_tau);
+  const auto hybrid = hybrid_dynamics(c, s, q, v, a, {"knee", "ball"});
+  add(hybrid.a), add(hybrid.tau);
+  add(nonlinear_effects(c, s, q, v)), add(coriolis_forces(c, s, q, v)), add(gravity_forces(c, s, q));
+  add(jacobian(c, s, q, "hand")), add(jacobian(c, s, q, "shank", in_world_axes));
+  const auto hand = forward_kinematics(c, s, q, "hand");
+  add_vector(hand.position), add_vector(hand.rotation.x), add_vector(hand.rotation.y);
+  add(centroidal_map(c, s, q));
+  add_vector(centre_of_mass(c, s, q).position), add_vector(centre_of_mass_velocity(c, s, q, v));
+  add_vector(centroidal_momentum(c, s, q, v).angular);
+  return all;
+}
+
+/// Numbers that are exact in float.
+struct sample {
+  Eigen::VectorXd q, v, a;
+  sample(const kte_map_chain& c, random_numbers& r) : q(c.nq()), v(c.dofs()), a(c.dofs()) {
+    for (auto* x : {&q, &v, &a})
+      for (auto& y : *x) y = std::round(r(384.0)) / 256;
+  }
+};
+template <class S>
+results<S> results_in(const kte_map_chain& c, const sample& x) {
+  auto s = c.make_state<S>();
+  return all_results<S>(c, s, x.q.cast<S>(), x.v.cast<S>(), x.a.cast<S>());
+}
+/// The largest difference, of one algorithm relative to its largest number.
+template <class S, class Number>
+double gap(const results<S>& x, const results<digits50>& exact, const Number& number) {
+  REQUIRE(x.size() == exact.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    REQUIRE(x[i].size() == exact[i].size());
+    digits50 size = 0, off = 0;
+    for (std::size_t k = 0; k < x[i].size(); ++k) {
+      size = std::max(size, digits50(abs(exact[i][k])));
+      off = test::worse(off, digits50(abs(digits50(number(x[i][k])) - exact[i][k])));
+    }
+    worst = test::worse(worst, static_cast<double>(digits50(off / size)));
+  }
+  return worst;
+}
+/// Units of the last place, in float, double and long double alike. Solving with M may lose its condition number, which
+/// is 470 here; accelerations' derivatives lose up to 57.
+constexpr double roundings = 64;
+template <class S>
+void check(const kte_map_chain& c, const sample& x, const results<digits50>& exact) {
+  const auto itself = [](const S& y) { return y; };
+  CHECK(gap(results_in<S>(c, x), exact, itself) < roundings * static_cast<double>(std::numeric_limits<S>::epsilon()));
+}
+}  // namespace
+
+TEST_CASE("runtime chains in other scalars", "[runtime][scalars]") {
+  const kte_map_chain c = creature();
+  random_numbers random(11);
+  for (int i = 0; i < 5; ++i) {
+    const sample x(c, random);
+    const auto exact = results_in<digits50>(c, x);
+    check<double>(c, x, exact), check<long double>(c, x, exact), check<float>(c, x, exact);
+  }
+}
+
+TEST_CASE("several states of a runtime chain at once", "[runtime][scalars][pack]") {
+  using four = pack<double, 4>;
+  const kte_map_chain c = creature();
+  random_numbers random(12);
+  const std::array<sample, 4> x{sample(c, random), sample(c, random), sample(c, random), sample(c, random)};
+  const auto gathered = [&x](Eigen::VectorXd sample::*which) {
+    runtime_vector<four> y((x[0].*which).size());
+    for (Eigen::Index i = 0; i < y.size(); ++i)
+      for (std::size_t k = 0; k < 4; ++k) y[i].set(k, (x[k].*which)[i]);
+    return y;
+  };
+  auto s = c.make_state<four>();
+  const auto all = all_results<four>(c, s, gathered(&sample::q), gathered(&sample::v), gathered(&sample::a));
+  for (std::size_t k = 0; k < 4; ++k)
+    CHECK(gap(all, results_in<digits50>(c, x[k]), [k](const four& y) { return y[k]; }) < roundings * 0x1p-52);
+}
+
+TEST_CASE("derivatives of a runtime chain by dual numbers", "[runtime][scalars][dual]") {
+  using number = dual<double, 1>;
+  const kte_map_chain c = creature();
+  random_numbers random(13);
+  const sample x(c, random);
+  auto plain = c.make_state();
+  const auto& r = inverse_dynamics_derivatives(c, plain, x.q, x.v, x.a);
+  auto s = c.make_state<number>();
+  runtime_vector<number> q = x.q.cast<number>(), v = x.v.cast<number>(), a = x.a.cast<number>();
+  for (int i = 0; i < c.dofs(); ++i) {
+    v[i].derivative[0] = 1;
+    const auto& tau = inverse_dynamics(c, s, q, v, a);
+    for (int k = 0; k < c.dofs(); ++k)
+      CHECK(tau[k].derivative[0] == within(r.by_v(k, i), 1e-14 * r.by_v.lpNorm<Eigen::Infinity>()));
+    v[i].derivative[0] = 0;
+  }
+}
+
+TEST_CASE("what other scalars cannot do is said", "[runtime][scalars][errors]") {
+  kte_map_chain c = creature();
+  c << spring_gen("hip", "knee", 0.0, 10.0);
+  CHECK_NOTHROW(c.make_state());
+  CHECK_THROWS_WITH(c.make_state<float>(),
+                    "kte: states of runtime chains in other scalars than double are for joints, links and bodies; "
+                    "spring_gen acts by a law of its own");
+}
