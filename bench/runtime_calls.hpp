@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <string>
 

@@ -1,6 +1,6 @@
 /// Real arms: the KUKA iiwa14 and the UR5 as static and as runtime chains. Inverse dynamics, mass matrix, forward
 /// dynamics and tool pose at random states, with the time of a call and the error against 31-digit values.
-#include <kte/chain/registry.hpp>
+#include <kte/elements/registry.hpp>
 #include <kte/kte.hpp>
 
 #include <chrono>

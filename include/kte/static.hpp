@@ -1,9 +1,7 @@
 #pragma once
 
 /// Static chains and the algorithms on them: no heap, no virtual calls; builds without exceptions and RTTI.
-#include <kte/chain/checks.hpp>
-#include <kte/chain/layout.hpp>
-#include <kte/chain/static_chain.hpp>
+#include <kte/contract/checks.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/centroidal.hpp>
@@ -39,3 +37,5 @@
 #include <kte/integrators/runge_kutta5.hpp>
 #include <kte/math/eigen.hpp>
 #include <kte/math/quaternion.hpp>
+#include <kte/static_chain/layout.hpp>
+#include <kte/static_chain/static_chain.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/record.hpp>
+#include <kte/contract/record.hpp>
 
 #include <algorithm>
 #include <filesystem>

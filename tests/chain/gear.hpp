@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/element.hpp>
+#include <kte/contract/element.hpp>
 #include <kte/frames/coordinates.hpp>
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/chain/from_record.hpp>
 #include <kte/kte.hpp>
+#include <kte/runtime_chain/from_record.hpp>
 
 #include "chain/registered.hpp"
 

@@ -1,4 +1,4 @@
-#include <kte/chain/from_record.hpp>
+#include <kte/runtime_chain/from_record.hpp>
 
 #include "catch.hpp"
 #include "chain/elements_page.hpp"

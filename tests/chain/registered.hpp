@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/registry.hpp>
+#include <kte/elements/registry.hpp>
 
 /// Compiled once for all tests, with all elements (chain/registered.cpp).
 extern template kte::element_registry kte::element_registry::standard<void>();

@@ -1,6 +1,6 @@
 // expect: error: .*kte: gravity is a vector
-#include <kte/chain/static_chain.hpp>
 #include <kte/elements/revolute_joint.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 // clang-format off
 inline constexpr struct q_     final : kte::coord_key<"q">         {} q;

@@ -9,7 +9,7 @@
 // expect: rubbing_joint<4>, false>
 // expect: rubbing_joint<5>, false>
 // clang-format on
-#include <kte/chain/checks.hpp>
+#include <kte/contract/checks.hpp>
 #include <kte/dynamics/bias_forces.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>

@@ -1,7 +1,7 @@
 // expect: error: .*kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own
 // expect: slack_link
-#include <kte/chain/static_chain.hpp>
-#include <kte/chain/transmission.hpp>
+#include <kte/contract/transmission.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 namespace core {
 struct slack_link : kte::transmission<slack_link> {

@@ -1,8 +1,8 @@
 // mistakes: 2
 // expect: error: .*kte: a runtime chain is connected by texts
 // expect: error: .*kte: gravity is a vector
-#include <kte/chain/kte_map_chain.hpp>
 #include <kte/elements/revolute_joint.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 // clang-format off
 inline constexpr struct q_     final : kte::coord_key<"q">         {} q;

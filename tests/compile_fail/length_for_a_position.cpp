@@ -1,7 +1,7 @@
 // expect: error: .*kte: call it as rigid_link_3D.base, end, position.*position is a vector
-#include <kte/chain/static_chain.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 // clang-format off
 inline constexpr struct q_     final : kte::coord_key<"q">         {} q;

@@ -1,7 +1,7 @@
 // expect: error: .*kte: call it as inertia_3D.frame, body.; a body is
-#include <kte/chain/static_chain.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 // clang-format off
 inline constexpr struct q_     final : kte::coord_key<"q">         {} q;

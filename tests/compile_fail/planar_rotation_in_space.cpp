@@ -1,7 +1,7 @@
 // expect: error: .*kte: a joint or link in space turns by a matrix or a quaternion
 // expect: sliding_plate
-#include <kte/chain/static_chain.hpp>
-#include <kte/chain/transmission.hpp>
+#include <kte/contract/transmission.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 // clang-format off
 inline constexpr struct x_     final : kte::pose_2D_key<"x">      {} x;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kte/chain/static_chain.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 #include <array>
 

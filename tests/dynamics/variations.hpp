@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/frames/rigid_motion.hpp>
 #include <kte/kernels/variation.hpp>
-#include <kte/math/rigid_motion.hpp>
 
 #include <Eigen/Core>
 #include <boost/multiprecision/cpp_bin_float.hpp>

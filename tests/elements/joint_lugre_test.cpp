@@ -1,7 +1,7 @@
-#include <kte/chain/from_record.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/integrators/rosenbrock23.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
+#include <kte/runtime_chain/from_record.hpp>
 #include <kte/static.hpp>
 
 #include <cmath>

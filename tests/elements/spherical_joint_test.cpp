@@ -1,5 +1,5 @@
-#include <kte/chain/from_record.hpp>
 #include <kte/elements/spherical_joint.hpp>
+#include <kte/runtime_chain/from_record.hpp>
 
 #include "catch.hpp"
 #include "chain/registered.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kte/chain/static_chain.hpp>
 #include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/frames/rigid_motion.hpp>
 #include <kte/math/dual.hpp>
-#include <kte/math/rigid_motion.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 /// Configurations with rotations are no vectors: these functions take the place of q + dt v and q_1 - q_0.
 namespace kte {
@@ -116,7 +116,7 @@ void neutral_one(const freedom& f, Out& out) {
 
 /// The configuration that constant v reaches from q in time dt: q + dt v for numbers; for rotations and poses
 ///
-///   R = R(q) exp [dt w]x,   p = p(q) + R(q) (dt v + ...)          (math/rigid_motion.hpp)
+///   R = R(q) exp [dt w]x,   p = p(q) + R(q) (dt v + ...)          (frames/rigid_motion.hpp)
 ///
 /// exactly, with quaternions of length 1. v in the axes of the moving frames, as everywhere.
 template <class Gravity, class... E, indexable Q, indexable V, class T>

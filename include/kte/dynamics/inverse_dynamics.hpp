@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/transmission.hpp>
+#include <kte/contract/transmission.hpp>
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
 #include <kte/dynamics/state_vectors.hpp>
@@ -57,8 +57,8 @@ KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
 ///
 /// where Q are the forces of the chain's own springs, dampers and the like, gravity is the chain's `gravity()`, bases
 /// rest and inputs are zero. q, v, a: positions (rad, m), velocities, accelerations of the degrees of freedom in the
-/// order of the chain's layout (chain/layout.hpp); anything with operator[]. Returns tau in Nm and N. No heap, no
-/// state.
+/// order of the chain's layout (static_chain/layout.hpp); anything with operator[]. Returns tau in Nm and N. No heap,
+/// no state.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;

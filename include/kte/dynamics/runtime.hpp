@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/chain/layout.hpp>
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/static_chain/layout.hpp>
 #include <kte/tree/jacobian.hpp>
 
 /// The algorithms on runtime chains, under the names they have on static chains. They work in the memory of a state and

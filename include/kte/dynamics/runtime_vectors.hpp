@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/chain/runtime_state.hpp>
 #include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/runtime_chain/runtime_state.hpp>
 
 /// The numbers of a runtime state as vectors, as dynamics/state_vectors.hpp has them for static chains.
 namespace kte {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/chain/state.hpp>
 #include <kte/kernels/joint_vector.hpp>
+#include <kte/static_chain/state.hpp>
 
-/// The numbers of a state as vectors, in the order of the chain's layout (chain/layout.hpp), and back.
+/// The numbers of a state as vectors, in the order of the chain's layout (static_chain/layout.hpp), and back.
 namespace kte {
 
 namespace detail {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/transmission.hpp>
+#include <kte/contract/transmission.hpp>
 
 namespace kte {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/chain/from_record.hpp>
-#include <kte/chain/registry.hpp>
+#include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/io/model_writer.hpp>
+#include <kte/runtime_chain/from_record.hpp>
 
 /// Models as JSON and XML. A file is a flat list of elements in their order:
 ///

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/record.hpp>
+#include <kte/contract/record.hpp>
 #include <kte/io/field_names.hpp>
 #include <kte/io/file.hpp>
 #include <kte/io/json_scanner.hpp>

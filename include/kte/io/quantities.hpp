@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/thing.hpp>
+#include <kte/contract/thing.hpp>
 
 #include <span>
 #include <string_view>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/chain/static_chain.hpp>
-#include <kte/chain/topology.hpp>
 #include <kte/io/quantities.hpp>
+#include <kte/runtime_chain/topology.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/file_place.hpp>
+#include <kte/contract/file_place.hpp>
 #include <kte/errors.hpp>
 #include <kte/io/utf8.hpp>
 

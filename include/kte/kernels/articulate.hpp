@@ -1,10 +1,10 @@
 #pragma once
 
+#include <kte/contract/joint.hpp>
+#include <kte/frames/articulated.hpp>
 #include <kte/kernels/axis_split.hpp>
-#include <kte/kernels/joint.hpp>
 #include <kte/kernels/joint_factors.hpp>
 #include <kte/kernels/solve.hpp>
-#include <kte/math/articulated.hpp>
 
 #include <algorithm>
 #include <array>

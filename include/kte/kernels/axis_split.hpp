@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/kernels/joint.hpp>
-#include <kte/math/articulated.hpp>
+#include <kte/contract/joint.hpp>
+#include <kte/frames/articulated.hpp>
 
 /// How the axes of a joint divide the motions of its end: what moves along a coordinate axis is the joint's alone. Told
 /// by typed constants, so that what an axis takes away is exactly nothing, and no arithmetic.

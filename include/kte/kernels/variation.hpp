@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/kernels/joint.hpp>
+#include <kte/contract/joint.hpp>
 
 /// First variations of inverse dynamics, one element at a time. A frame moves by A = (a, al) and w; whoever carries it
 /// pushes it by a wrench W. With everything beyond it left as it is,

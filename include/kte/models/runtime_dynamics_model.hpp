@@ -47,7 +47,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
   /// As of a static chain. Says whether it is known: of chains without internal states (and not where passes alone know
-  /// a joint, chain/chain_tree.hpp); else stiff methods take differences.
+  /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double, const state& x, jacobian_matrix& j) const {
     if (internals() > 0 || s_.tree().irregular >= 0) return false;

@@ -98,7 +98,7 @@ struct burden {
   dense_wrench<S> load;
 };
 /// Of a body with all it carries, in axes of the parent, but about its own origin: about that of the parent, by (2) of
-/// math/articulated.hpp.
+/// frames/articulated.hpp.
 template <class P, class S>
 KTE_INLINE burden<S> seen_from_parent(const placed<P, S>& at, const sym3<S>& linear, const mat3<vec3<S>>& coupling,
                                       const sym3<S>& angular, const dense_wrench<S>& load) {

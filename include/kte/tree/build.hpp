@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/stiff_numbers.hpp>
 #include <kte/tree/record.hpp>
 
 #include <algorithm>
@@ -8,23 +9,6 @@
 
 /// Records of a chain, from the numbers of its joints, links and bodies.
 namespace kte::tree {
-
-/// A joint or link as numbers: the motion of its end in its base, at rest at zero. Joints move on from there by axes
-/// that are constant in the end (chain/transmission.hpp); that says all of them:
-///
-///   X(q) = X(0) exp(s q)          of one coordinate          (1)
-///   X(q) = X(0) B^-1 q B          of a rotation or a pose    (2)
-template <class P>
-struct stiff_numbers {
-  pose<mat3<vec3<P>>, vec3<P>> at_zero{}, tried{};  ///< tried: of a joint at the coordinate below
-  std::array<vec3<P>, 6> linear{}, angular{};       ///< of the axes
-};
-
-/// Where (1) and (2) are tried, for no joint may be taken for what it is not: turned by 3-4-5 triangles.
-inline constexpr double tried_angle = 0.64350110879328438680;  // atan 3/4
-inline constexpr turn<double> tried_turn{0.8, 0.6};
-inline constexpr vec3<> tried_position{0.5, -0.25, 0.75};
-inline constexpr mat3<vec3<>> tried_rotation{{0.8, -0.48, 0.36}, {0.6, 0.64, -0.48}, {0.0, 0.6, 0.8}};
 
 template <class P>
 struct forest_builder {
@@ -40,11 +24,12 @@ struct forest_builder {
     result.base_weight.push_back({});
     return {result.bases++, nowhere()};
   }
-  static place_type link(const place_type& base, const stiff_numbers<P>& x) {
+  static place_type link(const place_type& base, const detail::stiff_numbers<P>& x) {
     return {base.slot, compose(base.at, x.at_zero)};
   }
   /// `row`: of its first axis. Records are numbered as they come, bases before them by `finish`.
-  place_type add_joint(const place_type& base, const stiff_numbers<P>& x, kind what, int slot, int row, bool yields) {
+  place_type add_joint(const place_type& base, const detail::stiff_numbers<P>& x, kind what, int slot, int row,
+                       bool yields) {
     record<P> r;
     r.what = what, r.slot = slot, r.first = row, r.axes = nv_of(what), r.yields = yields, r.parent = base.slot;
     const pose_type body = what == kind::gen ? axis_to_z(x, r) : canonical(x, what, r);  // in the end, at zero
@@ -52,20 +37,20 @@ struct forest_builder {
     result.records.push_back(r);
     return {number_of(result.records.size() - 1), inverse(body)};
   }
-  /// Whether the joint added last moves as (1) or (2) says.
-  bool moves_by_axes(const stiff_numbers<P>& x, const place_type& end) const {
+  /// Whether the joint added last moves as (1) or (2) of contract/stiff_numbers.hpp says.
+  bool moves_by_axes(const detail::stiff_numbers<P>& x, const place_type& end) const {
     const record<P>& r = result.records.back();
     pose_type moved = nowhere();
     if (r.moves == joint::several) {
       moved.rotation = r.what == kind::pose_2D
                            ? mat3<vec3<P>>{{P(0.8), P(-0.6), P(0)}, {P(0.6), P(0.8), P(0)}, {P(0), P(0), P(1)}}
-                           : as<P>(tried_rotation);
-      if (r.what != kind::rotation_3D) moved.position = as<P>(tried_position);
+                           : as<P>(detail::tried_rotation);
+      if (r.what != kind::rotation_3D) moved.position = as<P>(detail::tried_position);
       if (r.what == kind::pose_2D) moved.position.z = P(0);
     } else {
       using std::cos;
       using std::sin;
-      const P q = static_cast<P>(tried_angle), angle = r.turns * q;
+      const P q = static_cast<P>(detail::tried_angle), angle = r.turns * q;
       const P c = cos(angle), s = sin(angle);
       moved = {{{c, -s, P(0)}, {s, c, P(0)}, {P(0), P(0), P(1)}}, {P(0), P(0), r.slides * q}};
     }
@@ -147,7 +132,7 @@ struct forest_builder {
     return {{x.x, y.x, n.x}, {x.y, y.y, n.y}, {x.z, y.z, n.z}};
   }
   /// Where, in the end of a joint of one coordinate, the frame stands that moves along and about its own z.
-  static pose_type axis_to_z(const stiff_numbers<P>& x, record<P>& r) {
+  static pose_type axis_to_z(const detail::stiff_numbers<P>& x, record<P>& r) {
     using std::sqrt;
     const vec3<P>&v = x.linear[0], &w = x.angular[0];
     const P ww = dot(w, w), vv = dot(v, v);
@@ -168,7 +153,7 @@ struct forest_builder {
     return {rotation_to(n), (P(1) / ww) * cross(w, v)};
   }
   /// B^-1 of (2): the unit motions of a rotation or pose, given in the end.
-  static pose_type canonical(const stiff_numbers<P>& x, kind what, record<P>& r) {
+  static pose_type canonical(const detail::stiff_numbers<P>& x, kind what, record<P>& r) {
     r.moves = joint::several;
     const auto& w = x.angular;
     const auto& v = x.linear;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/frames/articulated.hpp>
 #include <kte/frames/motion.hpp>
-#include <kte/math/articulated.hpp>
 #include <kte/tree/record.hpp>
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/key.hpp>
+#include <kte/contract/key.hpp>
 #include <kte/frames/inverse.hpp>
 #include <kte/math/rigid_body.hpp>
 #include <kte/tree/turn.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/layout.hpp>
+#include <kte/static_chain/layout.hpp>
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/energy.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/chain/layout.hpp>
 #include <kte/errors.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/kernels/solve.hpp>
+#include <kte/static_chain/layout.hpp>
 
 #include <bit>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/contract/coordinate_variation.hpp>
 #include <kte/dynamics/detail/given.hpp>
-#include <kte/kernels/coordinate_variation.hpp>
 
 /// Derivatives of the forces that elements put on generalized coordinates: springs, dampers, masses.
 namespace kte::detail {

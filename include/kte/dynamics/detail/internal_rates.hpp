@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/passes.hpp>
+#include <kte/contract/passes.hpp>
 #include <kte/dynamics/detail/given.hpp>
 
 /// Internal states of elements in fused evaluations.

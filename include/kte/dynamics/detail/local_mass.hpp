@@ -1,9 +1,9 @@
 #pragma once
 
+#include <kte/contract/joint.hpp>
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
 #include <kte/dynamics/detail/tree.hpp>
-#include <kte/kernels/joint.hpp>
 #include <kte/kernels/joint_vector.hpp>
 
 /// The composite-rigid-body algorithm on local variables.

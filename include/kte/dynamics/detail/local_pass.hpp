@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/chain/static_chain.hpp>
 #include <kte/dynamics/detail/silent.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 /// The passes of a static chain on frames that are local variables: the fused algorithms are made of these. Each frame
 /// has its own type, with typed constants and `skip` where nothing is to be computed, and lives in registers.

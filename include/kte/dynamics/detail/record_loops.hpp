@@ -1,18 +1,18 @@
 #pragma once
 
-#include <kte/chain/chain_tree.hpp>
-#include <kte/chain/loop_memory.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/math/sincos.hpp>
 #include <kte/tree/articulated.hpp>
+#include <kte/tree/chain_tree.hpp>
 #include <kte/tree/composite.hpp>
+#include <kte/tree/loop_memory.hpp>
 #include <kte/tree/newton_euler.hpp>
 
 /// Between the state of a chain and the loops over records: coordinates, bases and the forces of elements. State: as
 /// `runtime_state`, of a runtime chain or of a static one that is not unrolled. `Elements` says of element e
 ///   move(e, s), push(e, s)          its doMotion and doForce
 ///   ports(e), index(e, p)           what it is connected to; written(e): what its last port is connected to
-///   derive(e, s)                    derivatives of its forces (chain/force_derivatives.hpp)
+///   derive(e, s)                    derivatives of its forces (contract/force_derivatives.hpp)
 ///   blame_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
 namespace kte::detail {
 

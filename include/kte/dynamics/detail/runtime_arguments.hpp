@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/chain/kte_map_chain.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 /// The arguments of the algorithms on runtime chains.
 namespace kte::detail {

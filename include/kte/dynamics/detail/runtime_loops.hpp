@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/chain/kte_map_chain.hpp>
 #include <kte/dynamics/detail/record_dynamics.hpp>
 #include <kte/dynamics/detail/runtime_arguments.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 /// The elements of a runtime chain in the loops over records.
 namespace kte::detail {

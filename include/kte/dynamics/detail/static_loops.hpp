@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/chain/force_derivatives.hpp>
+#include <kte/contract/force_derivatives.hpp>
 #include <kte/dynamics/detail/record_dynamics.hpp>
 #include <kte/dynamics/detail/static_state.hpp>
 #include <kte/dynamics/detail/tree.hpp>

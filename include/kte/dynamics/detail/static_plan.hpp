@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/chain/plan.hpp>
-#include <kte/chain/static_chain.hpp>
-#include <kte/kernels/joint.hpp>
+#include <kte/contract/joint.hpp>
+#include <kte/static_chain/static_chain.hpp>
+#include <kte/tree/plan.hpp>
 
 #include <span>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kte/chain/chain_tree.hpp>
-#include <kte/chain/loop_memory.hpp>
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/detail/static_plan.hpp>
 #include <kte/math/plain_scalar.hpp>
+#include <kte/tree/chain_tree.hpp>
+#include <kte/tree/loop_memory.hpp>
 
 /// The state of a static chain for the algorithms that are loops over records.
 namespace kte::detail {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kte/contract/joint.hpp>
 #include <kte/dynamics/detail/local_pass.hpp>
 #include <kte/dynamics/detail/static_plan.hpp>
-#include <kte/kernels/joint.hpp>
 
 /// What the algorithms that run along the tree of joints of a chain ask of it.
 namespace kte::detail {

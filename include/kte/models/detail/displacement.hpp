@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/chain/wiring.hpp>
 #include <kte/dynamics/configuration_space.hpp>
+#include <kte/static_chain/wiring.hpp>
 
 /// Configurations as displacements from another, for integrators (integrators/motion_space.hpp). For a coordinate with
 /// a rotation R and a position p, and d = (u, phi):

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/chain/element.hpp>
-#include <kte/chain/passes.hpp>
-#include <kte/chain/thing.hpp>
+#include <kte/contract/element.hpp>
+#include <kte/contract/passes.hpp>
+#include <kte/contract/thing.hpp>
 #include <kte/math/axis_angle.hpp>
 
 /// An element alone, to try laws on.

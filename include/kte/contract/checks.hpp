@@ -1,0 +1,87 @@
+#pragma once
+
+#include <kte/contract/port.hpp>
+#include <kte/detail/call.hpp>
+
+#include <tuple>
+
+/// What is wrong with a chain, as compile errors in the user's words: each names one element and says one sentence.
+/// (This header and others that have some come first in kte.hpp.)
+namespace kte::detail {
+
+/// A rule, about an element and a name; compilers print all three when it is broken.
+template <class Element, class Name, bool Kept>
+inline constexpr bool rule = Kept;
+
+/// An element core that is connected to `Key` where it takes a thing of kind `Wanted`.
+template <class Core, class Key, kind Wanted>
+struct check_kind {
+  static constexpr bool fits = Key::what == Wanted;
+  static_assert(rule < Core, Key, fits || Wanted != kind::gen >,
+                "kte: this port of the element takes a coordinate (coord_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::frame_2D >,
+                "kte: this port of the element takes a 2D frame (frame_2D_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::frame_3D >,
+                "kte: this port of the element takes a 3D frame (frame_3D_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::input >,
+                "kte: this port of the element takes an input (input_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::rotation_3D >,
+                "kte: this port of the element takes a rotation in space (rotation_3D_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::pose_2D >,
+                "kte: this port of the element takes a pose in the plane (pose_2D_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::pose_3D >,
+                "kte: this port of the element takes a pose in space (pose_3D_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::internal >,
+                "kte: this port of the element takes an internal state (internal_key)");
+};
+/// The first port that is connected to a thing of another kind, or N.
+template <std::size_t N>
+constexpr std::size_t first_misfit(const std::array<port, N>& ports, const std::array<kind, N>& given) {
+  std::size_t p = 0;
+  while (p < N && ports[p].what == given[p]) ++p;
+  return p;
+}
+
+/// Rules of a chain, and what breaks them.
+enum class problem : unsigned char {
+  none,
+  same_text,            ///< another key has the same text
+  written_twice,        ///< another element has written this name before
+  read_before_written,  ///< only a later element writes it
+  unknown               ///< nothing writes it, and it is no base or coordinate of the chain
+};
+
+/// An element of a chain, what is wrong with it, and the name in question.
+template <class Element, problem P, class Name>
+struct check_wiring {
+  static_assert(rule<Element, Name, P != problem::same_text>,
+                "kte: this element names something by a text that another key has already");
+  static_assert(rule<Element, Name, P != problem::written_twice>,
+                "kte: this element writes a name that an earlier element has written: give every end a key of its own");
+  static_assert(rule<Element, Name, P != problem::read_before_written>,
+                "kte: this element reads a name that only a later element writes: move it behind that element");
+  static_assert(rule<Element, Name, P != problem::unknown>,
+                "kte: this element reads a name that no element of the chain writes: misspelt, or another base? "
+                "Declare a further base by kte::base_gen, base_2D or base_3D");
+};
+
+/// An element core whose forces depend on what an algorithm leaves out, unless it says that it needs it.
+template <class Core, bool Declared>
+struct check_need {
+  static_assert(Declared,
+                "kte: this element's force depends on a position, rotation or linear velocity, which this algorithm "
+                "leaves out unless the element core says: static constexpr bool reads_positions = true;");
+};
+
+/// A joint or link in an algorithm that asks it for its `relative` alone.
+template <class Core, bool Plain>
+struct check_loads {
+  static_assert(Plain,
+                "kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has a "
+                "`doForce` of its own: put that force into an element on the coordinate");
+};
+
+/// What stands for an element that was refused with a sentence, so that nothing more is said about it.
+struct refused {};
+
+}  // namespace kte::detail

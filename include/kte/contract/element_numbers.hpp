@@ -1,0 +1,121 @@
+#pragma once
+
+#include <kte/contract/joint.hpp>
+#include <kte/contract/stiff_numbers.hpp>
+
+/// What an element is to the loops over records (tree/record.hpp), as numbers.
+namespace kte::detail {
+
+enum class part : unsigned char {
+  base,      ///< declares something
+  stiff,     ///< a joint or link
+  body,      ///< a rigid body on a frame, or the mass of a coordinate
+  weight,    ///< a mass on a frame that moves by a law of its own
+  follower,  ///< writes a coordinate from others
+  mover,     ///< writes a frame in another way
+  force      ///< the rest: acts on what it is connected to. May have a mass on a coordinate
+};
+
+/// Whether an element is more than what records hold.
+template <class Core>
+inline constexpr bool acts = !is_transmission<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
+
+template <class P>
+struct element_numbers {
+  part is = part::force;
+  bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
+  stiff_numbers<P> stiff{};
+  rigid_body<P, vec3<P>, sym3<P>> body{};
+  composite<P, vec3<P>, sym3<P>> weight{};
+  P mass{0};              ///< on its coordinate
+  bool has_mass = false;  ///< whether it has one there, which may be 0
+};
+
+/// A coordinate of kind K as plain numbers: at zero, or where (1), (2) of contract/stiff_numbers.hpp are tried.
+template <kind K>
+constexpr auto plain_coordinate(bool tried) {
+  if constexpr (K == kind::gen) {
+    return tried ? coordinate<double, double, double, double, double>{tried_angle, 0, 0, tried_cosine, tried_sine}
+                 : coordinate<double, double, double, double, double>{0, 0, 0, 1, 0};
+  } else if constexpr (K == kind::pose_2D) {
+    using in_plane = vec3<double, double, zero_t>;
+    using about_z = vec3<zero_t, zero_t, double>;
+    const rotation_2D<> r = tried ? rotation_2D<>{tried_cosine, tried_sine} : rotation_2D<>{1, 0};
+    const in_plane p = tried ? in_plane{tried_position.x, tried_position.y, zero} : in_plane{};
+    return motion{p, r, in_plane{}, about_z{}, in_plane{}, about_z{}};
+  } else {
+    const mat3<vec3<>> r = tried ? tried_rotation : as<double>(matrix(no_rotation{}));
+    const vec3<> p = tried && K == kind::pose_3D ? tried_position : vec3<>{};
+    return motion{p, r, vec3<>{}, vec3<>{}, vec3<>{}, vec3<>{}};
+  }
+}
+template <class P, class M>
+pose<mat3<vec3<P>>, vec3<P>> plain_pose(const M& m) {
+  return {as<P>(matrix(m.rotation)), as<P>(m.position)};
+}
+template <class P, class Core>
+stiff_numbers<P> stiff_numbers_of(const Core& core) {
+  stiff_numbers<P> x;
+  if constexpr (coordinates_of<Core> == 0) {
+    x.at_zero = plain_pose<P>(core.relative());
+  } else {
+    constexpr kind k = coordinate_kind<Core>;
+    const auto at_zero = plain_coordinate<k>(false);
+    x.at_zero = plain_pose<P>(core.relative(position_only(at_zero)));
+    x.tried = plain_pose<P>(core.relative(position_only(plain_coordinate<k>(true))));
+    const auto axis = [&]<int N>(std::integral_constant<int, N>) {
+      const auto s = axis_of<N>(core, at_zero);
+      x.linear[std::size_t{N}] = as<P>(s.velocity), x.angular[std::size_t{N}] = as<P>(s.ang_velocity);
+      return 0;
+    };
+    [&]<int... N>(std::integer_sequence<int, N...>) {
+      const int done[]{axis(std::integral_constant<int, N>{})...};
+      (void)done;
+    }
+    (std::make_integer_sequence<int, joint_dofs<Core>>{});
+  }
+  return x;
+}
+
+/// In another precision.
+template <class P>
+element_numbers<P> as_numbers(const element_numbers<double>& n) {
+  const auto placed = [](const auto& x) { return pose<mat3<vec3<P>>, vec3<P>>{as<P>(x.rotation), as<P>(x.position)}; };
+  element_numbers<P> x;
+  x.is = n.is, x.plain_loads = n.plain_loads;
+  x.stiff.at_zero = placed(n.stiff.at_zero), x.stiff.tried = placed(n.stiff.tried);
+  for (std::size_t k = 0; k < n.stiff.linear.size(); ++k)
+    x.stiff.linear[k] = as<P>(n.stiff.linear[k]), x.stiff.angular[k] = as<P>(n.stiff.angular[k]);
+  x.body = {static_cast<P>(n.body.mass), as<P>(n.body.com), as<P>(n.body.inertia)};
+  x.weight = {static_cast<P>(n.weight.mass), as<P>(n.weight.moment), as<P>(n.weight.inertia)};
+  x.mass = static_cast<P>(n.mass), x.has_mass = n.has_mass;
+  return x;
+}
+template <class P, class Core>
+element_numbers<P> numbers_of(const Core& core) {
+  element_numbers<P> n;
+  constexpr port last = Core::ports.back();
+  if constexpr (is_transmission<Core>) {
+    n.is = part::stiff;
+    n.plain_loads = loads_by_relative<Core>;
+    n.stiff = stiff_numbers_of<P>(core);
+  } else if constexpr (last.how == access::base) {
+    n.is = part::base;
+  } else if constexpr (last.how == access::out) {
+    n.is = is_frame(last.what) ? part::mover : part::follower;
+  } else if constexpr (has_mass<Core, P>) {
+    const auto m = core.template mass<P>();
+    if constexpr (!is_frame(Core::ports[0].what)) {
+      n.mass = as<P>(m), n.has_mass = true;
+      if (is_rigid_body<Core>) n.is = part::body;
+    } else {
+      n.is = is_rigid_body<Core> ? part::body : part::weight;
+      n.weight = {as<P>(m.mass), as<P>(m.moment), as<P>(m.inertia)};
+      if constexpr (is_rigid_body<Core>)
+        n.body = {as<P>(core.body.mass), as<P>(core.body.com), as<P>(core.body.inertia)};
+    }
+  }
+  return n;
+}
+
+}  // namespace kte::detail

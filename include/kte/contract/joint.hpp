@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+
+#include <type_traits>
+
+/// What the composite-rigid-body algorithm asks of elements, in static and runtime chains.
+namespace kte::detail {
+
+/// How many coordinates a transmission has.
+template <class Core>
+inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
+/// The kind of a joint's coordinate, and its number of degrees of freedom; none for a link.
+template <class Core>
+inline constexpr kind coordinate_kind = Core::ports[0].what;
+template <class Core>
+inline constexpr int joint_dofs = nv_of(coordinate_kind<Core>);
+/// A core with a mass, on its first port.
+template <class Core, class S>
+inline constexpr bool has_mass = requires(const Core& c) {
+  c.template mass<S>();
+};
+
+/// Force and torque for accelerating a composite inertia by the velocity of `m` each second.
+template <class M, class H, class J, class Motion>
+KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const Motion& m) {
+  const auto& a = m.velocity;
+  const auto& al = m.ang_velocity;
+  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
+}
+
+/// f<0>(), f<1>() ... f<N - 1>()
+template <int N, class F>
+KTE_INLINE constexpr void for_each_number(const F& f) {
+  const auto all_of_them = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+    const int done[]{(f.template operator()<K>(), 0)..., 0};
+    (void)done;
+  };
+  all_of_them(std::make_integer_sequence<int, N>{});
+}
+
+/// Axis n of a joint at coordinate c: the motion that its unit rate makes.
+template <int N, class Core, class C>
+KTE_INLINE constexpr auto axis_of(const Core& core, const C& c) {
+  return core.relative(unit_rate<coordinate_kind<Core>, N>(c));
+}
+
+}  // namespace kte::detail

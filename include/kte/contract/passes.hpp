@@ -1,0 +1,192 @@
+#pragma once
+
+#include <kte/contract/port.hpp>
+#include <kte/contract/thing.hpp>
+#include <kte/math/sincos.hpp>
+
+#include <boost/hana/at.hpp>
+#include <boost/hana/tuple.hpp>
+
+#include <utility>
+
+/// The passes of one element on frames held in a state, for static and runtime chains alike.
+namespace kte::detail {
+
+/// The place of port P among the loads of an element, which belong to the ports that are no signals.
+template <class Core, std::size_t P>
+inline constexpr std::size_t load_index = [] {
+  std::size_t i = 0;
+  for (std::size_t p = 0; p < P; ++p) i += !is_signal(Core::ports[p].what);
+  return i;
+}();
+
+/// The port of the internal state that an element keeps; beyond the last where it keeps none.
+template <class Core>
+inline constexpr std::size_t kept_port = [] {
+  std::size_t p = 0;
+  while (p < port_count<Core> && Core::ports[p].how != access::keep) ++p;
+  return p;
+}();
+
+template <class Core>
+inline constexpr int kept_count = [] {
+  int n = 0;
+  for (const auto& p : Core::ports) n += p.how == access::keep;
+  return n;
+}();
+
+/// Whether something that nobody asked for is in a load.
+template <class T>
+inline constexpr bool has_skip = std::is_same_v<T, skip>;
+template <class X, class Y, class Z>
+inline constexpr bool has_skip<vec3<X, Y, Z>> = has_skip<X> || has_skip<Y> || has_skip<Z>;
+template <class F, class T>
+inline constexpr bool has_skip<wrench<F, T>> = has_skip<F> || has_skip<T>;
+template <class... L>
+inline constexpr bool has_skip<boost::hana::tuple<L...>> = (has_skip<L> || ...);
+
+/// Where the ports of an element lead, as a list of indices.
+struct by_index {
+  const int* index;
+  template <std::size_t P>
+  KTE_INLINE constexpr int at() const {
+    return index[P];
+  }
+};
+
+/// Connects the ports of an element to a state: Where::at<port>() gives the index of what port is connected to.
+template <class Core, class State, class Where>
+struct stored_element {
+  const Core& core;
+  State& state;
+  Where where;
+
+  static constexpr std::size_t ports = port_count<Core>;
+  static_assert(kept_count<Core> <= 1, "kte: an element keeps one internal state at most");
+  template <std::size_t P>
+  static constexpr port at = Core::ports[P];
+
+  /// What is connected to port P.
+  template <std::size_t P>
+  KTE_INLINE constexpr auto& stored() const {
+    return state.template get<at<P>.what>(where.template at<P>());
+  }
+  /// The same as the kernels see it.
+  template <std::size_t P>
+  KTE_INLINE constexpr decltype(auto) input() const {
+    if constexpr (at<P>.what == kind::gen) {
+      return std::as_const(stored<P>());
+    } else if constexpr (is_signal(at<P>.what)) {
+      return number_of_signal<at<P>.what>(stored<P>());
+    } else {
+      return spatial(stored<P>());
+    }
+  }
+  template <std::size_t P>
+  KTE_INLINE constexpr auto load() const {
+    if constexpr (at<P>.what == kind::gen) {
+      return stored<P>().f;
+    } else {
+      return load_of(stored<P>());
+    }
+  }
+  static constexpr bool has_output = at<ports - 1>.how == access::out;
+  static constexpr std::size_t inputs = input_count<Core>;
+
+  template <std::size_t... P>
+  KTE_INLINE constexpr void motion(std::index_sequence<P...>) const {
+    update_angles(std::index_sequence<P...>{});
+    move(std::index_sequence<P...>{});
+  }
+  /// With sines, cosines and matrices as they are.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
+    if constexpr (has_output) write(core.doMotion(input<P>()...));
+    if constexpr (kept_port<Core> < ports) stored<kept_port<Core>>().z_dot = core.z_dot(input<P>()...);
+  }
+  /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void update_angles(std::index_sequence<P...>) const {
+    const int done[]{(update_one<P>(), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t... P>
+  KTE_INLINE constexpr void force(std::index_sequence<P...>) const {
+    if constexpr (has_output) {
+      spread<P...>(core.doForce(input<P>()..., load<ports - 1>()));
+    } else {
+      spread<P...>(core.doForce(input<P>()...));
+    }
+  }
+  /// Energies, where the element has one; J.
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto kinetic_energy(std::index_sequence<P...>) const {
+    if constexpr (requires { core.kinetic_energy(input<P>()...); }) {
+      return core.kinetic_energy(input<P>()...);
+    } else {
+      return zero;
+    }
+  }
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto potential_energy(std::index_sequence<P...>) const {
+    if constexpr (requires { core.potential_energy(input<P>()...); }) {
+      return core.potential_energy(input<P>()...);
+    } else {
+      return zero;
+    }
+  }
+  /// What goes through zero where the law of the element changes; one where it does not.
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto switching(std::index_sequence<P...>) const {
+    if constexpr (requires { core.switching(input<P>()...); }) {
+      return core.switching(input<P>()...);
+    } else {
+      return one;
+    }
+  }
+  template <std::size_t... P>
+  KTE_INLINE constexpr void clear(std::index_sequence<P...>) const {
+    const int done[]{(clear_one<P>(), 0)..., 0};
+    (void)done;
+  }
+
+ private:
+  template <std::size_t P>
+  KTE_INLINE constexpr void update_one() const {
+    if constexpr (at<P>.how == access::angle) update_angle(stored<P>());
+  }
+  template <class M>
+  KTE_INLINE constexpr void write(const M& m) const {
+    auto& x = stored<ports - 1>();
+    if constexpr (at<ports - 1>.what == kind::gen) {
+      using S = std::remove_cvref_t<decltype(x.q)>;
+      x.q = as<S>(m.q), x.q_dot = as<S>(m.q_dot), x.q_ddot = as<S>(m.q_ddot);
+    } else {
+      set_motion(x, m);
+    }
+  }
+  template <std::size_t... P, class Loads>
+  KTE_INLINE constexpr void spread(const Loads& l) const {
+    const int done[]{(add<P>(l), 0)..., 0};
+    (void)done;
+  }
+  template <std::size_t P, class Loads>
+  KTE_INLINE constexpr void add(const Loads& l) const {
+    if constexpr (at<P>.what == kind::gen) {
+      auto& x = stored<P>();
+      x.f = x.f + boost::hana::at_c<load_index<Core, P>>(l);
+    } else if constexpr (!is_signal(at<P>.what)) {
+      add_load(stored<P>(), boost::hana::at_c<load_index<Core, P>>(l));
+    }
+  }
+  template <std::size_t P>
+  KTE_INLINE constexpr void clear_one() const {
+    if constexpr (at<P>.what == kind::gen) {
+      stored<P>().f = {};
+    } else if constexpr (!is_signal(at<P>.what)) {
+      clear_load(stored<P>());
+    }
+  }
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kte/contract/key.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+
+namespace kte {
+
+/// How an element uses what is connected to a port.
+enum class access : unsigned char {
+  in,     ///< reads it. A coordinate that no element writes becomes a degree of freedom of the chain
+  angle,  ///< the same, and wants cosine and sine of an angle, or the matrix of a rotation
+  on,     ///< acts on it by a force. It must come from elsewhere: a spring alone makes no degree of freedom
+  out,    ///< writes it
+  base,   ///< declares it: its motion is given from outside
+  keep    ///< an internal state: reads it and gives its rate. No other element may
+};
+
+/// One connection of an element: what kind, how it is used, and the role by which messages and files call it.
+struct port {
+  kind what;
+  access how;
+  std::string_view role;
+  constexpr bool writes() const { return how == access::out || how == access::base; }
+  /// Whether nothing else may be connected to it before.
+  constexpr bool declares() const { return declares(how); }
+  static constexpr bool declares(access a) { return a == access::out || a == access::base || a == access::keep; }
+};
+
+/// The ports of an element core, in the order of its arguments.
+template <class Core>
+inline constexpr std::size_t port_count = Core::ports.size();
+
+/// How many of them it reads; what it writes comes last.
+template <class Core>
+inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
+
+namespace detail {
+/// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
+/// so by `static constexpr bool reads_positions = true`.
+template <class Core>
+inline constexpr bool reads_positions = false;
+template <class Core>
+requires requires { Core::reads_positions; }
+inline constexpr bool reads_positions<Core> = Core::reads_positions;
+
+/// Whether the forces of an element with a mass are those of a rigid body on its frame, `core.body`, or of the mass of
+/// its coordinate, and no others.
+template <class Core>
+inline constexpr bool is_rigid_body = false;
+}  // namespace detail
+
+/// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
+inline std::string describe_element(std::string_view type, std::span<const port> ports,
+                                    std::span<const std::string_view> names) {
+  std::string s(type);
+  for (std::size_t i = 0; i < ports.size(); ++i)
+    s.append(i == 0 ? " (" : ", ").append(ports[i].role).append(" '").append(names[i]).append("'");
+  return s + ")";
+}
+
+/// "rigid_link" and 3D give "rigid_link_3D".
+template <std::size_t N>
+struct type_name {
+  char text[N + 4]{};
+  constexpr type_name(const char (&stem)[N], kind k) {
+    std::copy_n(stem, N - 1, text);
+    const std::string_view suffix = k == kind::gen ? "_gen" : k == kind::frame_2D ? "_2D" : "_3D";
+    std::copy_n(suffix.data(), suffix.size(), text + N - 1);
+  }
+  constexpr operator std::string_view() const { return {text}; }  // NOLINT(google-explicit-constructor)
+};
+
+}  // namespace kte

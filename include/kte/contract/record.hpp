@@ -1,0 +1,89 @@
+#pragma once
+
+#include <kte/contract/file_place.hpp>
+#include <kte/contract/port.hpp>
+#include <kte/math/quaternion.hpp>
+#include <kte/math/rigid_body.hpp>
+
+#include <string>
+#include <vector>
+
+/// Elements as plain data, for files and comparisons.
+namespace kte {
+
+/// A parameter: its name and its numbers; vectors x y z, matrices by rows, symmetric ones xx xy xz yy yz zz.
+struct parameter_record {
+  std::string name;
+  std::vector<double> values;
+  file_place place{};
+  friend bool operator==(const parameter_record&, const parameter_record&) = default;
+};
+/// A connection: the role of the port, and the name of what it is connected to.
+struct connection_record {
+  std::string role;
+  std::string name;
+  file_place place{};
+  friend bool operator==(const connection_record&, const connection_record&) = default;
+};
+/// An element: its type, the version of that type, connections and parameters.
+struct element_record {
+  std::string type;
+  int version = 1;
+  std::vector<connection_record> connections;
+  std::vector<parameter_record> parameters;
+  file_place place{};
+  friend bool operator==(const element_record&, const element_record&) = default;
+};
+
+/// A whole chain: gravity in the axes of its bases, m/s^2, and the elements in order.
+struct model_record {
+  std::vector<double> gravity{0, 0, 0};
+  std::vector<element_record> elements;
+  friend bool operator==(const model_record&, const model_record&) = default;
+};
+
+namespace detail {
+
+template <entry T>
+void append_numbers(std::vector<double>& v, const T& x) {
+  v.push_back(as<double>(x));
+}
+template <class X, class Y, class Z>
+void append_numbers(std::vector<double>& v, const vec3<X, Y, Z>& x) {
+  const auto d = as<double>(x);
+  for (const double number : {d.x, d.y, d.z}) v.push_back(number);
+}
+template <class... T>
+void append_numbers(std::vector<double>& v, const sym3<T...>& x) {
+  const auto d = as<double>(x);
+  for (const double number : {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz}) v.push_back(number);
+}
+template <geometric R>
+requires requires(const R& r) { matrix(r); }
+void append_numbers(std::vector<double>& v, const R& rotation) {
+  const auto m = matrix(rotation);
+  append_numbers(v, m.x), append_numbers(v, m.y), append_numbers(v, m.z);
+}
+
+}  // namespace detail
+
+/// The record of a core under the given names. A parameter that is a bool is there, as 1, only if it is true.
+template <class Core, class Names>
+element_record record_of(const Core& core, const Names& names) {
+  element_record r{std::string(std::string_view(Core::type)), 1, {}, {}};
+  for (std::size_t p = 0; p < port_count<Core>; ++p)
+    r.connections.push_back({std::string(Core::ports[p].role), std::string(names[p])});
+  Core::parameters(core, [&r](const char* name, const auto& value) {
+    parameter_record x{name, {}};
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>) {
+      if (!value) return;
+      x.values = {1};
+    } else {
+      detail::append_numbers(x.values, value);
+    }
+    r.parameters.push_back(std::move(x));
+  });
+  return r;
+}
+
+}  // namespace kte

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <kte/contract/key.hpp>
+#include <kte/frames/coordinates.hpp>
+#include <kte/frames/frame_3D.hpp>
+#include <kte/frames/gen_coord.hpp>
+#include <kte/frames/internal_state.hpp>
+
+#include <tuple>
+
+/// What a state holds for each kind, and the numbers of the coordinates in their order.
+namespace kte::detail {
+
+/// In the order of `kind`.
+template <class S>
+using things = std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_coord_3D<S>, pose_coord_2D<S>,
+                          pose_coord_3D<S>, internal_state<S>>;
+template <kind K, class S>
+using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
+
+/// Member number K of a tuple with one member a kind.
+template <kind K, class Tuple>
+KTE_INLINE constexpr auto& of_kind(Tuple& t) {
+  return std::get<static_cast<std::size_t>(K)>(t);
+}
+
+/// The number that kernels see of an input or an internal state.
+template <kind K, class T>
+KTE_INLINE constexpr const auto& number_of_signal(const T& x) {
+  if constexpr (K == kind::internal) {
+    return x.z;
+  } else {
+    return x;
+  }
+}
+template <class V, class Visit>
+KTE_INLINE constexpr void visit_vector(V& v, const Visit& visit) {
+  visit(v.x), visit(v.y);
+  if constexpr (requires { v.z; }) visit(v.z);
+}
+/// The numbers of the configuration, in the order of q.
+template <class C, class Visit>
+KTE_INLINE constexpr void visit_q(C& c, const Visit& visit) {
+  if constexpr (requires { c.q; }) {
+    visit(c.q);
+  } else {
+    if constexpr (requires { c.position; }) visit_vector(c.position, visit);
+    if constexpr (requires { c.angle; }) {
+      visit(c.angle);
+    } else {
+      visit(c.rotation.w), visit(c.rotation.x), visit(c.rotation.y), visit(c.rotation.z);
+    }
+  }
+}
+/// A linear and an angular quantity, in the order of v.
+template <class Linear, class Angular, class Visit>
+KTE_INLINE constexpr void visit_rates(Linear& linear, Angular& angular, const Visit& visit) {
+  visit_vector(linear, visit);
+  if constexpr (requires { angular.x; }) {
+    visit_vector(angular, visit);
+  } else {
+    visit(angular);
+  }
+}
+template <class C, class Visit>
+KTE_INLINE constexpr void visit_v(C& c, const Visit& visit) {
+  if constexpr (requires { c.q_dot; }) {
+    visit(c.q_dot);
+  } else if constexpr (requires { c.velocity; }) {
+    visit_rates(c.velocity, c.ang_velocity, visit);
+  } else {
+    visit_vector(c.ang_velocity, visit);
+  }
+}
+template <class C, class Visit>
+KTE_INLINE constexpr void visit_a(C& c, const Visit& visit) {
+  if constexpr (requires { c.q_ddot; }) {
+    visit(c.q_ddot);
+  } else if constexpr (requires { c.acceleration; }) {
+    visit_rates(c.acceleration, c.ang_acceleration, visit);
+  } else {
+    visit_vector(c.ang_acceleration, visit);
+  }
+}
+template <class C, class Visit>
+KTE_INLINE constexpr void visit_f(C& c, const Visit& visit) {
+  if constexpr (requires { c.f; }) {
+    visit(c.f);
+  } else if constexpr (requires { c.force; }) {
+    visit_rates(c.force, c.torque, visit);
+  } else {
+    visit_vector(c.torque, visit);
+  }
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,187 @@
+#pragma once
+
+#include <kte/contract/element.hpp>
+#include <kte/frames/motion.hpp>
+
+#include <boost/hana/tuple.hpp>
+
+namespace kte {
+
+/// The loads an element puts on its input ports, in their order: a number for a coordinate (N or Nm, along it), a
+/// wrench for a frame (at its origin, in its axes). Signals (inputs, internal states) get none.
+template <class... L>
+using loads = boost::hana::tuple<L...>;
+
+template <class... L>
+KTE_INLINE constexpr auto make_loads(const L&... l) {
+  return boost::hana::tuple<L...>{l...};
+}
+
+namespace detail {
+/// A type that no pass is called with.
+struct no_pass;
+
+/// The N-th vector of unit length along the axes, or none of them.
+template <int N>
+KTE_INLINE constexpr auto unit_vector() {
+  return vec3<constant<N == 0>, constant<N == 1>, constant<N == 2>>{};
+}
+/// A coordinate of kind K of which only rate number N moves, by one: the motion it makes is axis N of the joint.
+template <kind K, int N, class C>
+KTE_INLINE constexpr auto unit_rate(const C& c) {
+  if constexpr (K == kind::gen) {
+    return coordinate{c.q, one, zero, c.cos, c.sin};
+  } else {
+    constexpr int first_angular = K == kind::rotation_3D ? 0 : K == kind::pose_2D ? 2 : 3;
+    constexpr int angular = N < first_angular ? -1 : K == kind::pose_2D ? 2 : N - first_angular;
+    const auto turning = unit_vector<angular>();
+    const auto moving = unit_vector<(N < first_angular ? N : -1)>();
+    return motion{c.position, c.rotation, moving, turning, zero3{}, zero3{}};
+  }
+}
+/// A coordinate without rates.
+template <class C>
+KTE_INLINE constexpr auto position_only(const C& c) {
+  if constexpr (requires { c.q; }) {
+    return coordinate{c.q, skip{}, skip{}, c.cos, c.sin};
+  } else {
+    constexpr vec3<skip> none{};
+    return motion{c.position, c.rotation, none, none, none, none};
+  }
+}
+/// A coordinate without accelerations.
+template <class C>
+KTE_INLINE constexpr auto unaccelerated(const C& c) {
+  if constexpr (requires { c.q; }) {
+    return coordinate{c.q, c.q_dot, zero, c.cos, c.sin};
+  } else {
+    return motion{c.position, c.rotation, c.velocity, c.ang_velocity, zero3{}, zero3{}};
+  }
+}
+/// The power of a wrench on a velocity.
+template <class Motion, class F, class T>
+KTE_INLINE constexpr auto power(const Motion& m, const wrench<F, T>& w) {
+  return dot(m.velocity, w.force) + dot(m.ang_velocity, w.torque);
+}
+/// The forces of virtual power on a coordinate of kind K: f(N) for each of its degrees of freedom, as a load.
+template <kind K, class F>
+KTE_INLINE constexpr auto load_on(const F& f) {
+  if constexpr (K == kind::gen) {
+    return f.template operator()<0>();
+  } else if constexpr (K == kind::rotation_3D) {
+    return wrench{zero3{}, vec3{f.template operator()<0>(), f.template operator()<1>(), f.template operator()<2>()}};
+  } else if constexpr (K == kind::pose_2D) {
+    return wrench{vec3{f.template operator()<0>(), f.template operator()<1>(), zero},
+                  vec3{zero, zero, f.template operator()<2>()}};
+  } else {
+    return wrench{vec3{f.template operator()<0>(), f.template operator()<1>(), f.template operator()<2>()},
+                  vec3{f.template operator()<3>(), f.template operator()<4>(), f.template operator()<5>()}};
+  }
+}
+/// Number N of such a load.
+template <kind K, int N, class L>
+KTE_INLINE constexpr auto number_of(const L& load) {
+  if constexpr (K == kind::gen) {
+    return load;
+  } else {  // its power on the rate of one
+    constexpr motion<zero3, no_rotation, zero3, zero3, zero3, zero3> none{};
+    return power(unit_rate<K, N>(none), load);
+  }
+}
+}  // namespace detail
+
+/// A stiff connection between two frames: a link, a joint. A core that derives from it gives one function,
+///
+///   relative(coordinate)   the motion of the end frame in the base frame, of a link relative()     (1)
+///
+/// and the passes follow from it:
+///   doMotion   X_end = X_base * relative                     (compose, frames/motion.hpp)        (2)
+///   doForce    the full wrench of the end goes to the base   (transmit, the same)                (3)
+///              f = s . wrench, s the velocity that a unit rate of the coordinate makes           (4)
+/// so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and the
+/// accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
+/// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end.
+template <class Core>
+struct transmission {
+  /// A link.
+  template <class Base>
+  KTE_INLINE constexpr auto doMotion(const Base& base) const {
+    return compose(base, core().relative());  // (2)
+  }
+  template <class Base, class F, class T>
+  KTE_INLINE constexpr auto doForce(const Base&, const wrench<F, T>& end) const {
+    return make_loads(transmit(core().relative(), end));  // (3)
+  }
+  /// A joint.
+  template <class C, class Base>
+  KTE_INLINE constexpr auto doMotion(const C& c, const Base& base) const {
+    return compose(base, core().relative(c));  // (2)
+  }
+  template <class C, class Base, class Wrench>
+  KTE_INLINE constexpr auto doForce(const C& c, const Base&, const Wrench& end) const {
+    constexpr kind k = Core::ports[0].what;
+    const auto f = [&]<int N>()
+                       KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
+    return make_loads(detail::load_on<k>(f),                                      // (4)
+                      transmit(core().relative(detail::position_only(c)), end));  // (3)
+  }
+
+  // Hidden by passes that a core has of its own.
+  static void doMotion(const detail::no_pass&);
+  static void doForce(const detail::no_pass&);
+
+ private:
+  KTE_INLINE constexpr const Core& core() const { return static_cast<const Core&>(*this); }
+};
+
+namespace detail {
+
+/// A core with a `relative`: a stiff connection between two frames. Its ports are the coordinates, the base, the end.
+template <class Core>
+inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
+
+/// Whether doMotion and doForce are those that follow from `relative`.
+template <class Core>
+inline constexpr bool moves_by_relative = requires {
+  static_cast<void (*)(const no_pass&)>(&Core::doMotion);
+};
+template <class Core>
+inline constexpr bool loads_by_relative = !is_transmission<Core> || requires {
+  static_cast<void (*)(const no_pass&)>(&Core::doForce);
+};
+
+/// The rotation of a link, or of a joint at a coordinate made of numbers; none where it can only be one in space.
+template <class Core>
+constexpr auto rotation_of(const Core& core) {
+  if constexpr (port_count<Core> == 2) {
+    return core.relative().rotation;
+  } else if constexpr (Core::ports[0].what == kind::gen) {
+    return core.relative(coordinate<double, double, double, double, double>{}).rotation;
+  } else if constexpr (Core::ports[0].what == kind::pose_2D) {
+    using in_plane = vec3<double, double, zero_t>;
+    using about_z = vec3<zero_t, zero_t, double>;
+    return core.relative(motion<in_plane, rotation_2D<>, in_plane, about_z, in_plane, about_z>{}).rotation;
+  } else {
+    return no_rotation{};
+  }
+}
+
+template <class Core>
+requires is_transmission<Core>
+struct check_core<Core> {
+  using turn = decltype(rotation_of(std::declval<const Core&>()));
+  static constexpr bool in_space = Core::ports.back().what == kind::frame_3D;
+  static constexpr bool fits = std::is_same_v<turn, no_rotation> || is_planar_rotation<turn> != in_space;
+  static constexpr bool passed = fits && moves_by_relative<Core>;
+  static_assert(rule < Core, turn, fits || !in_space >,
+                "kte: a joint or link in space turns by a matrix or a quaternion: kte::matrix(c.rotation), "
+                "kte::rotation_about(axis, angle)");
+  static_assert(rule < Core, turn, fits || in_space >,
+                "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
+  static_assert(rule<Core, turn, moves_by_relative<Core>>,
+                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
+};
+
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,281 @@
+#pragma once
+
+#include <kte/elements/base.hpp>
+#include <kte/elements/damper.hpp>
+#include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/free_joint.hpp>
+#include <kte/elements/inertia.hpp>
+#include <kte/elements/joint_backlash.hpp>
+#include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/prismatic_joint.hpp>
+#include <kte/elements/revolute_joint.hpp>
+#include <kte/elements/rigid_link.hpp>
+#include <kte/elements/spherical_joint.hpp>
+#include <kte/elements/spring.hpp>
+#include <kte/elements/torsion_damper.hpp>
+#include <kte/elements/torsion_spring.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
+
+#include <functional>
+#include <map>
+
+namespace kte {
+
+namespace detail {
+/// A record that makes no element, and where that was read.
+struct bad_record : bad_file {
+  file_place place;
+  bad_record(const file_place& p, const std::string& why) : bad_file(why), place(p) {}
+};
+/// make(), whose errors then name the place of the element and `which` it is.
+template <class Make>
+auto placed(const element_record& r, const std::string& which, const Make& make) {
+  const auto begin = "kte: " + to_string(r.place) + which;
+  const auto rest = [](const error& e) {
+    std::string_view text(e.what());
+    if (text.starts_with("kte: ")) text.remove_prefix(5);
+    return std::string(text);
+  };
+  try {
+    return make();
+  } catch (const bad_record& e) {
+    throw bad_file("kte: " + to_string(e.place) + which + e.what());
+  } catch (const bad_parameter& e) {
+    throw bad_parameter(begin + rest(e));
+  } catch (const bad_wiring& e) {
+    throw bad_wiring(begin + rest(e));
+  }
+}
+}  // namespace detail
+
+/// Reads names and parameters of an element record by role and name; throws `bad_file` where one is missing or odd.
+class record_reader {
+ public:
+  explicit record_reader(const element_record& r) : record_(r) {}
+
+  const std::string& name(std::string_view role) const {
+    for (const auto& c : record_.connections)
+      if (c.role == role) return c.name;
+    fail("has no connection '" + std::string(role) + "'");
+  }
+  double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
+  /// A parameter that is 1 where it is given.
+  bool flag(std::string_view parameter) const {
+    const bool given = std::any_of(record_.parameters.begin(), record_.parameters.end(),
+                                   [&](const parameter_record& p) { return p.name == parameter; });
+    if (given && number(parameter) != 1) fail("has '" + std::string(parameter) + "' other than 1");
+    return given;
+  }
+  vec3<> vector(std::string_view parameter) const {
+    const auto& v = values(parameter, 3);
+    return {v[0], v[1], v[2]};
+  }
+  vec2<> planar_vector(std::string_view parameter) const {
+    const auto v = vector(parameter);
+    if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
+    return {v.x, v.y};
+  }
+  mat3<vec3<>> rotation(std::string_view parameter) const {
+    const auto& v = values(parameter, 9);
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+  }
+  rotation_2D<> planar_rotation(std::string_view parameter) const {
+    const auto m = rotation(parameter);
+    const rotation_2D<> r{m.x.x, m.y.x};
+    if (m != as<double>(matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
+    return r;
+  }
+  rigid_body<> body() const {
+    const auto& v = values("inertia", 6);
+    return {number("mass"), vector("com"), {v[0], v[1], v[2], v[3], v[4], v[5]}, flag("as_published")};
+  }
+  /// A body in the plane; what it has out of it must be zero.
+  auto planar_body() const {
+    const auto b = body();
+    const auto& i = b.inertia;
+    if (b.com.z != 0 || i.xx != 0 || i.xy != 0 || i.xz != 0 || i.yy != 0 || i.yz != 0)
+      fail("has inertia out of the plane");
+    auto planar = kte::planar_body(b.mass, i.zz, vec3{b.com.x, b.com.y, zero});
+    planar.published = b.published;
+    return planar;
+  }
+  /// Calls f with the typed axis of the same value if there is one, else with the numbers: a joint read from a file is
+  /// the one that was written.
+  template <class F>
+  auto with_axis(std::string_view parameter, const F& f) const {
+    const auto v = vector(parameter);
+    if (v == as<double>(axis::x)) return f(axis::x);
+    if (v == as<double>(axis::y)) return f(axis::y);
+    if (v == as<double>(axis::z)) return f(axis::z);
+    return f(v);
+  }
+  [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
+
+ private:
+  [[noreturn]] void fail(const std::string& why, const file_place& place) const {
+    throw detail::bad_record(place, record_.type + " " + why);
+  }
+  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+    for (const auto& p : record_.parameters)
+      if (p.name == parameter) {
+        if (p.values.size() != count)
+          fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
+               p.place);
+        return p.values;
+      }
+    fail("has no parameter '" + std::string(parameter) + "'");
+  }
+  const element_record& record_;
+};
+
+/// Makes elements from records by the name of their type. A new element is one line here, or in a program
+///
+///   registry.add("my_element", [](const record_reader& r) { return my_element(r.name("frame"), r.number("c")); });
+class element_registry {
+ public:
+  using factory = std::function<std::unique_ptr<kte_map>(const record_reader&)>;
+
+  /// Throws `bad_argument` if the type is known.
+  template <class Make>
+  void add(const std::string& type, Make make) {
+    const bool fresh = factories_.emplace(type, [make](const record_reader& r) { return adapt(make(r)); }).second;
+    if (!fresh) throw bad_argument("kte: the registry has a '" + type + "' already");
+  }
+  /// The types it knows, in alphabetical order.
+  std::vector<std::string> types() const {
+    std::vector<std::string> all;
+    for (const auto& f : factories_) all.push_back(f.first);
+    return all;
+  }
+  /// Throws `bad_file` for an unknown type, a wrong version, missing names or parameters; `bad_parameter` for bad ones.
+  std::unique_ptr<kte_map> make(const element_record& r) const {
+    return detail::placed(r, "", [&] { return make_unplaced(r); });
+  }
+
+  /// All elements of this library. (A template, so that who does not call it does not compile them all.)
+  template <class = void>
+  static element_registry standard() {
+    element_registry r;
+    using in = const record_reader&;
+    r.add("base_gen", [](in x) { return base_gen(x.name("base")); });
+    r.add("base_2D", [](in x) { return base_2D(x.name("base")); });
+    r.add("base_3D", [](in x) { return base_3D(x.name("base")); });
+    r.add("damper_gen", [](in x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("damper_2D", [](in x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("damper_3D", [](in x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
+    r.add("free_joint_2D", [](in x) { return free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")); });
+    r.add("free_joint_3D", [](in x) { return free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
+    r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
+    r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
+    r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
+    r.add("joint_backlash_gen", [](in x) {
+      return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
+                                x.number("damping"));
+    });
+    r.add("joint_lugre_gen", [](in x) {
+      return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
+                             {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
+                              x.number("stiction"), x.number("stribeck_velocity")});
+    });
+    r.add("prismatic_joint_2D", [](in x) {
+      return prismatic_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"), x.planar_vector("axis"));
+    });
+    r.add("prismatic_joint_3D", [](in x) {
+      return x.with_axis("axis", [&](const auto& n) {
+        return adapt(prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
+      });
+    });
+    r.add("revolute_joint_2D", [](in x) {
+      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+      return revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"));
+    });
+    r.add("revolute_joint_3D", [](in x) {
+      return x.with_axis("axis", [&](const auto& n) {
+        return adapt(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
+      });
+    });
+    r.add("rigid_link_gen", [](in x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
+    r.add("rigid_link_2D", [](in x) {
+      return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
+    });
+    r.add("rigid_link_3D", [](in x) {
+      return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
+    });
+    r.add("spherical_joint_3D",
+          [](in x) { return spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
+    r.add("spring_gen", [](in x) {
+      return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                        x.number("saturation"));
+    });
+    r.add("spring_2D", [](in x) {
+      return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                       x.number("saturation"));
+    });
+    r.add("spring_3D", [](in x) {
+      return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                       x.number("saturation"));
+    });
+    r.add("torsion_damper_2D",
+          [](in x) { return torsion_damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("torsion_damper_3D",
+          [](in x) { return torsion_damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+    r.add("torsion_spring_2D", [](in x) {
+      return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
+                               x.number("rest_angle"));
+    });
+    r.add("torsion_spring_3D", [](in x) {
+      return torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"));
+    });
+    return r;
+  }
+
+ private:
+  friend kte_map_chain to_chain(const model_record& m, const element_registry& registry);
+  std::unique_ptr<kte_map> make_unplaced(const element_record& r) const {
+    const auto f = factories_.find(r.type);
+    if (f == factories_.end()) throw detail::bad_record(r.place, "there is no element type '" + r.type + "'");
+    if (r.version != 1)
+      throw detail::bad_record(r.place,
+                               r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
+    auto e = f->second(record_reader(r));
+    if (const auto* single = dynamic_cast<const kte_element*>(e.get())) check_complete(single->record(), r);
+    return e;
+  }
+  template <class Core>
+  static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
+    return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+  }
+  static std::unique_ptr<kte_map> adapt(std::unique_ptr<kte_map> e) { return e; }
+  /// What was not understood is an error, not ignored.
+  static void check_complete(const element_record& made, const element_record& r) {
+    for (const auto& p : r.parameters)
+      if (std::none_of(made.parameters.begin(), made.parameters.end(), [&](const auto& o) { return o.name == p.name; }))
+        throw detail::bad_record(p.place, r.type + " has no parameter '" + p.name + "'");
+    for (const auto& c : r.connections)
+      if (std::none_of(made.connections.begin(), made.connections.end(),
+                       [&](const auto& o) { return o.role == c.role; }))
+        throw detail::bad_record(c.place, r.type + " has no connection '" + c.role + "'");
+  }
+
+  std::map<std::string, factory, std::less<>> factories_;
+};
+
+/// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
+inline kte_map_chain to_chain(const model_record& m, const element_registry& registry) {
+  kte_map_chain c;
+  if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
+  if (const vec3 g{m.gravity[0], m.gravity[1], m.gravity[2]}; g != vec3<>{}) c.gravity(g);  // zero says nothing
+  for (std::size_t i = 0; i < m.elements.size(); ++i) {
+    const auto& r = m.elements[i];
+    detail::placed(r, "element " + std::to_string(i + 1) + ": ", [&] { c.append(registry.make_unplaced(r)); });
+  }
+  return c;
+}
+/// The same with the elements of this library.
+template <class = void>
+kte_map_chain to_chain(const model_record& m) {
+  return to_chain(m, element_registry::standard());
+}
+
+}  // namespace kte

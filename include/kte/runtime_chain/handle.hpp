@@ -1,0 +1,68 @@
+#pragma once
+
+#include <kte/runtime_chain/topology.hpp>
+
+namespace kte {
+
+/// Something of a runtime chain, looked up once: `const auto tool = arm.frame("tool")`. Calls take it wherever they
+/// take the name, and check that it is of the chain at hand, or of a copy. A chain to which something is appended, or
+/// whose gravity is changed, has others.
+class handle {
+ public:
+  kind what() const { return what_; }
+  /// Among things of its kind.
+  int index() const { return index_; }
+
+ private:
+  friend class kte_map_chain;
+  friend class name_or_handle;
+  handle(kind what, int index, std::shared_ptr<const char> layout)
+      : what_(what), index_(index), layout_(std::move(layout)) {}
+  kind what_;
+  int index_;
+  std::shared_ptr<const char> layout_;
+};
+
+/// The argument of calls that take a name or a handle.
+class name_or_handle {
+ public:
+  template <text_type Text>
+  name_or_handle(const Text& name) : name_(name) {}         // NOLINT(google-explicit-constructor)
+  name_or_handle(const handle& known) : handle_(&known) {}  // NOLINT(google-explicit-constructor)
+
+  /// The kind and index of a frame. Throws `unknown_name`, or `bad_argument` for a handle of another chain.
+  std::pair<kind, int> frame_of(const topology& t) const {
+    if (handle_ == nullptr) {
+      const kind k = t.kind_of(name_) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
+      return {k, t.find(name_, k)};
+    }
+    check(t);
+    if (!is_frame(handle_->what_))
+      throw bad_argument("kte: this is the handle of a " + text(handle_->what_) + ", not of a frame");
+    return {handle_->what_, handle_->index_};
+  }
+  /// The index of a thing of kind k, likewise.
+  int find(const topology& t, kind k) const {
+    if (handle_ == nullptr) return t.find(name_, k);
+    check(t);
+    if (handle_->what_ != k)
+      throw bad_argument("kte: this is the handle of a " + text(handle_->what_) + ", not of a " + text(k));
+    return handle_->index_;
+  }
+
+ private:
+  static std::string text(kind k) { return std::string(to_string(k)); }
+  void check(const topology& t) const {
+    if (handle_->layout_ != t.layout)
+      throw bad_argument(
+          "kte: this handle is of another chain, or from before the last element was appended or gravity was changed");
+  }
+  std::string_view name_;
+  const handle* handle_ = nullptr;
+};
+
+/// What names a frame or another thing of a runtime chain.
+template <class T>
+concept names_something = text_type<T> || std::is_same_v<T, handle>;
+
+}  // namespace kte

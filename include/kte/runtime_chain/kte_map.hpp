@@ -1,0 +1,79 @@
+#pragma once
+
+#include <kte/contract/element_numbers.hpp>
+#include <kte/contract/port.hpp>
+#include <kte/contract/record.hpp>
+#include <kte/math/dual_number.hpp>
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace kte {
+
+class kte_element;
+template <class S>
+class basic_runtime_state;
+using runtime_state = basic_runtime_state<double>;
+namespace detail {
+/// In which derivatives go through elements, four directions at a time.
+using derivative_number = dual<double, 4>;
+using derivative_state = basic_runtime_state<derivative_number>;
+}  // namespace detail
+class topology;
+
+/// A kinetostatic transmission element of a runtime chain: a type-erased element, a static chain, or a chain of such.
+class kte_map {
+ public:
+  virtual ~kte_map() = default;
+  kte_map() = default;
+  kte_map& operator=(const kte_map&) = delete;
+
+  /// Motion from input frames to output frames.
+  virtual void doMotion(runtime_state&) const = 0;
+  /// Forces on all its frames and coordinates to zero.
+  virtual void clearForce(runtime_state&) const = 0;
+  /// Forces from output frames, and its own, to input frames.
+  virtual void doForce(runtime_state&) const = 0;
+
+  virtual std::unique_ptr<kte_map> clone() const = 0;
+  /// What it was made for, m/s^2: a chain to which it is appended takes it. Zero is none.
+  virtual vec3<> gravity() const { return {}; }
+  /// Calls `visit` for every single element in it, in order.
+  virtual void for_each_element(const std::function<void(const kte_element&)>& visit) const = 0;
+  /// The first part of it that no record can hold, being more than the elements it lists: itself, if it is neither an
+  /// element nor a chain.
+  virtual const kte_map* unrecorded() const { return this; }
+  /// Connects all its elements to a chain; when that goes back after a failure, once more. Throws `bad_wiring`.
+  virtual void connect(topology&) = 0;
+
+ protected:
+  kte_map(const kte_map&) = default;
+};
+
+/// A single element, with what the algorithms need of it beyond the passes.
+class kte_element : public kte_map {
+ public:
+  /// Type, names of connections, parameters.
+  virtual element_record record() const = 0;
+  const kte_map* unrecorded() const final { return nullptr; }
+
+  virtual std::span<const port> ports() const = 0;
+  /// Its own, after doMotion, J; gravity is the chain's.
+  virtual double kinetic_energy(runtime_state&) const = 0;
+  virtual double potential_energy(runtime_state&) const = 0;
+  /// What goes through zero where its law changes, after doMotion; 1 where it does not change.
+  virtual double switching(runtime_state&) const = 0;
+  /// Whether it ever does.
+  virtual bool switches() const = 0;
+
+  /// What it is to the loops over records (tree/record.hpp).
+  virtual detail::element_numbers<double> numbers() const = 0;
+  /// Of an element that acts on coordinates alone: subtracts the derivatives of its forces.
+  virtual void derive_forces(runtime_state&) const = 0;
+  /// doMotion and doForce with derivatives, of an element that is more than a joint, a link or a body.
+  virtual void derive_motion(detail::derivative_state&) const = 0;
+  virtual void derive_force(detail::derivative_state&) const = 0;
+};
+
+}  // namespace kte

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <kte/contract/force_derivatives.hpp>
+#include <kte/runtime_chain/kte_map.hpp>
+#include <kte/runtime_chain/runtime_state.hpp>
+
+namespace kte {
+
+/// An element of a runtime chain: the same core as in a static chain, connected by texts.
+template <class Core>
+class kte_map_adapter final : public kte_element {
+ public:
+  explicit kte_map_adapter(named_element<Core> e) : core_(e.core), names_(std::move(e.names)) {}
+
+  void doMotion(runtime_state& s) const override { on(s).motion(inputs{}); }
+  void clearForce(runtime_state& s) const override { on(s).clear(std::make_index_sequence<port_count<Core>>{}); }
+  void doForce(runtime_state& s) const override { on(s).force(inputs{}); }
+
+  std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_adapter>(*this); }
+  void for_each_element(const std::function<void(const kte_element&)>& visit) const override { visit(*this); }
+  void connect(topology& t) override {
+    t.connect(this, Core::type, Core::ports, names_);
+    auto& c = t.elements.back();
+    std::copy(c.index.begin(), c.index.end(), index_.begin());
+    c.stiff = detail::is_transmission<Core>;
+    c.has_derivatives = detail::has_derivatives<Core>;
+    t.has_derivatives &= c.has_derivatives;
+  }
+  element_record record() const override { return record_of(core_, names_); }
+
+  std::span<const port> ports() const override { return Core::ports; }
+
+  double kinetic_energy(runtime_state& s) const override { return as<double>(on(s).kinetic_energy(inputs{})); }
+  double potential_energy(runtime_state& s) const override { return as<double>(on(s).potential_energy(inputs{})); }
+  double switching(runtime_state& s) const override { return as<double>(on(s).switching(inputs{})); }
+  bool switches() const override {
+    using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
+    return !typed_constant<number>;
+  }
+
+  detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
+  void derive_forces(runtime_state& s) const override { detail::subtract_force_derivatives(core_, s, index_.data()); }
+  void derive_motion(detail::derivative_state& s) const override {
+    if constexpr (detail::acts<Core>) on(s).motion(inputs{});
+  }
+  void derive_force(detail::derivative_state& s) const override {
+    if constexpr (detail::acts<Core>) on(s).force(inputs{});
+  }
+
+ private:
+  using inputs = std::make_index_sequence<input_count<Core>>;
+
+  template <class State>
+  auto on(State& s) const {
+    return detail::stored_element<Core, State, detail::by_index>{core_, s, {index_.data()}};
+  }
+
+  Core core_;
+  std::array<std::string, port_count<Core>> names_;
+  std::array<int, port_count<Core>> index_{};
+};
+
+}  // namespace kte

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <kte/math/plain_scalar.hpp>
+#include <kte/runtime_chain/handle.hpp>
+#include <kte/runtime_chain/runtime_tree.hpp>
+#include <kte/runtime_chain/shared_topology.hpp>
+#include <kte/static_chain/state.hpp>
+
+#include <memory>
+
+namespace kte {
+
+namespace detail {
+/// What a state makes for itself when it is first wanted: copies of it begin without.
+class own_memory {
+ public:
+  own_memory() = default;
+  own_memory(const own_memory&) {}
+  own_memory& operator=(const own_memory&) {
+    made_.reset();
+    return *this;
+  }
+  template <class T, class Make>
+  T& get(const Make& make) {
+    if (!made_) made_ = std::make_shared<T>(make());
+    return *static_cast<T*>(made_.get());
+  }
+
+ private:
+  std::shared_ptr<void> made_;
+};
+}  // namespace detail
+
+/// The state of a runtime chain: every coordinate, frame and input by name, and the working memory of the algorithms.
+/// A value; one that is moved from is a state of a chain without elements.
+///
+///   s.frame_2D("joint").position,  s.coordinate("q").q_ddot,  s.input("motor") = 2.0
+///
+/// S: double, or for chains of joints, links and bodies another scalar: float, long double, `dual`, `pack` for several
+/// states at once, numbers of more digits. `runtime_state` is that of double, which alone goes through passes.
+template <class S>
+class basic_runtime_state {
+ public:
+  using scalar = S;
+  using parameter = detail::plain_scalar<S>;
+  using tree_type = detail::runtime_tree<parameter>;
+  static constexpr bool has_sines = false;  ///< whether coordinates come with theirs
+
+  explicit basic_runtime_state(shared_topology t)
+      : topology_(std::move(t)),
+        tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
+        work(*tree_, topology_->nv, topology_->elements.size()) {
+    detail::check_scalar<S>(*topology_, *tree_);
+    resize(std::make_index_sequence<kinds>{});
+    for (const auto& f : topology_->free)
+      if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
+  }
+  basic_runtime_state(const basic_runtime_state&) = default;
+  basic_runtime_state(basic_runtime_state&& o) noexcept : basic_runtime_state(shared_topology{}) { swap(o); }
+  basic_runtime_state& operator=(const basic_runtime_state&) = default;
+  basic_runtime_state& operator=(basic_runtime_state&& o) noexcept {
+    basic_runtime_state moved(std::move(o));
+    swap(moved);
+    return *this;
+  }
+  ~basic_runtime_state() = default;
+
+  /// Thing i of kind K, for the passes.
+  template <kind K>
+  auto& get(int i) {
+    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
+  }
+  template <kind K>
+  const auto& get(int i) const {
+    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
+  }
+
+ private:
+  template <kind K, class Self>
+  static auto& at(Self& s, const name_or_handle& name) {
+    return detail::of_kind<K>(s.things_)[static_cast<std::size_t>(name.find(*s.topology_, K))];
+  }
+
+ public:
+  /// By name or handle; throws `unknown_name`, `bad_argument`.
+  gen_coord<S>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
+  const gen_coord<S>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
+  kte::frame_2D<S>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
+  const kte::frame_2D<S>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
+  kte::frame_3D<S>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
+  const kte::frame_3D<S>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
+  S& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
+  S input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
+  internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
+  const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
+  const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
+    return at<kind::rotation_3D>(*this, name);
+  }
+  pose_coord_2D<S>& pose_2D(const name_or_handle& name) { return at<kind::pose_2D>(*this, name); }
+  const pose_coord_2D<S>& pose_2D(const name_or_handle& name) const { return at<kind::pose_2D>(*this, name); }
+  pose_coord_3D<S>& pose_3D(const name_or_handle& name) { return at<kind::pose_3D>(*this, name); }
+  const pose_coord_3D<S>& pose_3D(const name_or_handle& name) const { return at<kind::pose_3D>(*this, name); }
+
+  /// Number i of the generalized coordinates that are degrees of freedom; throws `bad_argument`.
+  gen_coord<S>& coordinate(int i) { return get<kind::gen>(free_coordinate(i)); }
+  const gen_coord<S>& coordinate(int i) const { return get<kind::gen>(free_coordinate(i)); }
+  /// Degrees of freedom, and numbers of a configuration.
+  int dofs() const { return topology_->nv; }
+  int nq() const { return topology_->nq; }
+
+  std::span<const detail::freedom> freedoms() const { return topology_->free; }
+
+  /// What this state was made for.
+  const shared_topology& made_for() const { return topology_; }
+  const tree_type& tree() const { return *tree_; }
+
+ private:
+  int free_coordinate(int i) const {
+    detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
+    return free_coordinates_[static_cast<std::size_t>(i)];
+  }
+  void swap(basic_runtime_state& o) noexcept {
+    std::swap(topology_, o.topology_), std::swap(things_, o.things_);
+    std::swap(free_coordinates_, o.free_coordinates_);
+    std::swap(tree_, o.tree_), std::swap(work, o.work);
+  }
+  template <std::size_t... K>
+  void resize(std::index_sequence<K...>) {
+    (std::get<K>(things_).resize(topology_->names[K].size()), ...);
+  }
+  template <class Kinds>
+  struct lists;
+  template <std::size_t... K>
+  struct lists<std::index_sequence<K...>> {
+    using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), S>>...>;
+  };
+
+  shared_topology topology_;
+  std::shared_ptr<const tree_type> tree_;
+  typename lists<std::make_index_sequence<kinds>>::type things_;
+  std::vector<int> free_coordinates_;
+
+ public:
+  /// Working memory of the algorithms; nothing in it needs to be read or kept.
+  detail::loop_memory<parameter, S> work;
+  detail::own_memory with_derivatives;
+};
+
+}  // namespace kte

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <kte/runtime_chain/kte_map.hpp>
+#include <kte/runtime_chain/topology.hpp>
+#include <kte/tree/chain_tree.hpp>
+#include <kte/tree/loop_memory.hpp>
+
+/// The records of a runtime chain, worked out once for all copies of a state.
+namespace kte::detail {
+
+/// What `arrange` asks of a runtime chain.
+struct runtime_connections {
+  const topology& t;
+  std::size_t elements() const { return t.elements.size(); }
+  std::span<const port> ports(std::size_t e) const { return t.elements[e].ports; }
+  int index(std::size_t e, std::size_t p) const { return t.elements[e].index[p]; }
+  bool stiff(std::size_t e) const { return t.elements[e].stiff; }
+  int count(kind k) const { return static_cast<int>(t.names[static_cast<std::size_t>(k)].size()); }
+  int writer(kind k, int i) const { return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
+  std::size_t freedoms() const { return t.free.size(); }
+  freedom freedom_at(std::size_t f) const { return t.free[f]; }
+  int dofs() const { return t.nv; }
+};
+
+template <class P>
+using runtime_tree = chain_tree<P, runtime_plan>;
+template <class P>
+runtime_tree<P> tree_of(const topology& t) {
+  const runtime_connections c{t};
+  return {c, arrange<growing_list>(c), [&t](const auto& each) {
+            for (std::size_t e = 0; e < t.elements.size(); ++e) {
+              if constexpr (std::is_same_v<P, double>)
+                each(e, t.elements[e].element->numbers());
+              else
+                each(e, as_numbers<P>(t.elements[e].element->numbers()));
+            }
+          }};
+}
+/// Throws `bad_argument` if S is a scalar in which forces, or coordinates that follow others, are not known.
+template <class S, class P>
+void check_scalar(const topology& t, const runtime_tree<P>& tree) {
+  if (std::is_same_v<S, double> || std::is_same_v<S, derivative_number>) return;
+  const auto refuse = [&t](int e, const char* why) {
+    throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
+                       t.elements[static_cast<std::size_t>(e)].element->record().type + why);
+  };
+  if (tree.irregular >= 0) refuse(tree.irregular, tree.why);
+  for (const auto* list : {&tree.followers, &tree.on_coordinates, &tree.on_frames})
+    for (const int e : *list) refuse(e, " acts by a law of its own");
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,232 @@
+#pragma once
+
+#include <kte/contract/element.hpp>
+#include <kte/contract/freedom.hpp>
+
+#include <array>
+#include <bit>
+#include <tuple>
+
+/// Who is connected to what, worked out once per chain at compile time. The one file of this library with bookkeeping
+/// in it: everything else asks its table.
+namespace kte::detail {
+
+/// One port of one element, with the name it is connected to as a number.
+struct port_use {
+  kind what{};
+  access how{};
+  std::uint64_t key{};   ///< the same number is the same name
+  std::uint64_t text{};  ///< the same number is the same text
+};
+
+/// The result. P ports and E elements are counted over the whole chain.
+///   slot[p]       index of what port p is connected to, among things of its kind
+///   count[k]      how many things of kind k there are
+///   writer[k][s]  the element that writes thing s of kind k, or -1 if it is given from outside
+///   free          the coordinates that are degrees of freedom, in order of first appearance; of each kind they are
+///                 the first things. nq and nv numbers altogether
+///   reader[k][s]  the last port through which a load comes on thing s of kind k, or -1; previous[p] is the one before
+///   element[p], load[p]   the element of port p, and the place of its load among the loads of that element
+template <std::size_t P, std::size_t E>
+struct wiring_table {
+  std::array<int, P + 1> slot{};
+  std::array<kind, P + 1> what{};
+  std::array<int, kinds> count{};
+  std::array<std::array<int, P + 1>, kinds> writer{};
+  std::array<std::array<std::uint64_t, P + 1>, kinds> key{};
+  std::array<std::array<int, P + 1>, kinds> reader{};
+  std::array<int, P + 1> previous{}, element{}, load{};
+  std::array<bool, P + 1> angle{};  ///< by generalized coordinate: an element wants its sine and cosine
+  std::array<freedom, P + 1> free{};
+  int freedoms{}, nq{}, nv{};
+  problem error = problem::none;  ///< the first one; of element bad_element, about its port bad_port
+  std::size_t bad_element = E;
+  std::size_t bad_port{};
+};
+
+/// Resolves names. `first[e]` is the first port of element e, first[E] = P.
+template <std::size_t P, std::size_t E>
+constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<int, E + 1>& first) {
+  wiring_table<P, E> t;
+  constexpr int n = static_cast<int>(P);
+  std::array<int, P + 1> name{}, writer{}, rank{};  // name[p]: first port with the same name
+  auto& element = t.element;
+  const auto report = [&](int p, problem x) {
+    if (t.error != problem::none) return;
+    t.error = x;
+    t.bad_element = static_cast<std::size_t>(element[p]);
+    t.bad_port = static_cast<std::size_t>(p - first[t.bad_element]);
+  };
+  for (std::size_t e = 0; e < E; ++e)
+    for (int p = first[e]; p < first[e + 1]; ++p) element[p] = static_cast<int>(e);
+  // Equal texts find each other in a hash table: comparing all with all is too much for compilers beyond 200 elements.
+  constexpr std::size_t buckets = std::bit_ceil(2 * P + 2);
+  std::array<int, buckets> bucket{};  // a first port plus one, or 0
+  for (int p = 0; p < n; ++p) {
+    std::size_t b = use[p].text % buckets;
+    while (bucket[b] != 0 && use[bucket[b] - 1].text != use[p].text) b = (b + 1) % buckets;
+    if (bucket[b] == 0) bucket[b] = p + 1;
+    name[p] = bucket[b] - 1;
+    if (use[name[p]].key != use[p].key || use[name[p]].what != use[p].what) report(p, problem::same_text);
+  }
+  // writers; a name is known by its first port
+  for (int p = 0; p < n; ++p) writer[p] = -1;
+  for (int p = 0; p < n; ++p)
+    if (port::declares(use[p].how)) {
+      if (writer[name[p]] >= 0)
+        report(p, problem::written_twice);
+      else
+        writer[name[p]] = p;
+    }
+  // the first frame that is read is the base of the chain
+  int base = -1;
+  for (int p = 0; p < n && base < 0; ++p)
+    if (is_frame(use[p].what) && (use[p].how == access::in || use[p].how == access::on)) base = name[p];
+  // coordinates that move something
+  std::array<bool, P + 1> moves{};
+  for (int p = 0; p < n; ++p)
+    if (use[p].how == access::in || use[p].how == access::angle) moves[name[p]] = true;
+  for (int p = 0; p < n; ++p) {
+    if (port::declares(use[p].how)) continue;
+    const int w = writer[name[p]];
+    if (w >= 0 && element[w] >= element[p]) report(p, problem::read_before_written);
+    if (w < 0 && is_coordinate(use[p].what) && !moves[name[p]]) report(p, problem::unknown);
+    if (w < 0 && is_frame(use[p].what) && name[p] != base) report(p, problem::unknown);
+    if (w < 0 && use[p].what == kind::internal) report(p, problem::unknown);
+  }
+  // slots: coordinates that are degrees of freedom first, the rest in order of appearance
+  for (int round = 0; round < 2; ++round)
+    for (int p = 0; p < n; ++p) {
+      if (name[p] != p) continue;
+      const bool free_coordinate = is_coordinate(use[p].what) && writer[p] < 0;
+      if (free_coordinate != (round == 0)) continue;
+      const auto k = static_cast<std::size_t>(use[p].what);
+      rank[p] = t.count[k]++;
+      const bool given = writer[p] < 0 || use[writer[p]].how == access::base;
+      t.writer[k][rank[p]] = given ? -1 : element[writer[p]];
+      t.key[k][rank[p]] = use[p].key;
+      if (round == 1) continue;
+      t.free[static_cast<std::size_t>(t.freedoms++)] = {use[p].what, rank[p], t.nq, t.nv};
+      t.nq += nq_of(use[p].what);
+      t.nv += nv_of(use[p].what);
+    }
+  for (auto& of_kind : t.reader)
+    for (auto& r : of_kind) r = -1;
+  for (int p = 0; p < n; ++p) {
+    const int s = t.slot[p] = rank[name[p]];
+    t.what[p] = use[p].what;
+    if (use[p].how == access::angle && use[p].what == kind::gen) t.angle[s] = true;
+    if (use[p].how == access::out || use[p].how == access::base || is_signal(use[p].what)) continue;
+    t.load[p] = 0;
+    for (int before = first[element[p]]; before < p; ++before) t.load[p] += !is_signal(use[before].what);
+    auto& last = t.reader[static_cast<std::size_t>(use[p].what)][s];
+    t.previous[p] = last;
+    last = p;
+  }
+  return t;
+}
+
+/// The wiring of a chain of elements E..., each an `element<Core, Keys...>`.
+template <class... E>
+struct wiring;
+
+template <class E>
+struct uses_of;
+template <class E, std::size_t Port>
+struct key_at;
+template <class Core, class... Keys, std::size_t Port>
+struct key_at<element<Core, Keys...>, Port> : std::tuple_element<Port, std::tuple<Keys...>> {};
+template <class E, std::size_t Port>
+using key_of = typename key_at<E, Port>::type;
+template <class Core, class... Keys>
+struct uses_of<element<Core, Keys...>> {
+  static constexpr int count = static_cast<int>(sizeof...(Keys));
+  static constexpr std::array<port_use, sizeof...(Keys)> make() {
+    std::array<port_use, sizeof...(Keys)> u{};
+    const std::uint64_t keys[]{id_of_key<Keys>...}, texts[]{id_of_text<Keys>...};
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = {Core::ports[i].what, Core::ports[i].how, keys[i], texts[i]};
+    return u;
+  }
+};
+
+template <class... E>
+struct wiring {
+  static constexpr std::size_t elements = sizeof...(E);
+  static constexpr std::array<int, elements + 1> first = [] {
+    std::array<int, elements + 1> f{};
+    const int counts[]{uses_of<E>::count..., 0};
+    for (std::size_t e = 0; e < elements; ++e) f[e + 1] = f[e] + counts[e];
+    return f;
+  }();
+  static constexpr std::size_t ports = static_cast<std::size_t>(first[elements]);
+  static constexpr auto table = [] {
+    std::array<port_use, ports + 1> all{};
+    std::size_t p = 0;
+    [[maybe_unused]] const auto append = [&](const auto& some) {
+      for (const auto& u : some) all[p++] = u;
+      return 0;
+    };
+    const int done[]{append(uses_of<E>::make())..., 0};
+    (void)done;
+    return resolve<ports, elements>(all, first);
+  }();
+
+  /// Kind and index of what port `port` of element e is connected to.
+  static constexpr kind what(std::size_t e, std::size_t port) {
+    return table.what[static_cast<std::size_t>(first[e]) + port];
+  }
+  static constexpr int slot(std::size_t e, std::size_t port) {
+    return table.slot[static_cast<std::size_t>(first[e]) + port];
+  }
+  static constexpr int count(kind k) { return table.count[static_cast<std::size_t>(k)]; }
+  static constexpr int writer(kind k, int s) {
+    return table.writer[static_cast<std::size_t>(k)][static_cast<std::size_t>(s)];
+  }
+  /// Degrees of freedom, and numbers of a configuration.
+  static constexpr int dofs = table.nv;
+  static constexpr int nq = table.nq;
+  static constexpr std::size_t freedoms = static_cast<std::size_t>(table.freedoms);
+  template <std::size_t I>
+  static constexpr freedom free = table.free[I];
+  /// Of thing s of kind k; at.what is `input` if it is no degree of freedom.
+  static constexpr freedom freedom_of(kind k, int s) {
+    for (std::size_t i = 0; i < freedoms; ++i)
+      if (table.free[i].what == k && table.free[i].slot == s) return table.free[i];
+    return {kind::input, 0, 0, 0};
+  }
+  template <kind K, int Slot>
+  static constexpr freedom at = freedom_of(K, Slot);
+  template <kind K, int Slot>
+  static constexpr bool is_free = at<K, Slot>.what == K&& is_coordinate(K);
+  /// Generalized coordinates that are degrees of freedom.
+  static constexpr int gen_dofs = [] {
+    int n = 0;
+    for (std::size_t i = 0; i < freedoms; ++i) n += table.free[i].what == kind::gen;
+    return n;
+  }();
+  /// Whether the sine and cosine of generalized coordinate s are wanted.
+  static constexpr bool angle(int s) { return table.angle[static_cast<std::size_t>(s)]; }
+  /// Index of a key among things of its kind, or -1.
+  template <class Key>
+  static constexpr int find() {
+    const auto k = static_cast<std::size_t>(Key::what);
+    for (int s = 0; s < table.count[k]; ++s)
+      if (table.key[k][static_cast<std::size_t>(s)] == id_of_key<Key>) return s;
+    return -1;
+  }
+};
+
+/// The rules of wiring for the first problem of a chain, if it has one: an element, and the name in question.
+template <class Wiring, bool Bad, class... E>
+struct problem_of {
+  using type = check_wiring<void, problem::none, void>;
+};
+template <class Wiring, class... E>
+struct problem_of<Wiring, true, E...> {
+  using element_type = std::tuple_element_t<Wiring::table.bad_element, std::tuple<E...>>;
+  using type = check_wiring<element_type, Wiring::table.error, key_of<element_type, Wiring::table.bad_port>>;
+};
+template <class... E>
+using first_problem = typename problem_of<wiring<E...>, (wiring<E...>::table.error != problem::none), E...>::type;
+
+}  // namespace kte::detail

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <kte/contract/freedom.hpp>
+#include <kte/contract/port.hpp>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+/// Where coordinates and joints of a chain stand, for the loops over records: of runtime chains, and of static chains
+/// that are not unrolled.
+namespace kte::detail {
+
+/// What `arrange` works out. List: std::vector, or `short_list` where a chain is known to the compiler.
+template <template <class> class List>
+struct plan {
+  List<std::pair<kind, int>> bases;  ///< frames that no element writes
+  List<int> joint_row;               ///< by element: of a joint its first coordinate among all coordinates
+  List<int> row_of_gen;  ///< of generalized coordinates, among all coordinates: free ones first, then the others
+  List<int> lone_rows;   ///< of degrees of freedom that move no joint
+  int coordinates = 0;   ///< all of them
+  bool tree = true;      ///< no coordinate follows another or moves two joints
+};
+
+/// A vector of at most N.
+template <class T, std::size_t N>
+struct short_list {
+  std::array<T, N> item{};
+  std::size_t count = 0;
+  constexpr void push_back(const T& x) { item[count++] = x; }
+  constexpr void resize(std::size_t n) { count = n; }
+  constexpr std::size_t size() const { return count; }
+  constexpr bool empty() const { return count == 0; }
+  constexpr T& operator[](std::size_t i) { return item[i]; }
+  constexpr const T& operator[](std::size_t i) const { return item[i]; }
+  constexpr auto begin() const { return item.begin(); }
+  constexpr auto end() const { return item.begin() + static_cast<std::ptrdiff_t>(count); }
+};
+
+/// Works out the plan of a chain: `Chain` says
+///   elements(), ports(e), index(e, p), stiff(e)   its elements, what their ports are connected to, joints and links
+///   count(k), writer(k, i)                        the things of kind k, and the element that writes one, or -1
+///   freedoms(), freedom_at(f), dofs()             its degrees of freedom
+template <template <class> class List, class Chain>
+constexpr plan<List> arrange(const Chain& c) {
+  plan<List> p;
+  for (const kind k : {kind::frame_2D, kind::frame_3D})
+    for (int i = 0; i < c.count(k); ++i)
+      if (c.writer(k, i) < 0) p.bases.push_back({k, i});
+
+  std::array<List<int>, kinds> row_of;  // of coordinates by kind; -1: no degree of freedom
+  for (std::size_t k = 0; k < kinds; ++k) {
+    if (!is_coordinate(static_cast<kind>(k))) continue;
+    row_of[k].resize(static_cast<std::size_t>(c.count(static_cast<kind>(k))));
+    for (std::size_t i = 0; i < row_of[k].size(); ++i) row_of[k][i] = -1;
+  }
+  for (std::size_t f = 0; f < c.freedoms(); ++f) {
+    const freedom at = c.freedom_at(f);
+    row_of[static_cast<std::size_t>(at.what)][static_cast<std::size_t>(at.slot)] = at.v;
+  }
+  auto& gens = row_of[static_cast<std::size_t>(kind::gen)];
+  p.coordinates = c.dofs();
+  for (std::size_t i = 0; i < gens.size(); ++i)
+    if (gens[i] < 0) gens[i] = p.coordinates++;
+  p.row_of_gen = gens;
+
+  List<int> joints;  // by row
+  joints.resize(static_cast<std::size_t>(p.coordinates));
+  for (std::size_t i = 0; i < joints.size(); ++i) joints[i] = 0;
+  p.joint_row.resize(c.elements());
+  for (std::size_t e = 0; e < c.elements(); ++e) {
+    const auto ports = c.ports(e);
+    p.joint_row[e] = -1;
+    if (!c.stiff(e)) {
+      p.tree &= ports.back().how != access::out;
+    } else if (ports.size() > 2) {
+      p.joint_row[e] = row_of[static_cast<std::size_t>(ports[0].what)][static_cast<std::size_t>(c.index(e, 0))];
+      ++joints[static_cast<std::size_t>(p.joint_row[e])];
+    }
+  }
+  for (std::size_t f = 0; f < c.freedoms(); ++f) {
+    const int row = c.freedom_at(f).v;
+    p.tree &= joints[static_cast<std::size_t>(row)] <= 1;
+    if (joints[static_cast<std::size_t>(row)] == 0) p.lone_rows.push_back(row);
+  }
+  return p;
+}
+
+template <class T>
+using growing_list = std::vector<T>;
+using runtime_plan = plan<growing_list>;
+
+}  // namespace kte::detail
