@@ -104,17 +104,7 @@ class kte_map_chain : public kte_map {
   /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if a force acts on a coordinate that
   /// no element moves by, `bad_argument` if S is not double and elements have laws of their own.
   template <class S = double>
-  basic_runtime_state<S> make_state() const {
-    const auto& t = wiring();
-    t.check_complete();
-    basic_runtime_state<S> s(topology_);
-    const vec3<S> up = as<S>(vec3<>{} - gravity_);
-    for (std::size_t i = 0; i < t.names[1].size(); ++i)
-      if (t.writers[1][i] < 0) s.template get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
-    for (std::size_t i = 0; i < t.names[2].size(); ++i)
-      if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
-    return s;
-  }
+  basic_runtime_state<S> make_state() const;
 
   void doMotion(runtime_state& s) const override {
     check(s);
@@ -244,6 +234,22 @@ class kte_map_chain : public kte_map {
   bool gravity_is_written_ = false;
   use use_ = use::whole;
 };
+
+template <class S>
+basic_runtime_state<S> kte_map_chain::make_state() const {
+  const auto& t = wiring();
+  t.check_complete();
+  basic_runtime_state<S> s(topology_);
+  const vec3<S> up = as<S>(vec3<>{} - gravity_);
+  for (std::size_t i = 0; i < t.names[1].size(); ++i)
+    if (t.writers[1][i] < 0) s.template get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
+  for (std::size_t i = 0; i < t.names[2].size(); ++i)
+    if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
+  return s;
+}
+#ifdef KTE_EXTERN
+KTE_EXTERN template runtime_state kte_map_chain::make_state<double>() const;
+#endif
 
 /// A runtime chain as plain data; what is in it is listed element by element. Throws `bad_argument` if a part of it is
 /// neither an element nor a chain.

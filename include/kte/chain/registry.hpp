@@ -278,4 +278,8 @@ kte_map_chain to_chain(const model_record& m) {
   return to_chain(m, element_registry::standard());
 }
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template element_registry element_registry::standard<void>();
+#endif
+
 }  // namespace kte

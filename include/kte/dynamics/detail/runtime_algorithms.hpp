@@ -109,6 +109,13 @@ struct passes_in {
 template <class S>
 inline constexpr bool goes_through_passes = passes_in<S>::known;
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template void check_masses(const runtime_state&, const runtime_matrix<double>&);
+KTE_EXTERN template const runtime_vector<double>& accelerations_under_kept(const kte_map_chain&, runtime_state&,
+                                                                           std::span<const char>);
+KTE_EXTERN template void move_element(const topology&, runtime_state&, int);
+#endif
+
 }  // namespace detail
 
 }  // namespace kte
