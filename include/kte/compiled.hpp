@@ -2,10 +2,10 @@
 
 /// Runtime chains compiled: what is `extern` where KTE_COMPILED is defined (kte/detail/compiled.hpp). Include it in
 /// one source file, before all else, unless the CMake target kte::compiled has it for you.
-#ifdef KTE_EXTERN
+#if defined(KTE_EXTERN) || defined(KTE_FUNCTION)
 #  error "kte: include kte/compiled.hpp before other headers of kte"
 #endif
-#define KTE_EXTERN
+#define KTE_COMPILED_HERE
 
 #include <kte/chain/registry.hpp>
 #include <kte/dynamics/runtime.hpp>

@@ -26,3 +26,7 @@
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/static.hpp>
+
+#ifdef KTE_COMPILED
+#  include <kte/chain/compiled_elements.hpp>
+#endif

@@ -1,20 +1,7 @@
 #pragma once
 
+#include <kte/chain/compiled_elements.hpp>
 #include <kte/chain/kte_map_chain.hpp>
-#include <kte/elements/base.hpp>
-#include <kte/elements/damper.hpp>
-#include <kte/elements/driving_actuator.hpp>
-#include <kte/elements/free_joint.hpp>
-#include <kte/elements/inertia.hpp>
-#include <kte/elements/joint_backlash.hpp>
-#include <kte/elements/joint_lugre.hpp>
-#include <kte/elements/prismatic_joint.hpp>
-#include <kte/elements/revolute_joint.hpp>
-#include <kte/elements/rigid_link.hpp>
-#include <kte/elements/spherical_joint.hpp>
-#include <kte/elements/spring.hpp>
-#include <kte/elements/torsion_damper.hpp>
-#include <kte/elements/torsion_spring.hpp>
 
 #include <functional>
 #include <map>
