@@ -50,6 +50,8 @@ std::vector<block> from_digits(operation o, const State& s, const kte::reference
     case operation::jacobian:
       if constexpr (floats) return {transposed(s.foot_jacobian, 6, N)};
       return {};
+    case operation::regressor:
+      return {};
     default:
       break;
   }

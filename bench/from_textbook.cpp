@@ -1,6 +1,7 @@
 #include "from_textbook.hpp"
 
 #include <complex>
+#include <utility>
 
 #include "textbook.hpp"
 
@@ -33,6 +34,33 @@ std::array<vector, 3> vectors(const std::array<std::vector<double>, 3>& numbers)
   for (std::size_t part = 0; part < 3; ++part)
     x[part] = Eigen::Map<const Eigen::VectorXd>(numbers[part].data(), Eigen::Index(numbers[part].size())).cast<real>();
   return x;
+}
+
+/// Columns of the regressor: inverse dynamics where one body has one inertial parameter, m, m c, I about the origin of
+/// its frame, and nothing else has any. There is no first moment without a mass, of which the force is subtracted.
+block columns_of_bodies(serial_robot robot, const vector& q, const vector& v, const vector& a) {
+  for (auto& l : robot.links) l.mass = 0, l.com.setZero(), l.inertia.setZero();
+  const auto forces = [&] { return textbook<real>(robot).inverse_dynamics(q, v, a); };
+  block b;
+  const auto put = [&b](const vector& y) { b.insert(b.end(), y.begin(), y.end()); };
+  for (auto& l : robot.links) {
+    const auto nothing = l;
+    l.mass = 1;
+    const vector of_mass = forces();
+    put(of_mass);
+    for (int i = 0; i < 3; ++i) {
+      l.com = Eigen::Vector3d::Unit(i);
+      l.inertia = l.com * l.com.transpose() - Eigen::Matrix3d::Identity();
+      put(forces() - of_mass);
+    }
+    for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}}) {
+      l = nothing;
+      l.inertia(i, j) = l.inertia(j, i) = 1;
+      put(forces());
+    }
+    l = nothing;
+  }
+  return b;
 }
 
 }  // namespace
@@ -75,6 +103,8 @@ std::vector<block> from_textbook(operation o, const std::string& model,
       return {by_columns(id(t, q, v, a)), derivatives(id, true), derivatives(id, false), mass()};
     case operation::fd_derivatives:
       return {by_columns(fd(t, q, v, a)), derivatives(fd, true), derivatives(fd, false), inverse()};
+    case operation::regressor:
+      return {columns_of_bodies(robot, q, v, a)};
     case operation::jacobian:
       return {by_columns(t.forward_kinematics(q).jacobian)};
     case operation::forward_kinematics:

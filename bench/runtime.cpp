@@ -32,6 +32,7 @@ const registered here{[] {
   add_runtime<at_run_time<iiwa14>>();
   add_runtime<at_run_time<ur5>>();
   add_runtime<at_run_time<solo12>>();
+  add(operation::regressor, "runtime", iiwa14::name, call_on<at_run_time<iiwa14>, runtime_calls::regressor>);
 }};
 
 }  // namespace

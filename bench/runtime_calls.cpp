@@ -4,6 +4,7 @@
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/runtime_regressor.hpp>
 
 #include <algorithm>
 
@@ -71,6 +72,10 @@ void fd_derivatives(runtime_subject& subject, const double* x, double* y) {
   auto& [chain, tool, planar, s, nq, nv] = subject;
   const auto& r = kte::forward_dynamics_derivatives(chain, s, x, x + nq, x + nq + nv);
   copy(y, r.a, r.by_q, r.by_v, r.by_tau);
+}
+void regressor(runtime_subject& subject, const double* x, double* y) {
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  copy(y, kte::torque_regressor(chain, s, x, x + nq, x + nq + nv));
 }
 
 }  // namespace bench::runtime_calls

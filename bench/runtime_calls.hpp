@@ -24,7 +24,7 @@ struct runtime_subject {
 namespace runtime_calls {
 using function = void(runtime_subject&, const double* x, double* y);
 function passes, forward_kinematics, jacobian, inverse_dynamics, nonlinear_effects, mass_matrix, forward_dynamics,
-    mass_matrix_inverse, id_derivatives, fd_derivatives;
+    mass_matrix_inverse, id_derivatives, fd_derivatives, regressor;
 }  // namespace runtime_calls
 
 template <class Model, runtime_calls::function* F>

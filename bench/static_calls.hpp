@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/regressor.hpp>
 #include <kte/static.hpp>
 
 #include <new>
@@ -59,6 +60,9 @@ struct static_calls {
       const auto r = kte::forward_dynamics_derivatives(chain, x, x + nq, x + nq + nv);
       copy(y, r.a, r.by_q, r.by_v, r.by_tau);
     }
+  }
+  [[gnu::noinline]] static void regressor(const S* x, S* y) {
+    new (y) auto(kte::torque_regressor(chain, x, x + nq, x + nq + nv));
   }
 
  private:

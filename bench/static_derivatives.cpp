@@ -1,4 +1,5 @@
-/// Static chains: the inverse of the mass matrix, and derivatives. A file of its own, for what it takes to compile.
+/// Static chains: the inverse of the mass matrix, derivatives, the regressor. A file of its own, for what it takes to
+/// compile.
 #include "models.hpp"
 #include "static_calls.hpp"
 
@@ -9,6 +10,7 @@ const registered here{[] {
   add_derivatives<pendulum, double>("static");
   add_derivatives<iiwa14, double>("static");
   add_derivatives<ur5, double>("static");
+  add(operation::regressor, "static", iiwa14::name, static_calls<iiwa14, double>::regressor);
 }};
 
 }  // namespace

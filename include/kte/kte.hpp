@@ -8,7 +8,7 @@
 ///
 /// What takes longer to compile, or is needed less often, has headers of its own:
 ///
-///   kte/dynamics.hpp              all algorithms: also derivatives, M^-1, hybrid dynamics, generalized momenta
+///   kte/dynamics.hpp              all algorithms: also derivatives, M^-1, hybrid dynamics, momenta, the regressor
 ///   kte/dynamics/batch.hpp        many states at once, in packs
 ///   kte/simulation.hpp            chains as systems x' = f(t, x), all integrators, events
 ///   kte/io.hpp                    files: models, tables, recorders, progress

@@ -1,5 +1,3 @@
-#include <cstring>
-
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "random.hpp"
@@ -7,67 +5,6 @@
 #include "robots/ur5.hpp"
 
 using namespace models;
-
-namespace {
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-
-/// Runs all passes on both chains from the same random coordinates, bases and inputs; compares every bit of both
-/// states.
-template <class Static>
-void compare_bits(const Static& fixed, const kte::kte_map_chain& loose, unsigned seed) {
-  auto s = kte::make_state(fixed);
-  auto r = loose.make_state();
-  const auto& t = loose.wiring();
-  random_numbers random(seed);
-  for (int round = 0; round < 20; ++round) {
-    const auto fill = [&](auto& a, auto& b, int count) {
-      double numbers[64];
-      for (int i = 0; i < count; ++i) numbers[i] = random(3.0);
-      std::memcpy(&a, numbers, static_cast<std::size_t>(count) * sizeof(double));
-      std::memcpy(&b, numbers, static_cast<std::size_t>(count) * sizeof(double));
-    };
-    for (int i = 0; i < Static::dofs; ++i) fill(s.coordinate(i), r.coordinate(i), 3);
-    for (std::size_t i = 0; i < t.names[1].size(); ++i)
-      if (t.writers[1][i] < 0)
-        fill(s.template get<kte::kind::frame_2D>(static_cast<int>(i)), r.frame_2D(t.names[1][i]), 10);
-    for (std::size_t i = 0; i < t.names[2].size(); ++i)
-      if (t.writers[2][i] < 0)
-        fill(s.template get<kte::kind::frame_3D>(static_cast<int>(i)), r.frame_3D(t.names[2][i]), 24);
-    for (std::size_t i = 0; i < t.names[3].size(); ++i)
-      fill(s.template get<kte::kind::input>(static_cast<int>(i)), r.input(t.names[3][i]), 1);
-    fixed.doMotion(s), fixed.clearForce(s), fixed.doForce(s);
-    loose.doMotion(r), loose.clearForce(r), loose.doForce(r);
-    for (std::size_t i = 0; i < t.names[1].size(); ++i)
-      CHECK(same_bits(s.template get<kte::kind::frame_2D>(static_cast<int>(i)), r.frame_2D(t.names[1][i])));
-    for (std::size_t i = 0; i < t.names[2].size(); ++i)
-      CHECK(same_bits(s.template get<kte::kind::frame_3D>(static_cast<int>(i)), r.frame_3D(t.names[2][i])));
-    for (int i = 0; i < Static::dofs; ++i) CHECK(same_bits(s.coordinate(i), r.coordinate(i)));
-  }
-}
-
-}  // namespace
-
-// Products must not be fused into sums differently in different places, so this test is built without -march=native.
-TEST_CASE("the passes of static and runtime chains agree bit for bit") {
-  SECTION("pendulum") { compare_bits(pendulum, by_own_elements(pendulum), 1); }
-  SECTION("tree") { compare_bits(tree, by_own_elements(tree), 2); }
-  SECTION("iiwa14") { compare_bits(robots::iiwa14, by_own_elements(robots::iiwa14), 3); }
-  SECTION("ur5") { compare_bits(robots::ur5, by_own_elements(robots::ur5), 4); }
-  SECTION("a static chain appended as one element") {
-    kte::kte_map_chain c;
-    c.gravity(tree.gravity()) << tree;
-    compare_bits(tree, c, 5);
-  }
-  SECTION("a runtime chain in a runtime chain") {
-    kte::kte_map_chain c;
-    c.gravity(robots::iiwa14.gravity()) << by_own_elements(robots::iiwa14);
-    compare_bits(robots::iiwa14, c, 6);
-  }
-}
 
 TEST_CASE("a chain read from its record gives the same values") {
   const auto built = by_own_elements(tree), loaded = registered(kte::record_of(built));
@@ -233,35 +170,4 @@ TEST_CASE("mistakes in a runtime chain are named, and change nothing") {
   CHECK(record_of(c) == before);
   CHECK_NOTHROW(c << inertia_3D("tip", point_mass(1.0)));  // and it goes on
   CHECK_NOTHROW(c << base_3D("another") << inertia_3D("another", point_mass(1.0)));
-}
-
-TEST_CASE("handles stand for names", "[runtime]") {
-  using namespace kte;
-  kte_map_chain c;
-  c << revolute_joint_3D("q", "base", "end", axis::x) << rigid_link_3D("end", "tool", along_y(0.5))
-    << driving_actuator_gen("q", "motor");
-  const auto tool = c.frame("tool"), q = c.coordinate("q"), motor = c.input("motor");
-  auto s = c.make_state();
-  const std::array x{0.5}, v{2.0};
-  CHECK(forward_kinematics(c, s, x, tool).position == forward_kinematics(c, s, x, "tool").position);
-  CHECK(jacobian(c, s, x, tool) == jacobian(c, s, x, "tool"));
-  CHECK(jacobian(c, s, x, tool, in_world_axes) == jacobian(c, s, x, "tool", in_world_axes));
-  CHECK(frame_velocity(c, s, x, v, tool).linear == frame_velocity(c, s, x, v, "tool").linear);
-  s.input(motor) = 3.0;
-  CHECK(s.input("motor") == 3.0);
-  CHECK(&s.coordinate(q) == &s.coordinate("q"));
-  CHECK(&s.frame_3D(tool) == &s.frame_3D("tool"));
-  const kte_map_chain copy = c;
-  auto of_copy = copy.make_state();
-  CHECK(forward_kinematics(copy, of_copy, x, tool).position == forward_kinematics(c, s, x, tool).position);
-
-  CHECK_THROWS_AS(c.frame("q"), unknown_name);
-  CHECK_THROWS_AS(c.coordinate("tool"), unknown_name);
-  CHECK_THROWS_AS(c.frame("hand"), unknown_name);
-  CHECK_THROWS_AS(jacobian(c, s, x, q), bad_argument);
-  CHECK_THROWS_AS(s.input(q), bad_argument);
-  c << inertia_3D("tool", point_mass(1.0));
-  auto longer = c.make_state();
-  CHECK_THROWS_AS(forward_kinematics(c, longer, x, tool), bad_argument);
-  CHECK_THROWS_AS(longer.frame_3D(tool), bad_argument);
 }

@@ -1,4 +1,5 @@
-# awk -v page=docs/events.md -f snippets.awk FILE: a translation unit of the C++ of a page of the documentation.
+# awk -v page=docs/events.md -v root=PROJECT -f snippets.awk FILE: a translation unit of the C++ of a page of the
+# documentation.
 #
 # A ```cpp block is the body of a function, or, with `int main()` in it, a program. What a ``` block without a language
 # right behind it has is what the function must print; without one it must print nothing. A ```json block is the text
@@ -9,6 +10,7 @@
 #   <!-- snippet: outside    they stand in no function; without lines, <!-- snippet: outside -->, the next block does
 #   <!-- snippet: continued  they, and the next block, belong to the function of the block before
 #   <!-- snippet: after      they belong to the block before
+#   <!-- snippet: from FILE -->   the next block stands in this file of the project, which is compiled elsewhere
 #
 function add(text) { body = body text "\n" }
 function here() { add("#line " NR + 1 " \"" page "\"") }
@@ -42,6 +44,7 @@ hidden { add_code($0); next }
   how = $0
   sub(/^<!-- snippet:? */, "", how)
   sub(/ *(-->)?$/, "", how)
+  if (how ~ /^from /) { excerpt = substr(how, 6); next }
   if (how == "outside") close_function()
   else if (how == "") open_function(NR)
   else if (how != "continued" && how != "after") { print page ":" NR ": '" how "'?" > "/dev/stderr"; exit 1 }
@@ -63,7 +66,8 @@ hidden { add_code($0); next }
   next
 }
 /^```/ {
-  if (fence == "cpp") add_block()
+  if (fence == "cpp" && excerpt != "") check_excerpt()
+  else if (fence == "cpp") add_block()
   if (fence == "json") add(")---\";")
   may_print = fence == "cpp"
   fence = ""
@@ -78,6 +82,13 @@ fence == "json" { add($0); next }
 fence == "output" { output = output $0 "\n"; next }
 fence == "" && NF { may_print = 0 }
 
+function check_excerpt(    file, line, text) {
+  file = root "/" excerpt
+  while ((getline line < file) > 0) text = text line "\n"
+  close(file)
+  if (!index(text, block)) { print page ":" first ": this is not in " excerpt > "/dev/stderr"; exit 1 }
+  excerpt = ""
+}
 function add_block(    lines, count, i) {
   if (place == "continued" && name == "") { print page ":" NR ": continues nothing" > "/dev/stderr"; exit 1 }
   if (is_program) {

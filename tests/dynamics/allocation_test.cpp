@@ -1,3 +1,5 @@
+#include <kte/dynamics/regressor.hpp>
+
 #include "allocations.hpp"
 #include "catch.hpp"
 #include "chain/models.hpp"
@@ -24,6 +26,8 @@ TEST_CASE("static chains allocate nothing") {
   CHECK(during([&] { (void)kte::forward_dynamics(c, x, x, x); }) == 0);
   CHECK(during([&] { (void)kte::forward_dynamics(c, s); }) == 0);
   CHECK(during([&] { (void)kte::forward_kinematics(c, x, robots::iiwa14_names::tool); }) == 0);
+  CHECK(during([&] { (void)kte::torque_regressor(c, x, x, x); }) == 0);
+  CHECK(during([&] { (void)kte::inertial_parameters(c); }) == 0);
 }
 
 TEST_CASE("runtime chains allocate nothing once their state is made") {

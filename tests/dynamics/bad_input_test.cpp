@@ -1,6 +1,7 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/runtime_regressor.hpp>
 
 #include <limits>
 
@@ -121,6 +122,8 @@ TEST_CASE("a joint with a force of its own") {
     CHECK_THROWS_WITH(hybrid_dynamics(model, s, q, v, a, {}), refused);
     CHECK_THROWS_WITH(gravity_forces(model, s), refused);
     CHECK_THROWS_WITH(coriolis_forces(model, s), refused);
+    CHECK_THROWS_WITH(torque_regressor(model, s), refused);
+    CHECK_THROWS_WITH(torque_regressor(model, s, q, v, a), refused);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <kte/events/detail/crossing_search.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -56,6 +57,38 @@ TEST_CASE("A sign change is found within four steps a bit, however f is shaped")
     check("steep", size, [&](double x) { return -size * std::cbrt(x); });
     check("exponential", size, [&](double x) { return size * (1 - std::exp(40 * x)); });
   }
+}
+
+TEST_CASE("A sign change is found in few steps where interpolation always stalls") {
+  // -1 at each power of 0.24, from where it almost touches zero at twice the next one and stays there: each secant ends
+  // just before that, so that interpolation goes on in ever tinier steps. It is positive below 1e-30 only: 103 bits, of
+  // which a tooth of this saw takes 2.06, two bisections and at most one step more.
+  constexpr double touch = 0.48, end = 1e-30;
+  const auto saw = [](double x) {
+    if (x <= end) return 1.0;
+    while (x <= touch / 2) x *= 2 / touch;
+    return -2 * std::pow(std::max(x - touch, 0.0), 1.01) - 1e-200;
+  };
+  int steps = 0;
+  const auto found = find_sign_change([&](double x) { return ++steps, saw(x); }, 0.0, saw(0), 1.0, saw(1));
+  CHECK(found.f_before == 1);
+  CHECK(found.f_after < 0);
+  CHECK(found.after == within(end, 1e-31));  // 2 eps^2 of the interval
+  CHECK(steps < 3 * 50);                     // 133; where three slow steps do not end in a bisection 500
+}
+
+TEST_CASE("A smooth sign change is found in few steps") {
+  // The digits double or more with each, where no bisection is forced: 8, 8 and 9 steps, or one more by the rounding of
+  // the last. Bisection alone takes 53.
+  const auto steps_of = [](const auto& f) {
+    int steps = 0;
+    find_sign_change([&](double x) { return ++steps, f(x); }, 0.0, f(0.0), 1.0, f(1.0));
+    return steps;
+  };
+  CHECK(steps_of([](double x) { return 0.3 - x; }) <= 2);
+  CHECK(steps_of([](double x) { return 0.027 - x * x * x; }) <= 9);
+  CHECK(steps_of([](double x) { return std::cos(2 * x); }) <= 9);
+  CHECK(steps_of([](double x) { return 1 - std::exp(10 * (x - 0.3)); }) <= 10);
 }
 
 TEST_CASE("A short flight is seen: what leaves zero and comes back after a time T") {

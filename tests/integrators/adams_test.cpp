@@ -114,14 +114,6 @@ TEST_CASE("Adams: the error follows the tolerance, with few evaluations") {
   CHECK(solve(1e-6).second < 3500);   // dormand_prince45: 4600
   CHECK(solve(1e-9).second < 6000);   // 16000
   CHECK(solve(1e-12).second < 9500);  // 64000
-  double sum = 0;
-  constexpr int runs = 6;  // rounding makes the errors of runs with nearly the same tolerance differ tenfold
-  for (int i = 0; i < runs; ++i) {
-    const auto [error, evaluations] = solve(1e-13 * std::pow(2, (i - 2.5) / runs));
-    CHECK(evaluations < 15000);
-    sum += error;
-  }
-  CHECK(sum / runs < 1e-10);
 }
 
 TEST_CASE("Adams: the order goes up to 12 as the tolerance asks, and two evaluations make a step") {

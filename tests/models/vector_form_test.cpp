@@ -67,7 +67,13 @@ TEST_CASE("Models know their Jacobian, also where there are rotations; stiff met
   Eigen::MatrixXd j;
   CHECK_FALSE(vector_form(std::ref(runtime)).jacobian(0, Eigen::VectorXd(x), j));  // of displacements, not of numbers
   manipulator_dynamics_model sprung(models::element_by_element(floating_with_springs));
-  CHECK_THROWS_AS(sprung.jacobian(0, sprung.make_x(m.q, m.v)), bad_argument);
+  check_jacobian(sprung, sprung.make_x(m.q, m.v));
+  puck_with_arm << joint_lugre_gen(
+      "q", "bristles",
+      {.sigma0 = 1e3, .sigma1 = 30, .sigma2 = 0.1, .coulomb = 1, .stiction = 2, .stribeck_velocity = 0.01});
+  const manipulator_dynamics_model with_bristles(puck_with_arm);
+  const auto still = with_bristles.make_x(std::array{0.0, 0.0, 0.0, 0.0}, std::array{0.0, 0.0, 0.0, 0.0});
+  CHECK_THROWS_AS(with_bristles.jacobian(0, still), bad_argument);
 
   rodas solver(std::ref(runtime), 0.0, Eigen::VectorXd(x), {.absolute = 1e-6, .relative = 1e-6});
   solver.integrate(0.1);

@@ -27,7 +27,8 @@ struct element_numbers {
   tree::stiff_numbers<P> stiff{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
   composite<P, vec3<P>, sym3<P>> weight{};
-  P mass{0};  ///< on its coordinate
+  P mass{0};              ///< on its coordinate
+  bool has_mass = false;  ///< whether it has one there, which may be 0
 };
 
 /// A coordinate of kind K as plain numbers: at zero, or where (1), (2) of tree/build.hpp are tried.
@@ -88,7 +89,7 @@ element_numbers<P> as_numbers(const element_numbers<double>& n) {
     x.stiff.linear[k] = as<P>(n.stiff.linear[k]), x.stiff.angular[k] = as<P>(n.stiff.angular[k]);
   x.body = {static_cast<P>(n.body.mass), as<P>(n.body.com), as<P>(n.body.inertia)};
   x.weight = {static_cast<P>(n.weight.mass), as<P>(n.weight.moment), as<P>(n.weight.inertia)};
-  x.mass = static_cast<P>(n.mass);
+  x.mass = static_cast<P>(n.mass), x.has_mass = n.has_mass;
   return x;
 }
 template <class P, class Core>
@@ -106,7 +107,7 @@ element_numbers<P> numbers_of(const Core& core) {
   } else if constexpr (has_mass<Core, P>) {
     const auto m = core.template mass<P>();
     if constexpr (!is_frame(Core::ports[0].what)) {
-      n.mass = as<P>(m);
+      n.mass = as<P>(m), n.has_mass = true;
       if (is_rigid_body<Core>) n.is = part::body;
     } else {
       n.is = is_rigid_body<Core> ? part::body : part::weight;

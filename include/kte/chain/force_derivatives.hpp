@@ -40,8 +40,17 @@ struct force_derivatives {
   }
   template <std::size_t... P>
   void by_ports([[maybe_unused]] std::index_sequence<P...> all) const {
-    const int done[]{(row<P>() < 0 ? 0 : (by_port<P>(all), 0))..., 0};
+    const int done[]{(row<P>() < 0 || is_again<P>() ? 0 : (by_port<P>(all), 0))..., 0};
     (void)done;
+  }
+  /// Whether two coordinates are the same. (A function, as g++ warns where a comparison is written with itself.)
+  bool are_one(std::size_t a, std::size_t b) const { return index[a] == index[b]; }
+  /// Whether port P leads to the coordinate of a port before it: `seen` then varies both at once.
+  template <std::size_t P>
+  bool is_again() const {
+    for (std::size_t before = 0; before < P; ++before)
+      if (Core::ports[before].what == kind::gen && are_one(before, P)) return true;
+    return false;
   }
   /// By the coordinate at port L.
   template <std::size_t L, std::size_t... P>
@@ -55,7 +64,7 @@ struct force_derivatives {
   template <std::size_t P, std::size_t L>
   auto seen() const {
     if constexpr (at<P>.what == kind::gen) {
-      return varied_coordinate<S>(thing<P>(), index[P] == index[L]);
+      return varied_coordinate<S>(thing<P>(), are_one(P, L));
     } else {
       return number_of_signal<at<P>.what>(thing<P>());
     }

@@ -5,8 +5,8 @@
 namespace kte {
 
 /// Something of a runtime chain, looked up once: `const auto tool = arm.frame("tool")`. Calls take it wherever they
-/// take the name, and check that it is of the chain at hand, or of a copy. A chain to which something is appended has
-/// others.
+/// take the name, and check that it is of the chain at hand, or of a copy. A chain to which something is appended, or
+/// whose gravity is changed, has others.
 class handle {
  public:
   kind what() const { return what_; }
@@ -54,7 +54,8 @@ class name_or_handle {
   static std::string text(kind k) { return std::string(to_string(k)); }
   void check(const topology& t) const {
     if (handle_->layout_ != t.layout)
-      throw bad_argument("kte: this handle is of another chain, or from before the last element was appended");
+      throw bad_argument(
+          "kte: this handle is of another chain, or from before the last element was appended or gravity was changed");
   }
   std::string_view name_;
   const handle* handle_ = nullptr;

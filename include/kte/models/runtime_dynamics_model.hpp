@@ -46,11 +46,11 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
-  /// As of a static chain. Says whether it is known: of trees without internal states, whose elements all have
-  /// derivatives (dynamics/runtime_derivatives.hpp); else stiff methods take differences.
+  /// As of a static chain. Says whether it is known: of chains without internal states (and not where passes alone know
+  /// a joint, chain/chain_tree.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double, const state& x, jacobian_matrix& j) const {
-    if (internals() > 0 || !s_.tree().plan.tree || !wiring().has_derivatives) return false;
+    if (internals() > 0 || s_.tree().irregular >= 0) return false;
     setJointStates(x, s_);
     const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
     j.resize(rates(), rates());
@@ -63,8 +63,8 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     jacobian_matrix j;
     if (!jacobian(t, x, j))
       throw bad_argument(
-          "kte: the Jacobian of a model of a runtime chain is known of trees without internal states, of elements "
-          "that have derivatives");
+          "kte: the Jacobian of a model of a runtime chain is known where it has no internal states, and joints that "
+          "move by their `relative` alone");
     return j;
   }
 

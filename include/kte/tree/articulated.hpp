@@ -9,47 +9,61 @@
 /// A body must be pushed by I A - W, with I its articulated inertia and W its load.
 namespace kte::tree {
 
-/// I and W of every body alone; what velocities alone add to accelerations, at bodies of which `yields` is false also
-/// what is given. Needs the motions of bases; without `moving` there are no velocities and nothing is given.
+/// The articulated inertia of a body that carries nothing.
+template <class S, class P>
+KTE_INLINE articulated_inertia<S> own_inertia(const record<P>& r) {
+  const S mass(r.weight.mass);
+  const vec3<S> h = as<S>(r.weight.moment);
+  return {{mass, S(0), S(0), mass, S(0), mass},
+          {{S(0), h.z, -h.y}, {-h.z, S(0), h.x}, {h.y, -h.x, S(0)}},
+          as<S>(r.weight.inertia)};
+}
+/// W of every body alone, and I of those on which several stand; what velocities alone add to accelerations, at bodies
+/// of which `yields` is false also what is given. Needs the motions of bases; without `moving` there are no velocities
+/// and nothing is given.
 template <class P, class S>
 void start_articulated(const forest<P>& f, memory<P, S>& m, bool moving) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
-  for (std::size_t b = 0; b < bases; ++b) {
+  const int bases = f.bases;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(bases); ++b) {
     m.articulated[b].acceleration = m.bodies[b].acceleration;
     m.articulated[b].ang_acceleration = m.bodies[b].ang_acceleration;
   }
+  vec3<S> w{};  // of the body before, in registers
+  int at_hand = -1;
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
-    articulated_body<S>& x = m.articulated[bases + i];
-    const S mass(r.weight.mass);
-    const vec3<S> h = as<S>(r.weight.moment);
-    x.inertia = {{mass, S(0), S(0), mass, S(0), mass},
-                 {{S(0), h.z, -h.y}, {-h.z, S(0), h.x}, {h.y, -h.x, S(0)}},
-                 as<S>(r.weight.inertia)};
-    x.load = {};
-    x.drift = x.ang_drift = {};
-    if (!moving) continue;
+    const auto slot = static_cast<std::size_t>(bases) + i;
+    articulated_body<S>& x = m.articulated[slot];
+    if (r.branches) x.inertia = own_inertia<S>(r);
+    if (!moving) {
+      x.load = {};
+      x.drift = x.ang_drift = {};
+      continue;
+    }
     const placed at{r, m.spots[i]};
-    const vec3<S>& w_p = m.bodies[static_cast<std::size_t>(r.parent)].ang_velocity;
-    const vec3<S> w = at.in(w_p);
+    if (r.parent != at_hand) w = m.bodies[static_cast<std::size_t>(r.parent)].ang_velocity;
+    at_hand = static_cast<int>(slot);
     const S* const rate = &m.rate[static_cast<std::size_t>(r.first)];
     const S* const given = &m.acceleration[static_cast<std::size_t>(r.first)];
-    x.drift = at.in(cross(w_p, cross(w_p, m.spots[i].position)));
+    vec3<S> drift = at.in(cross(w, cross(w, m.spots[i].position))), ang_drift{};
+    w = at.in(w);
     if (r.moves == joint::revolute) {
-      x.ang_drift = {w.y * *rate, -w.x * *rate, S(0)};
-      m.bodies[bases + i].ang_velocity = {w.x, w.y, w.z + *rate};
+      ang_drift.x = w.y * *rate, ang_drift.y = -w.x * *rate;
+      w.z += *rate;
     } else {
       vec3<S> v_j{}, w_j{};
       along_axes(r, rate, v_j, w_j);
-      x.drift = x.drift + (S(2) * cross(w, v_j) + cross(w_j, v_j));
-      x.ang_drift = cross(w, w_j);
-      m.bodies[bases + i].ang_velocity = w + w_j;
+      drift = drift + (S(2) * cross(w, v_j) + cross(w_j, v_j));
+      ang_drift = cross(w, w_j);
+      w = w + w_j;
     }
-    if (!m.yields[i]) along_axes(r, given, x.drift, x.ang_drift);
-    const vec3<S>& w_i = m.bodies[bases + i].ang_velocity;
+    x.drift = drift, x.ang_drift = ang_drift;
+    m.bodies[slot].ang_velocity = w;
+    if (!m.yields[i]) [[unlikely]]
+      along_axes(r, given, x.drift, x.ang_drift);
     const rigid_body<P, vec3<P>, sym3<P>>& b = r.body;
-    const vec3<S> force = b.mass * cross(w_i, cross(w_i, b.com));
-    x.load = {-force, -(cross(w_i, b.inertia * w_i) + cross(b.com, force))};
+    const vec3<S> force = b.mass * cross(w, cross(w, b.com));
+    x.load = {-force, -(cross(w, b.inertia * w) + cross(b.com, force))};
   }
 }
 
@@ -77,26 +91,28 @@ KTE_INLINE S least_mass(const S& linear, const S& angular) {
   return S(16) * std::numeric_limits<S>::epsilon() * (linear + angular);
 }
 
-/// Adds what a body carries, in axes of the parent but about its own origin, to the parent: (2) of
+/// What is to be added to the parent: the articulated inertia of a body and its load, at its own origin.
+template <class S>
+struct burden {
+  articulated_inertia<S> inertia;
+  dense_wrench<S> load;
+};
+/// Of a body with all it carries, in axes of the parent, but about its own origin: about that of the parent, by (2) of
 /// math/articulated.hpp.
 template <class P, class S>
-KTE_INLINE void add_seen_from(const placed<P, S>& at, const sym3<S>& linear, const mat3<vec3<S>>& coupling,
-                              const sym3<S>& angular, const dense_wrench<S>& load, articulated_body<S>& parent) {
-  const auto moved = shifted(at.at.position, kte::articulated{linear, coupling, angular});
-  const dense_wrench<S> w = at.out(load);
-  auto& to = parent.inertia;
-  to = {to.linear + moved.linear, to.coupling + moved.coupling, to.angular + moved.angular};
-  parent.load = {parent.load.force + w.force, parent.load.torque + w.torque};
+KTE_INLINE burden<S> seen_from_parent(const placed<P, S>& at, const sym3<S>& linear, const mat3<vec3<S>>& coupling,
+                                      const sym3<S>& angular, const dense_wrench<S>& load) {
+  return {shifted(at.at.position, kte::articulated{linear, coupling, angular}), at.out(load)};
 }
 
 /// A joint about z gives way: with U = I s, D = s.U + m, W' the load less what the drift takes,
 ///
 ///   gain = U / D,  rate = (f + s.W) / D,  I' = I - U gain^T,  W' = W - I' drift - U rate         (1)
 ///
-/// Along s, I' is nothing and W' is -f. What is carried is added to the parent, in its axes.
+/// Along s, I' is nothing and W' is -f. What is carried, `x`, is then seen from the parent, unless that is a base.
 template <class P, class S>
-KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S& f, articulated_body<S>& x,
-                                 axis_answer<S>& answer, articulated_body<S>* parent) {
+KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S& f, const vec3<S>& da,
+                                 const vec3<S>& dal, burden<S>& x, axis_answer<S>& answer, bool on_base) {
   const auto& [a, h, j] = x.inertia;
   const vec3<S> u{h.x.z, h.y.z, h.z.z}, t{j.xz, j.yz, j.zz};
   const bool good = all(t.z > least_mass(S(0), j.xx + (j.yy + j.zz)));
@@ -104,9 +120,8 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
   const vec3<S> gu = inverse * u, gt{inverse * t.x, inverse * t.y, S(1)};
   const S rate = inverse * (f + x.load.torque.z);
   answer = {{gu, gt}, rate, inverse};
-  if (parent == nullptr) return good;
+  if (on_base) return good;
 
-  const vec3<S>&da = x.drift, &dal = x.ang_drift;
   const sym3<S> linear{a.xx - u.x * gu.x, a.xy - u.x * gu.y, a.xz - u.x * gu.z,
                        a.yy - u.y * gu.y, a.yz - u.y * gu.z, a.zz - u.z * gu.z};
   // Columns x and y of the coupling, and the corner of the angular part: the rest is nothing.
@@ -136,7 +151,7 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
                    {nx.y, tilt.cos * ny.y, tilt.sin * ny.y},
                    {nx.z, tilt.cos * ny.z, tilt.sin * ny.z}};
   if (r.turned) m1 = out_z(r.before, m1), j1 = out_z(r.before, j1), h1 = out_z(r.before, h1);
-  add_seen_from(placed<P, S>{r, at}, m1, h1, j1, load, *parent);
+  x = seen_from_parent(placed<P, S>{r, at}, m1, h1, j1, load);
   return good;
 }
 
@@ -145,7 +160,8 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
 /// body carries goes on.
 template <class P, class S>
 [[gnu::noinline]] int give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const P* own_mass,
-                               articulated_body<S>& x, axis_answer<S>* answers, articulated_body<S>* parent) {
+                               const vec3<S>& da, const vec3<S>& dal, burden<S>& x, axis_answer<S>* answers,
+                               bool on_base) {
   auto& [a, h, j] = x.inertia;
   int bad = -1;
   const S linear = trace(a), angular = trace(j);
@@ -171,11 +187,10 @@ template <class P, class S>
     leave_nothing(n, x.inertia);
     set_component(x.load.force, x.load.torque, n, S(-force[k]));
   }
-  if (parent == nullptr) return bad;
-  const dense_wrench<S> load{x.load.force - (a * x.drift + h * x.ang_drift),
-                             x.load.torque - (transpose(h) * x.drift + j * x.ang_drift)};
+  if (on_base) return bad;
+  const dense_wrench<S> load{x.load.force - (a * da + h * dal), x.load.torque - (transpose(h) * da + j * dal)};
   const placed<P, S> seat{r, at};
-  add_seen_from(seat, seat.out(a), seat.out(h), seat.out(j), load, *parent);
+  x = seen_from_parent(seat, seat.out(a), seat.out(h), seat.out(j), load);
   return bad;
 }
 
@@ -185,23 +200,68 @@ template <class P, class S>
 int articulate(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   int bad = -1;
+  // What the body at hand carries stays in registers: of the last child in this order, which stands next to it.
+  burden<S> hand;
+  bool at_hand = false;
+  const auto add = [](burden<S>& to, const articulated_inertia<S>& i, const dense_wrench<S>& w) KTE_INLINE_LAMBDA {
+    to.inertia.linear = to.inertia.linear + i.linear, to.inertia.coupling = to.inertia.coupling + i.coupling;
+    to.inertia.angular = to.inertia.angular + i.angular;
+    to.load = {to.load.force + w.force, to.load.torque + w.torque};
+  };
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
     const auto k = static_cast<std::size_t>(r.first);
-    articulated_body<S>& x = m.articulated[bases + i];
-    articulated_body<S>* const parent =
-        r.parent < f.bases ? nullptr : &m.articulated[static_cast<std::size_t>(r.parent)];
+    const articulated_body<S>& x = m.articulated[bases + i];
+    if (!at_hand) hand = {own_inertia<S>(r), x.load};  // no body stands on it
+    const bool on_base = r.parent < f.bases;
     int own = -1;
     if (r.moves == joint::revolute && m.yields[i] && m.own_mass[k] == P(0)) {
-      if (!give_way_about_z(r, m.spots[i], m.force[k], x, m.answers[k], parent)) [[unlikely]]
+      if (!give_way_about_z(r, m.spots[i], m.force[k], x.drift, x.ang_drift, hand, m.answers[k], on_base)) [[unlikely]]
         own = 0;
     } else {
-      own = give_way(r, m.spots[i], m.yields[i] != 0, &m.force[k], &m.own_mass[k], x, &m.answers[k], parent);
+      burden<S> in_memory = hand;
+      own = give_way(r, m.spots[i], m.yields[i] != 0, &m.force[k], &m.own_mass[k], x.drift, x.ang_drift, in_memory,
+                     &m.answers[k], on_base);
+      hand = in_memory;
     }
     if (own >= 0 && bad < 0) [[unlikely]]
       bad = r.first + own;
+    at_hand = !on_base && static_cast<std::size_t>(r.parent) + 1 == bases + i;
+    if (on_base) continue;
+    articulated_body<S>& to = m.articulated[static_cast<std::size_t>(r.parent)];
+    if (!at_hand) {
+      burden<S> sum{to.inertia, to.load};
+      add(sum, hand.inertia, hand.load);
+      to.inertia = sum.inertia, to.load = sum.load;
+    } else if (f.records[i - 1].branches) {
+      add(hand, to.inertia, to.load);
+    } else {
+      add(hand, own_inertia<S>(f.records[i - 1]), to.load);
+    }
   }
   return bad;
+}
+
+/// (2) of `accelerate` for any joint.
+template <class P, class S>
+[[gnu::noinline]] void accelerate_axes(const record<P>& r, const axis_answer<S>* answers, const P* own_mass, S* change,
+                                       vec3<S>& a, vec3<S>& al) {
+  for (int k = 0; k < r.axes; ++k) {
+    const auto& [gain, rate, inverse] = answers[k];
+    if (r.moves == joint::screw || own_mass[k] != P(0)) {
+      change[k] = rate - (dot(gain.force, a) + dot(gain.torque, al));
+      std::array<S, 6> one{};
+      one[static_cast<std::size_t>(k)] = change[k];
+      along_axes(r, one.data(), a, al);
+    } else {
+      const auto n = static_cast<int>(r.axis[static_cast<std::size_t>(k)]);
+      const S before = component(a, al, n);
+      set_component(a, al, n, S(0));
+      const S now = rate - (dot(gain.force, a) + dot(gain.torque, al));
+      set_component(a, al, n, now);
+      change[k] = now - before;
+    }
+  }
 }
 
 /// The way out: accelerations of all axes from the motions of the bases,
@@ -211,14 +271,19 @@ int articulate(const forest<P>& f, memory<P, S>& m) {
 /// Along a unit axis without a mass of its own A is rate - gain . (rest of A'), whatever A' is.
 template <class P, class S>
 void accelerate(const forest<P>& f, memory<P, S>& m) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  vec3<S> a{}, al{};  // of the body before, in registers
+  int at_hand = -1;
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
-    const articulated_body<S>& base = m.articulated[static_cast<std::size_t>(r.parent)];
-    articulated_body<S>& x = m.articulated[bases + i];
-    vec3<S> a = at.in(base.acceleration + cross(base.ang_acceleration, m.spots[i].position)) + x.drift;
-    vec3<S> al = at.in(base.ang_acceleration) + x.ang_drift;
+    if (r.parent != at_hand) {
+      const articulated_body<S>& base = m.articulated[static_cast<std::size_t>(r.parent)];
+      a = base.acceleration, al = base.ang_acceleration;
+    }
+    at_hand = f.bases + static_cast<int>(i);
+    articulated_body<S>& x = m.articulated[static_cast<std::size_t>(at_hand)];
+    a = at.in(a + cross(al, m.spots[i].position)) + x.drift;
+    al = at.in(al) + x.ang_drift;
     S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
     const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
     const P* const own_mass = &m.own_mass[static_cast<std::size_t>(r.first)];
@@ -227,22 +292,9 @@ void accelerate(const forest<P>& f, memory<P, S>& m) {
       const S now = rate - (dot(gain.force, a) + (gain.torque.x * al.x + gain.torque.y * al.y));
       *change = now - al.z, al.z = now;
     } else if (m.yields[i]) {
-      for (int k = 0; k < r.axes; ++k) {
-        const auto& [gain, rate, inverse] = answers[k];
-        if (r.moves == joint::screw || own_mass[k] != P(0)) {
-          change[k] = rate - (dot(gain.force, a) + dot(gain.torque, al));
-          std::array<S, 6> one{};
-          one[static_cast<std::size_t>(k)] = change[k];
-          along_axes(r, one.data(), a, al);
-        } else {
-          const auto n = static_cast<int>(r.axis[static_cast<std::size_t>(k)]);
-          const S before = component(a, al, n);
-          set_component(a, al, n, S(0));
-          const S now = rate - (dot(gain.force, a) + dot(gain.torque, al));
-          set_component(a, al, n, now);
-          change[k] = now - before;
-        }
-      }
+      vec3<S> in_memory = a, ang_in_memory = al;
+      accelerate_axes(r, answers, own_mass, change, in_memory, ang_in_memory);
+      a = in_memory, al = ang_in_memory;
     }
     x.acceleration = a, x.ang_acceleration = al;
   }

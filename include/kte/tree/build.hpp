@@ -225,6 +225,9 @@ struct forest_builder {
       if (const int p = records[i].parent - result.bases; p >= 0)
         records[static_cast<std::size_t>(p)].last =
             std::max(records[static_cast<std::size_t>(p)].last, records[i].last);
+    for (std::size_t i = 0; i < n; ++i)
+      if (const int p = records[i].parent - result.bases; p >= 0 && p + 1 != static_cast<int>(i))
+        records[static_cast<std::size_t>(p)].branches = true;
     for (std::size_t k = 0; k < result.row.size(); ++k) result.in_order &= result.row[k] == static_cast<int>(k);
     result.records = std::move(records), seats_ = std::move(seats);
   }

@@ -7,16 +7,24 @@ namespace kte::tree {
 /// Axes of all bodies in the world, their origins, and the axes of their joints.
 template <class P, class S>
 void place_in_world(const forest<P>& f, memory<P, S>& m) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  const int bases = f.bases;
+  // The place of the body before stays in registers: most bodies stand on it.
+  mat3<vec3<S>> a{};
+  vec3<S> position{};
+  int at_hand = -1;
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
-    const world_place<S>& base = m.world[static_cast<std::size_t>(r.parent)];
-    world_place<S>& x = m.world[bases + i];
-    x.step = base.rotation * at.at.position;
-    x.position = base.position + x.step;
-    x.rotation = at.axes_in(base.rotation);
-    const mat3<vec3<S>>& a = x.rotation;
+    if (r.parent != at_hand) {
+      const world_place<S>& base = m.world[static_cast<std::size_t>(r.parent)];
+      a = base.rotation, position = base.position;
+    }
+    at_hand = bases + static_cast<int>(i);
+    const vec3<S> step = a * at.at.position;
+    position = position + step;
+    a = at.axes_in(a);
+    world_place<S>& x = m.world[static_cast<std::size_t>(at_hand)];
+    x.rotation = a, x.step = step, x.position = position;
     const vec3<S> z{a.x.z, a.y.z, a.z.z};
     world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(r.first)];
     switch (r.moves) {
@@ -46,14 +54,27 @@ void carry_bodies(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t b = 0; b < bases; ++b) start(m.carried[b], f.base_weight[b]);
   for (std::size_t i = 0; i < f.records.size(); ++i) start(m.carried[bases + i], f.records[i].weight);
+  // What the body at hand carries, in registers.
+  S mass(0);
+  vec3<S> h{};
+  sym3<S> inertia{};
+  bool at_hand = false;
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
-    const dense_composite<S>& c = m.carried[bases + i];
-    const vec3<S>&p = at.at.position, h = at.out(c.moment);
-    const sym3<S> inertia = detail::shifted(at.out(c.inertia), p, h + detail::half(c.mass) * p);
+    dense_composite<S>& c = m.carried[bases + i];
+    if (at_hand)
+      c = {mass, h, inertia};
+    else
+      mass = c.mass, h = c.moment, inertia = c.inertia;
     dense_composite<S>& to = m.carried[static_cast<std::size_t>(r.parent)];
-    to = {to.mass + c.mass, to.moment + (h + c.mass * p), to.inertia + inertia};
+    const vec3<S>& p = at.at.position;
+    h = at.out(h);
+    inertia = to.inertia + detail::shifted(at.out(inertia), p, h + detail::half(mass) * p);
+    h = to.moment + (h + mass * p);
+    mass = to.mass + mass;
+    at_hand = static_cast<std::size_t>(r.parent) + 1 == bases + i && i > 0;
+    if (!at_hand) to = {mass, h, inertia};
   }
 }
 

@@ -7,14 +7,16 @@ namespace kte::tree {
 /// The pose of a frame in its base, which is returned as a slot. Only the records on the way are read.
 template <class P, class S>
 int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x) {
-  x = {as<S>(frame.at.rotation), as<S>(frame.at.position)};
+  mat3<vec3<S>> rotation = as<S>(frame.at.rotation);
+  vec3<S> p = as<S>(frame.at.position);
   int slot = frame.slot;
   while (slot >= f.bases) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const placed at{f.records[i], m.spots[i]};
-    x = {at.columns_out(x.rotation), at.at.position + at.out(x.position)};
+    rotation = at.columns_out(rotation), p = at.at.position + at.out(p);
     slot = f.records[i].parent;
   }
+  x = {rotation, p};
   return slot;
 }
 
@@ -27,28 +29,29 @@ int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>
 template <class P, class S, class Put>
 int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
                      const Put& put) {
-  x = {as<S>(frame.at.rotation), as<S>(frame.at.position)};
+  mat3<vec3<S>> rotation = as<S>(frame.at.rotation);
+  vec3<S> p = as<S>(frame.at.position);
   int slot = frame.slot;
   while (slot >= f.bases) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
-    const auto& [rotation, p] = x;
     if (r.moves == joint::revolute) {
       put(r.first, vec3<S>(p.x * rotation.y - p.y * rotation.x), rotation.z);
     } else {
+      const mat3<vec3<S>> t = transpose(rotation);
       for (int k = 0; k < r.axes; ++k) {
         std::array<S, 6> one{};
         one[static_cast<std::size_t>(k)] = S(1);
         vec3<S> v{}, w{};
         along_axes(r, one.data(), v, w);
-        const auto t = transpose(rotation);
         put(r.first + k, vec3<S>(t * (v + cross(w, p))), vec3<S>(t * w));
       }
     }
-    x = {at.columns_out(rotation), at.at.position + at.out(p)};
+    rotation = at.columns_out(rotation), p = at.at.position + at.out(p);
     slot = r.parent;
   }
+  x = {rotation, p};
   return slot;
 }
 

@@ -45,10 +45,12 @@ struct world_place {
   vec3<S> step, position;
 };
 
+template <class S>
+using articulated_inertia = articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>;
 /// Articulated inertia of a body with what it takes up, the accelerations by velocities alone, and its acceleration.
 template <class S>
 struct articulated_body {
-  articulated<sym3<S>, mat3<vec3<S>>, sym3<S>> inertia;
+  articulated_inertia<S> inertia;  ///< where several bodies stand on it
   dense_wrench<S> load;
   vec3<S> drift, ang_drift, acceleration, ang_acceleration;
 };

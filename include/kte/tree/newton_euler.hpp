@@ -8,9 +8,9 @@ namespace kte::tree {
 ///
 ///   f = m (a + al x c + w x (w x c)),   n = I al + w x I w + c x f          (1)
 template <class P, class S>
-KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, const body_motion<S>& x) {
-  const vec3<S>&w = x.ang_velocity, &al = x.ang_acceleration;
-  const vec3<S> f = b.mass * (x.acceleration + (cross(al, b.com) + cross(w, cross(w, b.com))));
+KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, const vec3<S>& a, const vec3<S>& w,
+                                     const vec3<S>& al) {
+  const vec3<S> f = b.mass * (a + (cross(al, b.com) + cross(w, cross(w, b.com))));
   return {f, b.inertia * al + (cross(w, b.inertia * w) + cross(b.com, f))};
 }
 /// The motions of all bodies, and what they need for them (RNEA, first half): classical accelerations in body axes, as
@@ -22,37 +22,42 @@ KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, c
 /// where only poses have v_J together with w_J. Linear velocities on request.
 template <bool Velocities, class P, class S>
 void move_bodies(const forest<P>& f, memory<P, S>& m) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  const int bases = f.bases;
+  // The motion of the body before stays in registers: most bodies stand on it.
+  vec3<S> v{}, w{}, a{}, al{};
+  int at_hand = -1;
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
-    const body_motion<S>& base = m.bodies[static_cast<std::size_t>(r.parent)];
-    body_motion<S>& x = m.bodies[bases + i];
+    if (r.parent != at_hand) {
+      const body_motion<S>& base = m.bodies[static_cast<std::size_t>(r.parent)];
+      w = base.ang_velocity, al = base.ang_acceleration, a = base.acceleration;
+      if constexpr (Velocities) v = base.velocity;
+    }
+    at_hand = bases + static_cast<int>(i);
     const vec3<S>& p = m.spots[i].position;
-    const vec3<S> w = at.in(base.ang_velocity);
-    vec3<S> al = at.in(base.ang_acceleration);
-    vec3<S> a = at.in(base.acceleration +
-                      (cross(base.ang_acceleration, p) + cross(base.ang_velocity, cross(base.ang_velocity, p))));
+    if constexpr (Velocities) v = at.in(v + cross(w, p));
+    a = at.in(a + (cross(al, p) + cross(w, cross(w, p))));
+    al = at.in(al);
+    w = at.in(w);
     const S* const rate = &m.rate[static_cast<std::size_t>(r.first)];
     const S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
-    vec3<S> v{};
-    if constexpr (Velocities) v = at.in(base.velocity + cross(base.ang_velocity, p));
     if (r.moves == joint::revolute) {
       al.x += w.y * *rate, al.y -= w.x * *rate, al.z += *change;  // (2)
-      x.ang_velocity = {w.x, w.y, w.z + *rate};
+      w.z += *rate;
     } else {
       vec3<S> v_j{}, w_j{}, a_j{}, al_j{};
       along_axes(r, rate, v_j, w_j);
       along_axes(r, change, a_j, al_j);
       al = al + (cross(w, w_j) + al_j);
       a = a + (S(2) * cross(w, v_j) + cross(w_j, v_j) + a_j);  // (3)
-      x.ang_velocity = w + w_j;
-      v = v + v_j;
+      w = w + w_j;
+      if constexpr (Velocities) v = v + v_j;
     }
-    x.ang_acceleration = al;
-    x.acceleration = a;
+    body_motion<S>& x = m.bodies[static_cast<std::size_t>(at_hand)];
+    x.ang_velocity = w, x.ang_acceleration = al, x.acceleration = a;
     if constexpr (Velocities) x.velocity = v;
-    x.needs = wrench_of(r.body, x);
+    x.needs = wrench_of(r.body, a, w, al);
   }
 }
 
@@ -60,15 +65,30 @@ void move_bodies(const forest<P>& f, memory<P, S>& m) {
 template <class P, class S>
 void take_needs(const forest<P>& f, memory<P, S>& m) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
+  vec3<S> force{}, torque{};  // of the body at hand, in registers
+  bool at_hand = false;
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
-    const dense_wrench<S>& w = m.bodies[bases + i].needs;
-    S* const force = &m.force[static_cast<std::size_t>(r.first)];
-    for (int k = 0; k < r.axes; ++k) force[k] = power_along(r, k, w);
+    dense_wrench<S>& needs = m.bodies[bases + i].needs;
+    if (at_hand)
+      needs = {force, torque};
+    else
+      force = needs.force, torque = needs.torque;
+    S* const power = &m.force[static_cast<std::size_t>(r.first)];
+    if (r.moves == joint::revolute) {
+      *power = torque.z;
+    } else {
+      for (int k = 0; k < r.axes; ++k) power[k] = power_along(r, k, dense_wrench<S>{force, torque});
+    }
+    at_hand = false;
     if (r.parent < f.bases) continue;
-    const dense_wrench<S> x = placed{r, m.spots[i]}.out(w);
+    const placed at{r, m.spots[i]};
     dense_wrench<S>& to = m.bodies[static_cast<std::size_t>(r.parent)].needs;
-    to = {to.force + x.force, to.torque + x.torque};
+    force = at.out(force);
+    torque = to.torque + (at.out(torque) + cross(m.spots[i].position, force));
+    force = to.force + force;
+    at_hand = static_cast<std::size_t>(r.parent) + 1 == bases + i;
+    if (!at_hand) to = {force, torque};
   }
 }
 

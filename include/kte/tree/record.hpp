@@ -39,6 +39,7 @@ struct record {
   joint moves = joint::revolute;
   bool turned = false;                   ///< whether `before` is anything
   bool yields = true;                    ///< whether its coordinate is a degree of freedom
+  bool branches = false;                 ///< whether bodies beside the next one stand on it
   std::array<unsigned char, 6> axis{5};  ///< unit axes of the body: 0, 1, 2 along x, y, z; 3, 4, 5 about them
   int axes = 1;
   int parent = 0;           ///< slot: bases come first, then records

@@ -58,6 +58,7 @@ struct with_loads {
   static_assert(sizeof(check_loads_of<Chain>) > 0);
 
   const Chain& chain;
+  decltype((chain.kept)) kept = chain.kept;
 
   template <std::size_t I>
   KTE_INLINE constexpr decltype(auto) core() const {

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kte/dynamics/detail/local_regressor.hpp>
+
+/// Inverse dynamics as a linear function of the inertial parameters of the bodies, for their identification.
+namespace kte {
+
+/// The inertial parameters pi of a chain, one body after the other in the order of its elements. An `inertia_3D` has
+/// ten (of Pinocchio's `toDynamicParameters` in kind and order),
+///
+///   m,  m c_x, m c_y, m c_z,  I_xx, I_xy, I_yy, I_xz, I_yz, I_zz          (1)
+///
+/// with the inertia about the origin of the frame that it is fixed to, I = I_c + m (|c|^2 1 - c c^T), all in the axes
+/// of that frame; kg, kg m, kg m^2. An `inertia_2D` has m, m c_x, m c_y, I_zz; an element with a mass on a coordinate
+/// (`inertia_gen`) that mass. The kind of an element counts, not its numbers: a point mass has ten, too. Bodies that
+/// are fixed to each other are not taken together.
+template <class S = double, class Gravity, class... E>
+auto inertial_parameters(const static_chain<Gravity, E...>& c) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  Eigen::Matrix<S, parameters_of<chain_type>, 1> pi;
+  for_each_element<chain_type>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
+    constexpr int first = first_parameter<chain_type>[I], count = parameter_count<core_of<chain_type, I>>;
+    if constexpr (count == 1) {
+      pi[first] = as<S>(c.template core<I>().template mass<S>());
+    } else if constexpr (count > 0) {
+      const auto b = c.template core<I>().template mass<S>();
+      const vec3<S> h = as<S>(b.moment);
+      const sym3<S> j = as<S>(b.inertia);
+      const tree::per_parameter<S> all{as<S>(b.mass), h.x, h.y, h.z, j.xx, j.xy, j.yy, j.xz, j.yz, j.zz};
+      for (int i = 0; i < count; ++i) pi[first + i] = tree::parameter_at(all, i, count);
+    }
+  });
+  return pi;
+}
+
+/// The regressor Y(q, v, a) of inverse dynamics, dofs x parameters (Atkeson, An, Hollerbach, Int. J. Robotics Research
+/// 5(3), 1986; Siciliano et al., Robotics, 2009, section 7.2.2): with the pi of `inertial_parameters`
+///
+///   Y(q, v, a) pi = M(q) a + C(q, v) v + g(q)          (2)
+///                 = inverse_dynamics(q, v, a) + Q(q, v)
+///
+/// with Q the forces of all elements that have no inertial parameters: springs, dampers, actuators. Y does not depend
+/// on pi, only on joints, links and where the bodies are; the chain's `gravity()` is in it. Row and column of a
+/// coordinate and a parameter hold the force on the one for a unit of the other: for a body in whose frame the rate of
+/// the coordinate makes the velocity v, u (its Jacobian),
+///
+///   v . (m a + al x h + w x (w x h)) + u . (I al + w x I w + h x a),   h = m c          (3)
+///
+/// q, v, a as for `inverse_dynamics`, bases at rest. No heap, unless the matrix is larger than
+/// EIGEN_STACK_ALLOCATION_LIMIT.
+template <class Gravity, class... E, indexable Q, indexable V, indexable A>
+auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  check_rates<chain_type>(a, "a", "an acceleration");
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  return regressor_of<S>(c, at, each<S, V>{v}, each<S, A>{a},
+                         same_base{motion{skip{}, no_rotation{}, skip{}, zero3{}, -c.gravity(), zero3{}}});
+}
+
+/// The same at the positions, rates and accelerations of a state, with its moving bases.
+template <class Gravity, class... E, class S>
+auto torque_regressor(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+  using namespace detail;
+  using state = chain_state<S, wiring<E...>>;
+  const auto q = positions(s);
+  const auto v = velocities(s), a = accelerations(s);
+  using vector = std::remove_const_t<decltype(v)>;
+  const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
+  return regressor_of<S>(c, at, each<S, vector>{v}, each<S, vector>{a}, base_of_state<state>{s});
+}
+
+}  // namespace kte
