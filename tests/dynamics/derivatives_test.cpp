@@ -16,7 +16,30 @@ namespace {
 
 constexpr long double eps = std::numeric_limits<double>::epsilon();
 
+/// Forces -2 a and -5 b a on the coordinates a, b.
+struct pair_of_springs {
+  static constexpr std::string_view type = "pair_of_springs_gen";
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::on, "a"}, {kind::gen, access::on, "b"}}};
+  template <class A, class B>
+  constexpr auto doForce(const A& a, const B& b) const {
+    return make_loads(-2.0 * a.q, -5.0 * b.q * a.q);
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
 }  // namespace
+
+TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain", "[derivatives]") {
+  constexpr auto c = chain(revolute_joint_2D(models::q, models::base, models::joint),
+                           rigid_link_2D(models::joint, models::tip, along_x(1.0)),
+                           inertia_2D(models::tip, point_mass(1.0)), connect(pair_of_springs{}, models::q, models::q));
+  const std::array q{2.0}, none{0.0};
+  const auto r = inverse_dynamics_derivatives(c, q, none, none);
+  CHECK(r.tau[0] == 2 * 2 + 5 * 2 * 2);
+  CHECK(r.by_q(0, 0) == 2 + 2 * 5 * 2);
+}
 
 TEST_CASE("derivatives of the solo12, which floats, against 21 digits", "[derivatives]") {
   // Bounds as in derivatives_robots_test.cpp. Measured 3.9e-16 for inverse dynamics; 1.8e-15 for forward dynamics,

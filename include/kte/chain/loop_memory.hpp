@@ -33,6 +33,7 @@ struct loop_memory : tree::memory<P, S> {
   /// As large as M or larger: made by the first call that gives them.
   matrix mass, inverse;
   matrix all;  ///< masses of all coordinates, if there are others than degrees of freedom
+  std::vector<S> mass_by_axes;
   tree::inverse_memory<S> inverting;
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;

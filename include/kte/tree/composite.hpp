@@ -106,39 +106,42 @@ KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_c
   return {r.turns * turn.force + r.slides * slide.force, r.turns * turn.torque + r.slides * slide.torque};
 }
 
-/// The power of a wrench on the unit rate of an axis, in world axes.
-template <class P, class S>
-KTE_INLINE S power_in_world(const record<P>& r, const world_axis<S>& s, const dense_wrench<S>& w) {
-  const S turning = dot(s.angular, w.torque);
-  return r.moves == joint::revolute ? turning : turning + dot(s.linear, w.force);
-}
-
 /// The composite-rigid-body algorithm (CRBA; Featherstone 2008, section 6.2): with F the wrench that accelerates what
 /// is beyond axis k,
 ///
 ///   M_jk = s_j . F          for k and all axes j before it          (1)
 ///
-/// F goes in from body to body in world axes, where only its torque changes. put(j, k, x) for axes j <= k. After
-/// `place_in_world`, `carry_bodies`.
-template <class P, class S, class Put>
-void masses(const forest<P>& f, const memory<P, S>& m, const Put& put) {
+/// F goes in from body to body in world axes, where only its torque changes. Into rows over axes, each from the
+/// diagonal on: axis j is row j of `rows`. After `place_in_world`, `carry_bodies`.
+template <class P, class S>
+void masses(const forest<P>& f, const memory<P, S>& m, std::vector<S>& rows) {
   const int bases = f.bases;
   const record<P>* const records = f.records.data() - bases;  // by slot
+  const auto n = static_cast<int>(f.axes());
+  rows.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), S(0));
+  S* const at_row = rows.data();
   for (int slot = bases + static_cast<int>(f.records.size()); slot-- > bases;) {
     const record<P>& r = records[slot];
     const auto at = static_cast<std::size_t>(slot);
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const dense_wrench<S> own = accelerating(r, k - r.first, m.carried[at]);
-      for (int j = r.first; j <= k; ++j) put(j, k, power_along(r, j - r.first, own));
+      powers_along(r, own, k - r.first + 1,
+                   [&](int j, const S& x) KTE_INLINE_LAMBDA { at_row[(r.first + j) * n + k] = x; });
       if (r.parent < bases) continue;
       const mat3<vec3<S>>& rotation = m.world[at].rotation;
-      dense_wrench<S> w{rotation * own.force, rotation * own.torque};
+      const vec3<S> force = rotation * own.force;
+      vec3<S> torque = rotation * own.torque;
       for (int in = slot; records[in].parent >= bases;) {
-        w.torque = w.torque + cross(m.world[static_cast<std::size_t>(in)].step, w.force);
+        torque = torque + cross(m.world[static_cast<std::size_t>(in)].step, force);
         in = records[in].parent;
         const record<P>& before = records[in];
         const world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(before.first)];
-        for (int j = 0; j < before.axes; ++j) put(before.first + j, k, power_in_world(before, axis[j], w));
+        if (before.moves == joint::revolute) {
+          at_row[before.first * n + k] = dot(axis->angular, torque);
+        } else {
+          for (int j = 0; j < before.axes; ++j)
+            at_row[(before.first + j) * n + k] = dot(axis[j].angular, torque) + dot(axis[j].linear, force);
+        }
       }
     }
   }

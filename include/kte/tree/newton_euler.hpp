@@ -61,6 +61,11 @@ void move_bodies(const forest<P>& f, memory<P, S>& m) {
   }
 }
 
+/// Apart, that what is seldom needed does not take registers from the rest.
+template <class P, class S>
+[[gnu::noinline]] void take_powers(const record<P>& r, vec3<S> force, vec3<S> torque, S* power) {
+  powers_along(r, dense_wrench<S>{force, torque}, r.axes, [power](int k, const S& x) { power[k] = x; });
+}
 /// What bodies need goes in along the tree (RNEA, second half); of an axis its power into `force`.
 template <class P, class S>
 void take_needs(const forest<P>& f, memory<P, S>& m) {
@@ -75,11 +80,10 @@ void take_needs(const forest<P>& f, memory<P, S>& m) {
     else
       force = needs.force, torque = needs.torque;
     S* const power = &m.force[static_cast<std::size_t>(r.first)];
-    if (r.moves == joint::revolute) {
+    if (r.moves == joint::revolute) [[likely]]
       *power = torque.z;
-    } else {
-      for (int k = 0; k < r.axes; ++k) power[k] = power_along(r, k, dense_wrench<S>{force, torque});
-    }
+    else
+      take_powers(r, force, torque, power);
     at_hand = false;
     if (r.parent < f.bases) continue;
     const placed at{r, m.spots[i]};

@@ -123,18 +123,23 @@ KTE_INLINE void along_axes(const record<P>& r, const S* x, vec3<S>& linear, vec3
       for (int k = 0; k < r.axes; ++k) add_to_component(linear, angular, r.axis[static_cast<std::size_t>(k)], x[k]);
   }
 }
-/// The power of a wrench on the unit rate of axis k of a joint.
-template <class P, class S>
-KTE_INLINE S power_along(const record<P>& r, int k, const dense_wrench<S>& w) {
+/// put(k, the power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.
+template <class P, class S, class Put>
+KTE_INLINE void powers_along(const record<P>& r, const dense_wrench<S>& w, int count, const Put& put) {
   switch (r.moves) {
     case joint::revolute:
-      return w.torque.z;
+      put(0, w.torque.z);
+      break;
     case joint::prismatic:
-      return w.force.z;
+      put(0, w.force.z);
+      break;
     case joint::screw:
-      return r.slides * w.force.z + r.turns * w.torque.z;
-    default:
-      return component(w.force, w.torque, r.axis[static_cast<std::size_t>(k)]);
+      put(0, S(r.slides * w.force.z + r.turns * w.torque.z));
+      break;
+    case joint::several: {
+      const std::array<S, 6> parts{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
+      for (int k = 0; k < count; ++k) put(k, parts[r.axis[static_cast<std::size_t>(k)]]);
+    }
   }
 }
 

@@ -42,10 +42,18 @@ class coordinate_derivatives {
   template <std::size_t I, std::size_t P>
   static constexpr int row = wiring::template at<kind::gen, wiring::slot(I, P)>.v;
 
+  /// Whether port L leads to the coordinate of a port before it: `seen` then varies both at once.
+  template <std::size_t I, std::size_t L>
+  static constexpr bool is_again() {
+    for (std::size_t before = 0; before < L; ++before)
+      if (types::template core<I>::ports[before].what == kind::gen && wiring::slot(I, before) == wiring::slot(I, L))
+        return true;
+    return false;
+  }
   /// By the coordinate at port L.
   template <std::size_t I, std::size_t L, std::size_t... P>
   KTE_INLINE void by_port(std::index_sequence<P...>) const {
-    if constexpr (free<I, L>) {
+    if constexpr (free<I, L> && !is_again<I, L>()) {
       const auto loads = chain.template core<I>().doForce(seen<I, P, L>()...);
       const int done[]{(put<I, P, L>(loads), 0)...};
       (void)done;

@@ -47,28 +47,48 @@ void carry(const Elements& c, State& s) {
   place_in_world(s);
   tree::carry_bodies(s.tree().forest, s.work);
 }
+/// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: that of `m`, which is zero, is
+/// added to where joints share coordinates. What lies beyond its size is left out.
+template <class P, class S, class Matrix>
+void add_symmetric(const tree::forest<P>& f, const std::vector<S>& rows, Matrix& m) {
+  const std::size_t axes = f.axes();
+  for (std::size_t j = 0; j < axes; ++j)
+    for (std::size_t k = j; k < axes; ++k) {
+      const int a = f.row[j], b = f.row[k];
+      if (a >= m.rows() || b >= m.rows()) continue;
+      m(a, b) += rows[j * axes + k];
+      if (j != k) m(b, a) += rows[j * axes + k];  // of shared coordinates both triangles meet on the diagonal
+    }
+}
+/// The same where axes are in the order of coordinates, and are all of them.
+template <class S, class Matrix>
+void fill_symmetric(std::size_t axes, const std::vector<S>& rows, Matrix& m) {
+  m.resize(static_cast<Eigen::Index>(axes), static_cast<Eigen::Index>(axes));
+  S* const to = m.data();
+  for (std::size_t j = 0; j < axes; ++j)
+    for (std::size_t k = j; k < axes; ++k) to[j * axes + k] = to[k * axes + j] = rows[j * axes + k];
+}
+template <class P, class S, class Matrix>
+void take_symmetric(const tree::forest<P>& f, const std::vector<S>& rows, int coordinates, Matrix& m) {
+  if (f.in_order && f.axes() == static_cast<std::size_t>(coordinates)) [[likely]] {
+    fill_symmetric(f.axes(), rows, m);
+  } else {
+    m.setZero(coordinates, coordinates);
+    add_symmetric(f, rows, m);
+  }
+}
+
 /// The mass matrix (CRBA), into the working memory.
 template <class Elements, class State>
 void mass_of_coordinates(const Elements& c, State& s) {
   using S = typename State::scalar;
   carry(c, s);
   const auto& t = s.tree();
-  const auto& row = t.forest.row;
   auto& w = s.work;
   const bool others = t.plan.coordinates > s.dofs();
   auto& m = others ? w.all : w.mass;
-  m.setZero(t.plan.coordinates, t.plan.coordinates);
-  S* const data = m.data();
-  const Eigen::Index n = m.rows();
-  tree::masses(t.forest, w, [&, once = t.plan.tree](int j, int k, const S& x) {
-    const int a = row[static_cast<std::size_t>(j)], b = row[static_cast<std::size_t>(k)];
-    if (once) [[likely]] {
-      data[b * n + a] = data[a * n + b] = x;
-    } else {  // where joints share a coordinate, both triangles meet on the diagonal
-      data[b * n + a] += x;
-      if (j != k) data[a * n + b] += x;
-    }
-  });
+  tree::masses(t.forest, w, w.mass_by_axes);
+  take_symmetric(t.forest, w.mass_by_axes, t.plan.coordinates, m);
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
@@ -172,12 +192,9 @@ template <class State, class Matrix>
 void invert_articulated(State& s, Matrix& inverse) {
   using S = typename State::scalar;
   const auto& f = s.tree().forest;
-  inverse.setZero(s.dofs(), s.dofs());
   place_in_world(s);
-  tree::inverse_masses(f, s.work, s.work.inverting, [&](int j, int k, const S& x) {
-    const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
-    if (a < s.dofs() && b < s.dofs()) inverse(a, b) = inverse(b, a) = x;
-  });
+  tree::inverse_masses(f, s.work, s.work.inverting);
+  take_symmetric(f, s.work.inverting.inverse, s.dofs(), inverse);
   for (const int row : s.tree().plan.lone_rows)
     inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
 }
