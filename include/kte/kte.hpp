@@ -8,16 +8,16 @@
 ///
 /// What takes longer to compile, or is needed less often, has headers of its own:
 ///
-///   kte/dynamics.hpp              all algorithms: also derivatives, M^-1, hybrid dynamics, momenta, the regressor
-///   kte/dynamics/batch.hpp        many states at once, in packs
-///   kte/simulation.hpp            chains as systems x' = f(t, x), all integrators, events
-///   kte/io.hpp                    files: models, tables, recorders, progress
-///   kte/elements/registry.hpp        runtime chains from records, which are plain data
-///   kte/runtime_chain/from_record.hpp     the same for static chains
-///   kte/adapters/sundials.hpp     solvers of SUNDIALS
-///   kte/adapters/odeint.hpp       chains for Boost.Numeric.Odeint
-///   kte/testing/element_laws.hpp  tests for elements of one's own
-///   kte/static.hpp                the half of this header that static chains need, without exceptions and RTTI
+///   kte/dynamics.hpp                   all algorithms: also derivatives, M^-1, hybrid dynamics, momenta, the regressor
+///   kte/dynamics/batch.hpp             many states at once, in packs
+///   kte/simulation.hpp                 chains as systems x' = f(t, x), all integrators, events
+///   kte/io.hpp                         files: models, tables, recorders, progress
+///   kte/elements/registry.hpp          runtime chains from records, which are plain data
+///   kte/runtime_chain/from_record.hpp  the same for static chains
+///   kte/adapters/sundials.hpp          solvers of SUNDIALS
+///   kte/adapters/odeint.hpp            chains for Boost.Numeric.Odeint
+///   kte/testing/element_laws.hpp       tests for elements of one's own
+///   kte/static.hpp                     the half of this header that static chains need, without exceptions and RTTI
 #include <kte/contract/checks.hpp>  // this and the next four have sentences for the compiler: little stands above them so
 #include <kte/contract/gravity.hpp>
 #include <kte/contract/transmission.hpp>
@@ -26,3 +26,7 @@
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/static.hpp>
 #include <kte/static_chain/state.hpp>
+
+#ifdef KTE_COMPILED
+#  include <kte/elements/compiled_elements.hpp>
+#endif

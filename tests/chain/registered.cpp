@@ -2,7 +2,9 @@
 
 #include "chain/gear.hpp"
 
+#ifndef KTE_COMPILED  // which has it
 template kte::element_registry kte::element_registry::standard<void>();
+#endif
 
 const kte::element_registry& models::registry() {
   static const auto all = [] {

@@ -5,7 +5,9 @@
 #include <kte/math/quaternion.hpp>
 #include <kte/math/rigid_body.hpp>
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Elements as plain data, for files and comparisons.
@@ -44,19 +46,32 @@ struct model_record {
 
 namespace detail {
 
+// Not inlined: there is a record_of for each type of element.
+[[gnu::noinline]] inline void append_all(std::vector<double>& v, std::initializer_list<double> numbers) {
+  v.insert(v.end(), numbers);
+}
+[[gnu::noinline]] inline void add_connection(element_record& r, std::string_view role, std::string_view name) {
+  r.connections.push_back({std::string(role), std::string(name)});
+}
+/// A parameter without numbers, for them.
+[[gnu::noinline]] inline std::vector<double>& add_parameter(element_record& r, const char* name) {
+  r.parameters.push_back({name, {}});
+  return r.parameters.back().values;
+}
+
 template <entry T>
 void append_numbers(std::vector<double>& v, const T& x) {
-  v.push_back(as<double>(x));
+  append_all(v, {as<double>(x)});
 }
 template <class X, class Y, class Z>
 void append_numbers(std::vector<double>& v, const vec3<X, Y, Z>& x) {
   const auto d = as<double>(x);
-  for (const double number : {d.x, d.y, d.z}) v.push_back(number);
+  append_all(v, {d.x, d.y, d.z});
 }
 template <class... T>
 void append_numbers(std::vector<double>& v, const sym3<T...>& x) {
   const auto d = as<double>(x);
-  for (const double number : {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz}) v.push_back(number);
+  append_all(v, {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz});
 }
 template <geometric R>
 requires requires(const R& r) { matrix(r); }
@@ -71,17 +86,13 @@ void append_numbers(std::vector<double>& v, const R& rotation) {
 template <class Core, class Names>
 element_record record_of(const Core& core, const Names& names) {
   element_record r{std::string(std::string_view(Core::type)), 1, {}, {}};
-  for (std::size_t p = 0; p < port_count<Core>; ++p)
-    r.connections.push_back({std::string(Core::ports[p].role), std::string(names[p])});
+  for (std::size_t p = 0; p < port_count<Core>; ++p) detail::add_connection(r, Core::ports[p].role, names[p]);
   Core::parameters(core, [&r](const char* name, const auto& value) {
-    parameter_record x{name, {}};
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>) {
-      if (!value) return;
-      x.values = {1};
+      if (value) detail::append_all(detail::add_parameter(r, name), {1});
     } else {
-      detail::append_numbers(x.values, value);
+      detail::append_numbers(detail::add_parameter(r, name), value);
     }
-    r.parameters.push_back(std::move(x));
   });
   return r;
 }

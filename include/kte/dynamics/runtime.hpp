@@ -134,4 +134,13 @@ inline Eigen::VectorXd neutral_configuration(const kte_map_chain& c) {
   return out;
 }
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_vector<double>& inverse_dynamics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+}
+#endif
+
 }  // namespace kte

@@ -159,4 +159,17 @@ basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_s
   return centroidal_map(c, s);
 }
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_vector<double>& static_forces(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& gravity_forces(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& nonlinear_effects(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& coriolis_forces(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template double kinetic_energy(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template double potential_energy(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template mass_centre<double> centre_of_mass(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template vec3<> centre_of_mass_velocity(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template linear_angular<double> centroidal_momentum(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template runtime_jacobian centroidal_map(const kte_map_chain&, runtime_state&);
+#endif
+
 }  // namespace kte

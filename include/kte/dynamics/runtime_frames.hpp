@@ -184,4 +184,14 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_c
   return detail::jacobian_at(c, s, q, frame, true);
 }
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_state& forward_kinematics(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template void check_state_velocities(const runtime_state&);
+KTE_EXTERN template linear_angular<double> velocity_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> acceleration_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template runtime_jacobian jacobian_of(const kte_map_chain&, runtime_state&, const runtime_frame&, bool);
+}  // namespace detail
+#endif
+
 }  // namespace kte

@@ -95,4 +95,25 @@ void set_accelerations(basic_runtime_state<S>& s, const X& a) {
   detail::write_numbers<detail::vector_of::a>(s, a, "a");
 }
 
+#ifdef KTE_EXTERN
+namespace detail {
+/// Only there for the alignment at which the library was compiled: what it allocates by another (-march) could not be
+/// freed. Where linking fails here, options differ.
+template <int Alignment>
+void compiled_for_alignment() {}
+KTE_EXTERN template void compiled_for_alignment<EIGEN_MAX_ALIGN_BYTES>();
+[[gnu::used]] inline void (*const same_alignment)() = compiled_for_alignment<EIGEN_MAX_ALIGN_BYTES>;
+
+KTE_EXTERN template void blame(const char*, const runtime_state&, const runtime_vector<double>&);
+KTE_EXTERN template void blame_mass(const runtime_state&, int, bool);
+}  // namespace detail
+KTE_EXTERN template runtime_vector<double> positions(const runtime_state&);
+KTE_EXTERN template runtime_vector<double> velocities(const runtime_state&);
+KTE_EXTERN template runtime_vector<double> accelerations(const runtime_state&);
+KTE_EXTERN template runtime_vector<double> forces(const runtime_state&);
+KTE_EXTERN template void set_positions(runtime_state&, const Eigen::VectorXd&);
+KTE_EXTERN template void set_velocities(runtime_state&, const Eigen::VectorXd&);
+KTE_EXTERN template void set_accelerations(runtime_state&, const Eigen::VectorXd&);
+#endif
+
 }  // namespace kte

@@ -1,19 +1,6 @@
 #pragma once
 
-#include <kte/elements/base.hpp>
-#include <kte/elements/damper.hpp>
-#include <kte/elements/driving_actuator.hpp>
-#include <kte/elements/free_joint.hpp>
-#include <kte/elements/inertia.hpp>
-#include <kte/elements/joint_backlash.hpp>
-#include <kte/elements/joint_lugre.hpp>
-#include <kte/elements/prismatic_joint.hpp>
-#include <kte/elements/revolute_joint.hpp>
-#include <kte/elements/rigid_link.hpp>
-#include <kte/elements/spherical_joint.hpp>
-#include <kte/elements/spring.hpp>
-#include <kte/elements/torsion_damper.hpp>
-#include <kte/elements/torsion_spring.hpp>
+#include <kte/elements/compiled_elements.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <functional>
@@ -137,9 +124,12 @@ class element_registry {
 
   /// Throws `bad_argument` if the type is known.
   template <class Make>
-  void add(const std::string& type, Make make) {
-    const bool fresh = factories_.emplace(type, [make](const record_reader& r) { return adapt(make(r)); }).second;
-    if (!fresh) throw bad_argument("kte: the registry has a '" + type + "' already");
+  void add(std::string_view type, Make make) {
+    if constexpr (std::is_empty_v<Make> && std::is_default_constructible_v<Make>)  // of one type for all such
+      put(
+          type, +[](const record_reader& r) { return adapt(Make{}(r)); });
+    else
+      put(type, [make](const record_reader& r) { return adapt(make(r)); });
   }
   /// The types it knows, in alphabetical order.
   std::vector<std::string> types() const {
@@ -154,84 +144,14 @@ class element_registry {
 
   /// All elements of this library. (A template, so that who does not call it does not compile them all.)
   template <class = void>
-  static element_registry standard() {
-    element_registry r;
-    using in = const record_reader&;
-    r.add("base_gen", [](in x) { return base_gen(x.name("base")); });
-    r.add("base_2D", [](in x) { return base_2D(x.name("base")); });
-    r.add("base_3D", [](in x) { return base_3D(x.name("base")); });
-    r.add("damper_gen", [](in x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    r.add("damper_2D", [](in x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    r.add("damper_3D", [](in x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
-    r.add("free_joint_2D", [](in x) { return free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")); });
-    r.add("free_joint_3D", [](in x) { return free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
-    r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
-    r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
-    r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
-    r.add("joint_backlash_gen", [](in x) {
-      return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
-                                x.number("damping"));
-    });
-    r.add("joint_lugre_gen", [](in x) {
-      return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
-                             {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
-                              x.number("stiction"), x.number("stribeck_velocity")});
-    });
-    r.add("prismatic_joint_2D", [](in x) {
-      return prismatic_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"), x.planar_vector("axis"));
-    });
-    r.add("prismatic_joint_3D", [](in x) {
-      return x.with_axis("axis", [&](const auto& n) {
-        return adapt(prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
-      });
-    });
-    r.add("revolute_joint_2D", [](in x) {
-      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-      return revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"));
-    });
-    r.add("revolute_joint_3D", [](in x) {
-      return x.with_axis("axis", [&](const auto& n) {
-        return adapt(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
-      });
-    });
-    r.add("rigid_link_gen", [](in x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
-    r.add("rigid_link_2D", [](in x) {
-      return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
-    });
-    r.add("rigid_link_3D", [](in x) {
-      return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
-    });
-    r.add("spherical_joint_3D",
-          [](in x) { return spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
-    r.add("spring_gen", [](in x) {
-      return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                        x.number("saturation"));
-    });
-    r.add("spring_2D", [](in x) {
-      return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                       x.number("saturation"));
-    });
-    r.add("spring_3D", [](in x) {
-      return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                       x.number("saturation"));
-    });
-    r.add("torsion_damper_2D",
-          [](in x) { return torsion_damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    r.add("torsion_damper_3D",
-          [](in x) { return torsion_damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-    r.add("torsion_spring_2D", [](in x) {
-      return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
-                               x.number("rest_angle"));
-    });
-    r.add("torsion_spring_3D", [](in x) {
-      return torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"));
-    });
-    return r;
-  }
+  static element_registry standard();
 
  private:
   friend kte_map_chain to_chain(const model_record& m, const element_registry& registry);
+  void put(std::string_view type, factory make) {
+    const bool fresh = factories_.emplace(type, std::move(make)).second;
+    if (!fresh) throw bad_argument("kte: the registry has a '" + std::string(type) + "' already");
+  }
   std::unique_ptr<kte_map> make_unplaced(const element_record& r) const {
     const auto f = factories_.find(r.type);
     if (f == factories_.end()) throw detail::bad_record(r.place, "there is no element type '" + r.type + "'");
@@ -277,5 +197,85 @@ template <class = void>
 kte_map_chain to_chain(const model_record& m) {
   return to_chain(m, element_registry::standard());
 }
+
+template <class>
+element_registry element_registry::standard() {
+  element_registry r;
+  using in = const record_reader&;
+  r.add("base_gen", [](in x) { return base_gen(x.name("base")); });
+  r.add("base_2D", [](in x) { return base_2D(x.name("base")); });
+  r.add("base_3D", [](in x) { return base_3D(x.name("base")); });
+  r.add("damper_gen", [](in x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+  r.add("damper_2D", [](in x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+  r.add("damper_3D", [](in x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+  r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
+  r.add("free_joint_2D", [](in x) { return free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")); });
+  r.add("free_joint_3D", [](in x) { return free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
+  r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
+  r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
+  r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
+  r.add("joint_backlash_gen", [](in x) {
+    return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
+                              x.number("damping"));
+  });
+  r.add("joint_lugre_gen", [](in x) {
+    return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
+                           {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
+                            x.number("stiction"), x.number("stribeck_velocity")});
+  });
+  r.add("prismatic_joint_2D", [](in x) {
+    return prismatic_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"), x.planar_vector("axis"));
+  });
+  r.add("prismatic_joint_3D", [](in x) {
+    return x.with_axis("axis", [&](const auto& n) {
+      return adapt(prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
+    });
+  });
+  r.add("revolute_joint_2D", [](in x) {
+    if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+    return revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"));
+  });
+  r.add("revolute_joint_3D", [](in x) {
+    return x.with_axis("axis", [&](const auto& n) {
+      return adapt(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
+    });
+  });
+  r.add("rigid_link_gen", [](in x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
+  r.add("rigid_link_2D", [](in x) {
+    return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
+  });
+  r.add("rigid_link_3D", [](in x) {
+    return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
+  });
+  r.add("spherical_joint_3D",
+        [](in x) { return spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
+  r.add("spring_gen", [](in x) {
+    return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                      x.number("saturation"));
+  });
+  r.add("spring_2D", [](in x) {
+    return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                     x.number("saturation"));
+  });
+  r.add("spring_3D", [](in x) {
+    return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                     x.number("saturation"));
+  });
+  r.add("torsion_damper_2D",
+        [](in x) { return torsion_damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+  r.add("torsion_damper_3D",
+        [](in x) { return torsion_damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
+  r.add("torsion_spring_2D", [](in x) {
+    return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
+                             x.number("rest_angle"));
+  });
+  r.add("torsion_spring_3D", [](in x) {
+    return torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"));
+  });
+  return r;
+}
+#ifdef KTE_EXTERN
+KTE_EXTERN template element_registry element_registry::standard<void>();
+#endif
 
 }  // namespace kte

@@ -146,6 +146,11 @@ model_record read_model(std::string_view text, std::string name) {
   return model_reader<Scanner>(source).read();
 }
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template model_record read_model<json_scanner>(std::string_view, std::string);
+KTE_EXTERN template model_record read_model<xml_scanner>(std::string_view, std::string);
+#endif
+
 /// Whether a model file is XML, by its ending, else JSON. Throws `bad_file` for other endings.
 inline bool is_xml_file(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);

@@ -25,13 +25,20 @@ concept indexable = requires(const T& x, std::size_t i) {
 template <indexable T>
 using value_of = std::remove_cvref_t<decltype(std::declval<const T&>()[std::size_t{}])>;
 
+namespace detail {
+[[noreturn, gnu::cold, gnu::noinline]] inline void raise_size(std::size_t has, std::size_t n, const char* name,
+                                                              const char* what) {
+  raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(has) + " numbers, the chain has " +
+                      std::to_string(n) + " " + what);
+}
+}  // namespace detail
+
 /// Rejects arguments of the wrong size, where the size is known. `what` says what the chain has n of.
 template <indexable T>
 constexpr void check_size(std::size_t n, const T& x, const char* name, const char* what = "degrees of freedom") {
   if constexpr (requires { x.size(); }) {
     if (static_cast<std::size_t>(x.size()) != n) [[unlikely]]
-      detail::raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(x.size()) +
-                                  " numbers, the chain has " + std::to_string(n) + " " + what);
+      detail::raise_size(static_cast<std::size_t>(x.size()), n, name, what);
   }
 }
 namespace detail {

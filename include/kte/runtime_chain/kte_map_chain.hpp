@@ -32,7 +32,11 @@ class kte_map_chain : public kte_map {
     swap(o);
     return *this;
   }
+#ifdef KTE_EXTERN
+  ~kte_map_chain() override;  // where it is, virtual functions are compiled
+#else
   ~kte_map_chain() override = default;
+#endif
 
   /// Appends an element, a static chain, or a chain. Throws `bad_wiring`; the chain is then as before.
   template <class Core>
@@ -104,17 +108,7 @@ class kte_map_chain : public kte_map {
   /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if a force acts on a coordinate that
   /// no element moves by, `bad_argument` if S is not double and elements have laws of their own.
   template <class S = double>
-  basic_runtime_state<S> make_state() const {
-    const auto& t = wiring();
-    t.check_complete();
-    basic_runtime_state<S> s(topology_);
-    const vec3<S> up = as<S>(vec3<>{} - gravity_);
-    for (std::size_t i = 0; i < t.names[1].size(); ++i)
-      if (t.writers[1][i] < 0) s.template get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
-    for (std::size_t i = 0; i < t.names[2].size(); ++i)
-      if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
-    return s;
-  }
+  basic_runtime_state<S> make_state() const;
 
   void doMotion(runtime_state& s) const override {
     check(s);
@@ -198,39 +192,9 @@ class kte_map_chain : public kte_map {
     gravity_ = g;
   }
   /// All or none: `all` is then moved from, or the chain is as before. (A span takes 200 templates more.)
-  void add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
-    const auto layout = wiring().layout;
-    const vec3<> g = with_gravity_of(part);
-    if (count == 0) return put_gravity(g);
-    if (const std::size_t size = elements_.size() + count; size > elements_.capacity())
-      elements_.reserve(std::max(size, 2 * elements_.capacity()));
-    topology& t = topology_.edit();
-    try {
-      for (std::size_t i = 0; i < count; ++i) all[i]->connect(t);
-    } catch (...) {
-      topology before;
-      for (const auto& e : elements_) e->connect(before);
-      t = std::move(before), t.layout = layout;
-      throw;
-    }
-    for (std::size_t i = 0; i < count; ++i) elements_.push_back(std::move(all[i]));
-    gravity_ = g;
-  }
+  void add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part);
   /// All elements of a chain, which is then of no use.
-  void take(kte_map_chain& c) {
-    if (elements_.empty() && c.use_ == use::whole) {
-      (void)wiring();
-      const vec3<> g = with_gravity_of(c.gravity_);
-      c.put_gravity(g);
-      gravity_ = g;
-      elements_.swap(c.elements_), topology_ = std::move(c.topology_);
-    } else {
-      add(c.elements_.data(), c.elements_.size(), c.gravity_);
-      c.elements_.clear(), c.topology_ = {};
-    }
-    for (auto& e : c.emptied_) emptied_.push_back(std::move(e));
-    c.emptied_.clear(), c.use_ = use::emptied;
-  }
+  void take(kte_map_chain& c);
   void swap(kte_map_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
     std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_),
@@ -244,6 +208,59 @@ class kte_map_chain : public kte_map {
   bool gravity_is_written_ = false;
   use use_ = use::whole;
 };
+
+template <class S>
+basic_runtime_state<S> kte_map_chain::make_state() const {
+  const auto& t = wiring();
+  t.check_complete();
+  basic_runtime_state<S> s(topology_);
+  const vec3<S> up = as<S>(vec3<>{} - gravity_);
+  for (std::size_t i = 0; i < t.names[1].size(); ++i)
+    if (t.writers[1][i] < 0) s.template get<kind::frame_2D>(static_cast<int>(i)).acceleration = {up.x, up.y};
+  for (std::size_t i = 0; i < t.names[2].size(); ++i)
+    if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
+  return s;
+}
+#ifdef KTE_FUNCTION
+#  ifdef KTE_EXTERN
+kte_map_chain::~kte_map_chain() = default;
+#  endif
+KTE_FUNCTION void kte_map_chain::add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
+  const auto layout = wiring().layout;
+  const vec3<> g = with_gravity_of(part);
+  if (count == 0) return put_gravity(g);
+  if (const std::size_t size = elements_.size() + count; size > elements_.capacity())
+    elements_.reserve(std::max(size, 2 * elements_.capacity()));
+  topology& t = topology_.edit();
+  try {
+    for (std::size_t i = 0; i < count; ++i) all[i]->connect(t);
+  } catch (...) {
+    topology before;
+    for (const auto& e : elements_) e->connect(before);
+    t = std::move(before), t.layout = layout;
+    throw;
+  }
+  for (std::size_t i = 0; i < count; ++i) elements_.push_back(std::move(all[i]));
+  gravity_ = g;
+}
+KTE_FUNCTION void kte_map_chain::take(kte_map_chain& c) {
+  if (elements_.empty() && c.use_ == use::whole) {
+    (void)wiring();
+    const vec3<> g = with_gravity_of(c.gravity_);
+    c.put_gravity(g);
+    gravity_ = g;
+    elements_.swap(c.elements_), topology_ = std::move(c.topology_);
+  } else {
+    add(c.elements_.data(), c.elements_.size(), c.gravity_);
+    c.elements_.clear(), c.topology_ = {};
+  }
+  for (auto& e : c.emptied_) emptied_.push_back(std::move(e));
+  c.emptied_.clear(), c.use_ = use::emptied;
+}
+#endif
+#ifdef KTE_EXTERN
+KTE_EXTERN template runtime_state kte_map_chain::make_state<double>() const;
+#endif
 
 /// A runtime chain as plain data; what is in it is listed element by element. Throws `bad_argument` if a part of it is
 /// neither an element nor a chain.

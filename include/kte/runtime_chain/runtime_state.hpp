@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/compiled.hpp>
 #include <kte/math/plain_scalar.hpp>
 #include <kte/runtime_chain/handle.hpp>
 #include <kte/runtime_chain/runtime_tree.hpp>
@@ -46,15 +47,7 @@ class basic_runtime_state {
   using tree_type = detail::runtime_tree<parameter>;
   static constexpr bool has_sines = false;  ///< whether coordinates come with theirs
 
-  explicit basic_runtime_state(shared_topology t)
-      : topology_(std::move(t)),
-        tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
-        work(*tree_, topology_->nv, topology_->elements.size()) {
-    detail::check_scalar<S>(*topology_, *tree_);
-    resize(std::make_index_sequence<kinds>{});
-    for (const auto& f : topology_->free)
-      if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
-  }
+  explicit basic_runtime_state(shared_topology t);
   basic_runtime_state(const basic_runtime_state&) = default;
   basic_runtime_state(basic_runtime_state&& o) noexcept : basic_runtime_state(shared_topology{}) { swap(o); }
   basic_runtime_state& operator=(const basic_runtime_state&) = default;
@@ -63,7 +56,7 @@ class basic_runtime_state {
     swap(moved);
     return *this;
   }
-  ~basic_runtime_state() = default;
+  ~basic_runtime_state();
 
   /// Thing i of kind K, for the passes.
   template <kind K>
@@ -146,5 +139,23 @@ class basic_runtime_state {
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
 };
+
+// Not in the class, where they would be inline: of those that are, g++ also compiles what is `extern`.
+template <class S>
+basic_runtime_state<S>::basic_runtime_state(shared_topology t)
+    : topology_(std::move(t)),
+      tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
+      work(*tree_, topology_->nv, topology_->elements.size()) {
+  detail::check_scalar<S>(*topology_, *tree_);
+  resize(std::make_index_sequence<kinds>{});
+  for (const auto& f : topology_->free)
+    if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
+}
+template <class S>
+basic_runtime_state<S>::~basic_runtime_state() = default;
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template class basic_runtime_state<double>;
+#endif
 
 }  // namespace kte

@@ -2,6 +2,7 @@
 
 #include <kte/contract/freedom.hpp>
 #include <kte/contract/port.hpp>
+#include <kte/detail/compiled.hpp>
 #include <kte/errors.hpp>
 
 #include <algorithm>
@@ -50,24 +51,9 @@ class topology {
 
   /// Connects one more element. Throws `bad_wiring`, and then nothing has changed.
   void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
-               std::span<const std::string> to) {
-    check(type, ports, to);
-    connection c;
-    c.element = e;
-    c.ports = ports;
-    for (std::size_t p = 0; p < ports.size(); ++p) c.index.push_back(add(ports[p], to[p]));
-    elements.push_back(std::move(c));
-    layout = std::make_shared<char>();
-  }
+               std::span<const std::string> to);
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
-  void check_complete() const {
-    for (std::size_t k = 0; k < kinds; ++k)
-      if (const auto what = static_cast<kind>(k); is_coordinate(what))
-        for (const auto& name : names[k])
-          if (!things_.find(name)->second.moves)
-            throw bad_wiring("kte: a force acts on " + std::string(to_string(what)) + " '" + name +
-                             "', which no element moves by: is it misspelt?");
-  }
+  void check_complete() const;
   /// Whether an element wants the cosine and sine of generalized coordinate i.
   bool is_angle(int i) const { return things_.find(names[0][static_cast<std::size_t>(i)])->second.angle; }
   /// What a name is; throws `unknown_name`.
@@ -89,59 +75,9 @@ class topology {
 
  private:
   [[noreturn]] static void fail(std::string_view type, std::span<const port> ports, std::span<const std::string> to,
-                                const std::string& why) {
-    std::vector<std::string_view> views(to.begin(), to.end());
-    throw bad_wiring("kte: " + describe_element(type, ports, views) + ": " + why);
-  }
-  void check(std::string_view type, std::span<const port> ports, std::span<const std::string> to) const {
-    const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
-    bool base_taken = base_known_;
-    for (std::size_t p = 0; p < ports.size(); ++p) {
-      const port& x = ports[p];
-      if (to[p].empty()) refuse("its " + std::string(x.role) + " has no name");
-      const auto known = things_.find(to[p]);
-      const auto here = static_cast<std::size_t>(std::find(to.begin(), to.end(), to[p]) - to.begin());
-      if (known != things_.end() || here < p) {
-        const kind k = known != things_.end() ? known->second.what : ports[here].what;
-        if (k != x.what)
-          refuse("'" + to[p] + "' is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
-        const bool declared = known != things_.end() ? known->second.declared : ports[here].declares();
-        if (x.declares())
-          refuse("it writes '" + to[p] +
-                 (declared ? "', which is then written twice" : "', which is read before it is written"));
-        continue;
-      }
-      if (x.what == kind::internal && x.how != access::keep)
-        refuse("it reads the internal state '" + to[p] + "', which no element before it keeps");
-      if (is_frame(x.what) && !x.writes()) {
-        if (base_taken)
-          refuse("it reads '" + to[p] +
-                 "', which no element before it writes: misspelt, written later, or another base? "
-                 "(a further base is declared by base_2D or base_3D)");
-        base_taken = true;
-      }
-    }
-  }
-  int add(const port& x, const std::string& name) {
-    const auto k = static_cast<std::size_t>(x.what);
-    const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
-    const bool moves = x.how != access::on;
-    const auto [it, fresh] =
-        things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves, false});
-    it->second.moves |= moves;
-    it->second.angle |= x.how == access::angle;
-    if (x.how == access::keep) keepers.push_back(static_cast<int>(elements.size()));
-    if (fresh) {
-      names[k].push_back(name);
-      writers[k].push_back(writer);
-      if (is_coordinate(x.what) && !x.writes()) {
-        free.push_back({x.what, it->second.index, nq, nv});
-        nq += nq_of(x.what), nv += nv_of(x.what);
-      }
-      if (is_frame(x.what) && !x.writes()) base_known_ = true;
-    }
-    return it->second.index;
-  }
+                                const std::string& why);
+  void check(std::string_view type, std::span<const port> ports, std::span<const std::string> to) const;
+  int add(const port& x, const std::string& name);
 
   struct hash_of_text {
     using is_transparent = void;
@@ -150,5 +86,81 @@ class topology {
   std::unordered_map<std::string, thing, hash_of_text, std::equal_to<>> things_;
   bool base_known_ = false;
 };
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION void topology::connect(const kte_element* e, std::string_view type, std::span<const port> ports,
+                                    std::span<const std::string> to) {
+  check(type, ports, to);
+  connection c;
+  c.element = e;
+  c.ports = ports;
+  for (std::size_t p = 0; p < ports.size(); ++p) c.index.push_back(add(ports[p], to[p]));
+  elements.push_back(std::move(c));
+  layout = std::make_shared<char>();
+}
+KTE_FUNCTION void topology::check_complete() const {
+  for (std::size_t k = 0; k < kinds; ++k)
+    if (const auto what = static_cast<kind>(k); is_coordinate(what))
+      for (const auto& name : names[k])
+        if (!things_.find(name)->second.moves)
+          throw bad_wiring("kte: a force acts on " + std::string(to_string(what)) + " '" + name +
+                           "', which no element moves by: is it misspelt?");
+}
+KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> ports,
+                                  std::span<const std::string> to) const {
+  const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
+  bool base_taken = base_known_;
+  for (std::size_t p = 0; p < ports.size(); ++p) {
+    const port& x = ports[p];
+    if (to[p].empty()) refuse("its " + std::string(x.role) + " has no name");
+    const auto known = things_.find(to[p]);
+    const auto here = static_cast<std::size_t>(std::find(to.begin(), to.end(), to[p]) - to.begin());
+    if (known != things_.end() || here < p) {
+      const kind k = known != things_.end() ? known->second.what : ports[here].what;
+      if (k != x.what)
+        refuse("'" + to[p] + "' is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
+      const bool declared = known != things_.end() ? known->second.declared : ports[here].declares();
+      if (x.declares())
+        refuse("it writes '" + to[p] +
+               (declared ? "', which is then written twice" : "', which is read before it is written"));
+      continue;
+    }
+    if (x.what == kind::internal && x.how != access::keep)
+      refuse("it reads the internal state '" + to[p] + "', which no element before it keeps");
+    if (is_frame(x.what) && !x.writes()) {
+      if (base_taken)
+        refuse("it reads '" + to[p] +
+               "', which no element before it writes: misspelt, written later, or another base? "
+               "(a further base is declared by base_2D or base_3D)");
+      base_taken = true;
+    }
+  }
+}
+KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
+  const auto k = static_cast<std::size_t>(x.what);
+  const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
+  const bool moves = x.how != access::on;
+  const auto [it, fresh] =
+      things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves, false});
+  it->second.moves |= moves;
+  it->second.angle |= x.how == access::angle;
+  if (x.how == access::keep) keepers.push_back(static_cast<int>(elements.size()));
+  if (fresh) {
+    names[k].push_back(name);
+    writers[k].push_back(writer);
+    if (is_coordinate(x.what) && !x.writes()) {
+      free.push_back({x.what, it->second.index, nq, nv});
+      nq += nq_of(x.what), nv += nv_of(x.what);
+    }
+    if (is_frame(x.what) && !x.writes()) base_known_ = true;
+  }
+  return it->second.index;
+}
+KTE_FUNCTION void topology::fail(std::string_view type, std::span<const port> ports, std::span<const std::string> to,
+                                 const std::string& why) {
+  std::vector<std::string_view> views(to.begin(), to.end());
+  throw bad_wiring("kte: " + describe_element(type, ports, views) + ": " + why);
+}
+#endif
 
 }  // namespace kte

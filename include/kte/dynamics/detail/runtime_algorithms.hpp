@@ -16,17 +16,16 @@ void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!all_finite(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
-/// By the factorised mass matrix. Accelerations of rows that are `prescribed` are those of the state.
-template <class S, class Tau>
-void accelerate_by_mass(const kte_map_chain& c, basic_runtime_state<S>& s, const Tau& tau,
-                        std::span<const char> prescribed) {
+/// By the factorised mass matrix, under the forces that are `kept`. Accelerations of rows that are `prescribed` are those of the state.
+template <class S>
+void accelerate_by_mass(const kte_map_chain& c, basic_runtime_state<S>& s, std::span<const char> prescribed) {
   runtime_vector<S> given;
   if (!prescribed.empty()) given = accelerations(s);
   for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](S& a) { a = S(0); }); });
   coordinate_forces(c, s);
   auto& a = s.work.forces;
   read_listed_numbers<vector_of::f>(s, a);
-  for (int i = 0; i < s.dofs(); ++i) a[i] += tau(i);
+  for (int i = 0; i < s.dofs(); ++i) a[i] += s.work.kept[static_cast<std::size_t>(i)];
   mass_of_coordinates(runtime_elements{c}, s);
   const auto fail = [&s](int row) { blame_mass(s, row, true); };
   if (prescribed.empty()) return solve_in_place(s.work.mass, a, fail);
@@ -35,22 +34,29 @@ void accelerate_by_mass(const kte_map_chain& c, basic_runtime_state<S>& s, const
   solve_partly_known(s.work.mass, a, prescribed, fail);
 }
 
-/// At positions that are good. Some accelerations may be given, in the state: those of rows that are `prescribed`.
-template <class S, class Tau>
-const runtime_vector<S>& accelerations_under(const kte_map_chain& c, basic_runtime_state<S>& s, const Tau& applied,
-                                             std::span<const char> prescribed = {}) {
-  auto& kept = s.work.kept;  // what is applied may be a result that the state holds
-  for (int i = 0; i < s.dofs(); ++i) kept[static_cast<std::size_t>(i)] = applied(i);
-  const auto tau = [&kept](int i) { return kept[static_cast<std::size_t>(i)]; };
+/// At positions that are good, under the forces that are `kept`.
+template <class S>
+const runtime_vector<S>& accelerations_under_kept(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                  std::span<const char> prescribed) {
+  const auto& kept = s.work.kept;
   if (s.tree().plan.tree)
-    accelerate_articulated(runtime_elements{c}, s, tau, prescribed);
+    accelerate_articulated(
+        runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
   else
-    accelerate_by_mass(c, s, tau, prescribed);
+    accelerate_by_mass(c, s, prescribed);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {
     blame("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
   });
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
+}
+/// The same under applied(i). Some accelerations may be given, in the state: those of rows that are `prescribed`.
+template <class S, class Tau>
+const runtime_vector<S>& accelerations_under(const kte_map_chain& c, basic_runtime_state<S>& s, const Tau& applied,
+                                             std::span<const char> prescribed = {}) {
+  for (int i = 0; i < s.dofs(); ++i)  // what is applied may be a result that the state holds
+    s.work.kept[static_cast<std::size_t>(i)] = applied(i);
+  return accelerations_under_kept(c, s, prescribed);
 }
 
 struct runtime_frame {
@@ -102,6 +108,13 @@ struct passes_in {
 };
 template <class S>
 inline constexpr bool goes_through_passes = passes_in<S>::known;
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template void check_masses(const runtime_state&, const runtime_matrix<double>&);
+KTE_EXTERN template const runtime_vector<double>& accelerations_under_kept(const kte_map_chain&, runtime_state&,
+                                                                           std::span<const char>);
+KTE_EXTERN template void move_element(const topology&, runtime_state&, int);
+#endif
 
 }  // namespace detail
 

@@ -114,4 +114,15 @@ void take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V
   for_each_listed_freedom(s, put_all);
 }
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template void check_positions(const runtime_state&);
+#  define KTE_TAKE(...) \
+    KTE_EXTERN template void take(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&, __VA_ARGS__)
+KTE_TAKE(const not_given&, const not_given&, const not_given&);
+KTE_TAKE(const Eigen::VectorXd&, const not_given&, const not_given&);
+KTE_TAKE(const Eigen::VectorXd&, const Eigen::VectorXd&, const not_given&);
+KTE_TAKE(const Eigen::VectorXd&, const not_given&, const Eigen::VectorXd&);
+#  undef KTE_TAKE
+#endif
+
 }  // namespace kte::detail

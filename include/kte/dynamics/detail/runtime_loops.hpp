@@ -62,4 +62,12 @@ void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
   forces_on_coordinates(runtime_elements{c}, s, acting::all);
 }
 
+#ifdef KTE_EXTERN
+KTE_EXTERN template void check_whole(const kte_map_chain&, const runtime_state&);
+KTE_EXTERN template void check_regular(const kte_map_chain&, const runtime_state&);
+KTE_EXTERN template void coordinate_forces(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
+KTE_EXTERN template void take_needed_forces(runtime_state&);
+#endif
+
 }  // namespace kte::detail

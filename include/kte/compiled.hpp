@@ -1,0 +1,15 @@
+#pragma once
+
+/// Runtime chains compiled: what is `extern` where KTE_COMPILED is defined (kte/detail/compiled.hpp). Include it in
+/// one source file, before all else, unless the CMake target kte::compiled has it for you.
+#if defined(KTE_EXTERN) || defined(KTE_FUNCTION)
+#  error "kte: include kte/compiled.hpp before other headers of kte"
+#endif
+#define KTE_COMPILED_HERE
+
+#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/elements/registry.hpp>
+#include <kte/io/model_reader.hpp>
