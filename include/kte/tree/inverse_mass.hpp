@@ -52,9 +52,9 @@ void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x) {
         const auto e = w.template power<N>(s, turns, k);
         store(e, left + k);
         const auto give = [&e, k](S* component, const S& by) KTE_INLINE_LAMBDA {
-          auto x = several<N>(component + k);
-          for (std::size_t c = 0; c < N; ++c) x[c] -= by * e[c];
-          store(x, component + k);
+          auto sum = several<N>(component + k);
+          for (std::size_t c = 0; c < N; ++c) sum[c] -= by * e[c];
+          store(sum, component + k);
         };
         give(w.fx, gain.force.x), give(w.fy, gain.force.y), give(w.fz, gain.force.z);
         give(w.tx, gain.torque.x), give(w.ty, gain.torque.y), give(w.tz, gain.torque.z);
