@@ -18,14 +18,17 @@
 ///   kte/adapters/odeint.hpp            chains for Boost.Numeric.Odeint
 ///   kte/testing/element_laws.hpp       tests for elements of one's own
 ///   kte/static.hpp                     the half of this header that static chains need, without exceptions and RTTI
-#include <kte/contract/checks.hpp>  // this and the next four have sentences for the compiler: little stands above them so
+// These have sentences for the compiler: little stands above them so.
+// clang-format off
+#include <kte/contract/checks.hpp>
 #include <kte/contract/gravity.hpp>
+#include <kte/static_chain/state.hpp>
 #include <kte/contract/transmission.hpp>
 #include <kte/detail/raise.hpp>
+// clang-format on
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/static.hpp>
-#include <kte/static_chain/state.hpp>
 
 #ifdef KTE_COMPILED
 #  include <kte/elements/compiled_elements.hpp>
