@@ -68,18 +68,22 @@ namespace detail {
 /// g++ 12 warns, by what its headers for AVX-512 do.)
 template <class S, class Term>
 KTE_INLINE constexpr S sum_by_four(std::size_t n, const Term& term) {
-  S sums[4]{S(0), S(0), S(0), S(0)};
   std::size_t i = 0;
+  S a(0), b(0), c(0), d(0);  // no array, which compilers would keep on the stack
+  if (n < 8) {
+    for (; i < n; ++i) a += term(i);
+    return a;
+  }
   if (n >= 64) {
     S more[16]{};
     for (const std::size_t whole = n - n % 16; i < whole; i += 16)
       for (std::size_t k = 0; k < 16; ++k) more[k] += term(i + k);
-    for (std::size_t k = 0; k < 16; ++k) sums[k % 4] += more[k];
+    for (std::size_t k = 0; k < 16; ++k) a += more[k];
   }
   for (const std::size_t whole = n - n % 4; i < whole; i += 4)
-    for (std::size_t k = 0; k < 4; ++k) sums[k] += term(i + k);
-  for (; i < n; ++i) sums[0] += term(i);
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    a += term(i), b += term(i + 1), c += term(i + 2), d += term(i + 3);
+  for (; i < n; ++i) a += term(i);
+  return (a + b) + (c + d);
 }
 template <class X>
 KTE_INLINE constexpr auto zero_or_nan(const X& x, std::size_t n) {
