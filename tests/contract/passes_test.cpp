@@ -14,9 +14,24 @@ namespace {
 
 using namespace kte;
 
+#if defined(__FMA__)
+/// Products are fused into sums, not at the same places in both chains: what is rounded of terms of the size of the
+/// largest number, some ten a joint or link, 21 of them in a row.
+constexpr double roundings = 10 * 21 * 0x1p-53;
+#else
+constexpr double roundings = 0;
+#endif
+
+/// Whether all numbers of two things agree: bit for bit, but for roundings.
 template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
+bool agree(const T& a, const T& b) {
+  if (std::memcmp(&a, &b, sizeof(T)) == 0) return true;
+  using numbers = std::array<double, sizeof(T) / sizeof(double)>;
+  const auto x = std::bit_cast<numbers>(a), y = std::bit_cast<numbers>(b);
+  double size = 0, off = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    size = kte::test::worse(size, std::abs(x[i])), off = kte::test::worse(off, std::abs(x[i] - y[i]));
+  return off <= roundings * size && roundings > 0;
 }
 
 // clang-format off
@@ -71,7 +86,7 @@ void pairs(State& s, runtime_state& r, const F& f) {
   (std::make_index_sequence<kinds>{});
 }
 
-/// From the same random numbers in all that both states hold, every bit of it is the same after each pass.
+/// From the same random numbers in all that both states hold, all of it agrees after each pass.
 template <class Static>
 void compare_bits(const Static& fixed, const kte_map_chain& loose, unsigned seed) {
   auto s = make_state(fixed);
@@ -79,7 +94,7 @@ void compare_bits(const Static& fixed, const kte_map_chain& loose, unsigned seed
   random_numbers random(seed);
   const auto compare = [&] {
     int things = 0, differ = 0;
-    pairs(s, r, [&](const auto& a, const auto& b) { ++things, differ += !same_bits(a, b); });
+    pairs(s, r, [&](const auto& a, const auto& b) { ++things, differ += !agree(a, b); });
     CHECK(things > 0);
     CHECK(differ == 0);
   };
@@ -97,8 +112,9 @@ void compare_bits(const Static& fixed, const kte_map_chain& loose, unsigned seed
 
 }  // namespace
 
-// Products must not be fused into sums differently in different places, so this test is built without -march=native.
-TEST_CASE("the passes of static and runtime chains agree bit for bit") {
+// The same arithmetic in the same order. Compilers that may fuse products into sums (-mfma, -march=native, unless
+// -ffp-contract=off) do so where they inline, which differs: then results agree to rounding.
+TEST_CASE("the passes of static and runtime chains agree bit for bit where products are not fused into sums") {
   SECTION("pendulum") { compare_bits(models::pendulum, models::by_own_elements(models::pendulum), 1); }
   SECTION("tree") { compare_bits(models::tree, models::by_own_elements(models::tree), 2); }
   SECTION("iiwa14") { compare_bits(robots::iiwa14, models::by_own_elements(robots::iiwa14), 3); }
@@ -146,8 +162,8 @@ TEST_CASE("motion leaves forces and what is given, clearing leaves motion, force
   CHECK(loads_of(r) == loads_of(before));
   CHECK(r.coordinate("elbow").q == before.coordinate("elbow").q);
   CHECK(r.coordinate("elbow").cos == within(std::cos(before.coordinate("elbow").q), 1.2e-16));  // one ulp of 1
-  CHECK(same_bits(r.coordinate("wheel"), before.coordinate("wheel")));  // no joint turns by it: 5 and 6 stay
-  CHECK(same_bits(r.frame_3D("world"), before.frame_3D("world")));
+  CHECK(agree(r.coordinate("wheel"), before.coordinate("wheel")));  // no joint turns by it: 5 and 6 stay
+  CHECK(agree(r.frame_3D("world"), before.frame_3D("world")));
   CHECK(r.internal("bristles").z == before.internal("bristles").z);
   CHECK(r.internal("bristles").z_dot != before.internal("bristles").z_dot);
   CHECK(r.input("drive") == before.input("drive"));
@@ -157,14 +173,14 @@ TEST_CASE("motion leaves forces and what is given, clearing leaves motion, force
   const auto none = loads_of(r);
   CHECK(none == std::vector<vec3<>>(none.size(), vec3<>{}));
   CHECK(r.input("drive") == before.input("drive"));  // inputs are no loads
-  CHECK(same_bits(r.internal("bristles"), moved.internal("bristles")));
+  CHECK(agree(r.internal("bristles"), moved.internal("bristles")));
   CHECK(r.coordinate("elbow").q_ddot == before.coordinate("elbow").q_ddot);
   CHECK(r.frame_3D("finger").acceleration == moved.frame_3D("finger").acceleration);
   CHECK(r.pose_3D("trunk").velocity == before.pose_3D("trunk").velocity);
 
   c.doForce(r);
   CHECK(r.frame_3D("finger").acceleration == moved.frame_3D("finger").acceleration);
-  CHECK(same_bits(r.internal("bristles"), moved.internal("bristles")));
+  CHECK(agree(r.internal("bristles"), moved.internal("bristles")));
   kte_map_chain motor;
   motor << inertia_gen("wheel", 0.0) << driving_actuator_gen("wheel", "drive");
   auto m = motor.make_state();

@@ -46,7 +46,7 @@ void derive_internals(const Chain& c, const S* q, const S* v, const S* z, const 
       const int j = first + static_cast<int>(lane);
       for (std::size_t f = 0; f < wiring::freedoms; ++f) {
         const freedom& at = wiring::table.free[f];
-        if (at.v <= j && j < at.v + nv_of(at.what)) displace(at, q, j - at.v, lane, qs);
+        if (at.v <= j && j < at.v + nv_of(at.what)) displace(at, j - at.v, lane, std::span<number>(qs));
       }
       if (n <= j && j < 2 * n) vs[static_cast<std::size_t>(j - n)].derivative[lane] = S(1);
       if (2 * n <= j && j < 2 * n + nz) zs[static_cast<std::size_t>(j - 2 * n)].derivative[lane] = S(1);
