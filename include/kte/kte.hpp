@@ -9,7 +9,7 @@
 /// What takes longer to compile, or is needed less often, has headers of its own:
 ///
 ///   kte/dynamics.hpp                   all algorithms: also derivatives, M^-1, hybrid dynamics, momenta, the regressor
-///   kte/dynamics/batch.hpp             many states at once, in packs
+///   kte/dynamics/batch.hpp             many states at once, in packs; of runtime chains: runtime_batch.hpp
 ///   kte/simulation.hpp                 chains as systems x' = f(t, x), all integrators, events
 ///   kte/io.hpp                         files: models, tables, recorders, progress
 ///   kte/elements/registry.hpp          runtime chains from records, which are plain data

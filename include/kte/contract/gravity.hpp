@@ -34,7 +34,9 @@ constexpr void check_one_gravity(const boost::hana::tuple<G...>& all) {
     if (g == vec3<>{}) g = x;
     const auto text = [&g, &x] {
       const auto numbers_of = [](const vec3<>& v) {
-        return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
+        // Not by +, of which g++ 12 warns at -O3 without a cause.
+        return std::string("(").append(number(v.x)).append(", ").append(number(v.y)).append(", ").append(number(v.z)) +
+               ")";
       };
       return "kte: parts of a chain have different gravities; give them the same by .gravity(): one has " +
              numbers_of(g) + ", another " + numbers_of(x);

@@ -1,0 +1,99 @@
+#include <kte/dynamics/runtime_batch.hpp>
+
+#include <limits>
+#include <vector>
+
+#include "catch.hpp"
+#include "chain/models.hpp"
+#include "random.hpp"
+
+// Many states of a runtime chain at once, against each state alone.
+
+using namespace kte;
+
+namespace {
+
+/// A slide, a hinge about a general axis with a rotor, a ball: six numbers a configuration, five degrees of freedom.
+kte_map_chain arm() {
+  kte_map_chain c;
+  c << prismatic_joint_3D("slide", "base", "cart", axis::y) << inertia_3D("cart", point_mass(2.0))
+    << rigid_link_3D("cart", "seat", vec3{0.1, 0.2, -0.3})
+    << revolute_joint_3D("turn", "seat", "arm", vec3{0.6, 0.0, 0.8}) << inertia_gen("turn", 0.05)
+    << inertia_3D("arm", rigid_body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}})
+    << spherical_joint_3D("ball", "arm", "hand")
+    << inertia_3D("hand", rigid_body{0.5, vec3{0.0, 0.1, 0.05}, diagonal(0.003, 0.002, 0.0025)});
+  c.gravity(vec3{0.3, -0.4, -9.81});
+  return c;
+}
+constexpr std::size_t nq = 6, nv = 5;
+
+struct states {
+  std::vector<double> q, v, a;
+  explicit states(std::size_t count) {
+    random_numbers random(31);
+    for (std::size_t i = 0; i < nq * count; ++i) q.push_back(random(3));
+    for (std::size_t i = 0; i < nv * count; ++i) v.push_back(random(2)), a.push_back(random(5));
+  }
+  Eigen::VectorXd one(const std::vector<double>& x, std::size_t n, std::size_t k) const {
+    return Eigen::Map<const Eigen::VectorXd>(x.data() + n * k, static_cast<Eigen::Index>(n));
+  }
+};
+/// The largest difference of result k from x, relative to the largest number of x.
+template <class X>
+double gap(const std::vector<double>& all, std::size_t k, const X& x) {
+  double off = 0, size = 0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    off = test::worse(
+        off, std::abs(all[k * static_cast<std::size_t>(x.size()) + static_cast<std::size_t>(i)] - x.data()[i]));
+    size = test::worse(size, std::abs(x.data()[i]));
+  }
+  return off / size;
+}
+/// Both are within half of it of the true result (tests/dynamics/runtime_scalars_test.cpp).
+constexpr double rounding = 64 * 0x1p-52;
+
+}  // namespace
+
+TEST_CASE("batches of states of a runtime chain", "[batch][runtime]") {
+  const kte_map_chain c = arm();
+  auto s = c.make_state();
+  REQUIRE(c.nq() == static_cast<int>(nq));
+  REQUIRE(c.dofs() == static_cast<int>(nv));
+  for (const std::size_t count : {0, 1, 7, 8, 300}) {  // with a rest, and more than one task
+    const states x(count);
+    std::vector<double> tau(nv * count), acceleration(nv * count), mass(nv * nv * count), threaded(nv * count);
+    batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau);
+    batch::inverse_dynamics<4>(c, x.q, x.v, x.a, threaded, batch::threads(2));
+    CHECK(tau == threaded);
+    batch::forward_dynamics<4>(c, x.q, x.v, x.a, acceleration);
+    batch::mass_matrix<4>(c, x.q, mass);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto q = x.one(x.q, nq, k), v = x.one(x.v, nv, k), a = x.one(x.a, nv, k);
+      CHECK(gap(tau, k, inverse_dynamics(c, s, q, v, a)) < rounding);
+      CHECK(gap(acceleration, k, forward_dynamics(c, s, q, v, a)) < rounding);
+      CHECK(gap(mass, k, mass_matrix(c, s, q)) < rounding);
+    }
+  }
+}
+
+TEST_CASE("a bad state of a batch does not spoil the others", "[batch][runtime][errors]") {
+  const kte_map_chain c = arm();
+  states x(11);
+  std::vector<double> good(nv * 11), tau(nv * 11);
+  batch::inverse_dynamics<4>(c, x.q, x.v, x.a, good);
+  x.v[nv * 6 + 1] = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau), test::contains_text("state 6: "));
+  for (std::size_t k = 0; k < 11; ++k)
+    for (std::size_t i = 0; i < nv; ++i)
+      CHECK((k == 6 ? std::isnan(tau[k * nv + i]) : tau[k * nv + i] == good[k * nv + i]));
+  std::vector<double> short_one(nv * 10);
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, short_one), test::contains_text("tau has 50 numbers"));
+}
+
+TEST_CASE("batches of chains with laws of their own are refused", "[batch][runtime][errors]") {
+  kte_map_chain c = arm();
+  c << spring_gen("slide", "turn", 0.0, 10.0);
+  const states x(2);
+  std::vector<double> tau(nv * 2);
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau), test::contains_text("spring_gen acts by a law"));
+}
