@@ -3,7 +3,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "catch.hpp"
-#include "gap.hpp"
+#include "math/gap.hpp"
 #include "random.hpp"
 
 using namespace kte;

@@ -111,10 +111,14 @@ TEST_CASE("several threads never have the same state", "[kept_states]") {
   CHECK(all.gone == all.made + all.copied);
 }
 
-TEST_CASE("a constant keeps nothing", "[kept_states]") {
-  static constexpr keeper k;
-  constexpr keeper copy = k;
-  (void)copy;
+TEST_CASE("what constants kept, which are never destroyed, goes when the next stands in their place", "[kept_states]") {
   counts all;
-  CHECK(static_cast<state&>(k.borrow<state>(maker{&all, 3})).number == 3);
+  const auto use = [&all](int number) {
+    constexpr keeper k;
+    constexpr keeper copy = k;
+    (void)copy;
+    return static_cast<state&>(k.borrow<state>(maker{&all, number})).number;
+  };
+  for (int i = 0; i < 100; ++i) CHECK(use(i) == i);
+  CHECK(all.made + all.copied - all.gone <= 2 * 2);  // of one place, or two if the compiler takes two
 }

@@ -18,22 +18,65 @@ class kept_states {
   }
 };
 
+/// A state that something keeps. All of them are in one list: constants are never destroyed (their destruction is
+/// `constexpr`, and left out), so what they kept goes when something else keeps a state at the same address.
+struct kept_state {
+  kept_state(const void* k, const void* o) : kind(k), owner(o) {}
+  kept_state(const kept_state&) = delete;
+  kept_state& operator=(const kept_state&) = delete;
+  virtual ~kept_state() = default;
+  const void* const kind;
+  const void* const owner;
+  kept_state* next = nullptr;  ///< of this owner
+  kept_state* next_of_all = nullptr;
+
+  /// `first`: of what its owner keeps; nothing, if the owner is new.
+  static void add(kept_state* x, std::atomic<kept_state*>& first) {
+    const lock here;
+    if (!first.load()) drop_all_of(x->owner);
+    x->next = first.load();
+    x->next_of_all = std::exchange(all, x);
+    first.store(x);
+  }
+  static void remove(const void* owner) {
+    const lock here;
+    drop_all_of(owner);
+  }
+
+ private:
+  static void drop_all_of(const void* owner) {
+    for (kept_state** at = &all; *at;) {
+      kept_state* const x = *at;
+      if (x->owner != owner) {
+        at = &x->next_of_all;
+        continue;
+      }
+      *at = x->next_of_all;
+      delete x;
+    }
+  }
+  struct lock {
+    lock() {
+      while (taken.test_and_set(std::memory_order_acquire)) {
+      }
+    }
+    lock(const lock&) = delete;
+    lock& operator=(const lock&) = delete;
+    ~lock() { taken.clear(std::memory_order_release); }
+  };
+  static inline std::atomic_flag taken;
+  static inline kept_state* all = nullptr;
+};
+
 /// One state of each type, lent to one calculation at a time; to others, copies of it. May be used by several threads.
 /// What a chain keeps is never copied with it.
 template <>
 class kept_states<true> {
-  struct node {
-    explicit node(const void* k) : kind(k) {}
-    node(const node&) = delete;
-    node& operator=(const node&) = delete;
-    virtual ~node() = default;
-    const void* const kind;
-    node* next = nullptr;
-  };
+  using node = kept_state;
   template <class State>
   struct node_of final : node {
     template <class Chain>
-    explicit node_of(const Chain& c) : node(&kind_of<State>), original(c) {}
+    node_of(const Chain& c, const void* owner) : node(&kind_of<State>, owner), original(c) {}
     ~node_of() override { delete spare.load(); }
     const State original;
     std::atomic<State*> spare{nullptr};
@@ -70,18 +113,16 @@ class kept_states<true> {
   loan<State> borrow(const Chain& c) const {
     for (node* n = first_.load(); n; n = n->next)
       if (n->kind == &kind_of<State>) return loan<State>(static_cast<node_of<State>&>(*n));
-    auto made = std::make_unique<node_of<State>>(c);
-    made->next = first_.load();
-    while (!first_.compare_exchange_weak(made->next, made.get())) {
-    }
-    return loan<State>(*made.release());
+    auto* const made = new node_of<State>(c, this);
+    node::add(made, first_);
+    return loan<State>(*made);
   }
 
  private:
   /// Nothing is kept by constants.
   constexpr void clear() {
     if (std::is_constant_evaluated()) return;
-    for (node* n = first_.exchange(nullptr); n;) delete std::exchange(n, n->next);
+    if (first_.exchange(nullptr)) node::remove(this);
   }
   mutable std::atomic<node*> first_{nullptr};
 };

@@ -112,14 +112,12 @@ KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_c
 ///   M_jk = s_j . F          for k and all axes j before it          (1)
 ///
 /// F goes in from body to body in world axes, where only its torque changes. Into rows over axes, each from the
-/// diagonal on: axis j is row j of `rows`. After `place_in_world`, `carry_bodies`.
+/// diagonal on, which are zero before. After `place_in_world`, `carry_bodies`.
 template <class P, class S>
-void masses(const forest<P>& f, const memory<P, S>& m, std::vector<S>& rows) {
+void masses(const forest<P>& f, const memory<P, S>& m, S* at_row) {
   const int bases = f.bases;
   const record<P>* const records = f.records.data() - bases;  // by slot
   const auto n = static_cast<int>(f.axes());
-  rows.assign(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), S(0));
-  S* const at_row = rows.data();
   for (int slot = bases + static_cast<int>(f.records.size()); slot-- > bases;) {
     const record<P>& r = records[slot];
     const auto at = static_cast<std::size_t>(slot);

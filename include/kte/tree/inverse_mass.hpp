@@ -13,7 +13,6 @@ template <class S>
 struct inverse_memory {
   wrench_columns<S> loads;  ///< W of every axis that is reached
   std::vector<S> left;      ///< e_lk of one l
-  std::vector<S> inverse;   ///< M^-1 by axes: rows, from the diagonal on
 };
 
 /// The inverse of the mass matrix from articulated inertias. A unit force on axis k leaves e_lk on axis l of its own
@@ -23,12 +22,12 @@ struct inverse_memory {
 ///   M^-1 = E^T D^-1 E                                       (2)
 ///
 /// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) Bodies from the last:
-/// all W of axes beyond a body pass through it together. After `place_in_world`, `articulate`, whose gains are then in
-/// world axes; of joints that all yield or rest.
+/// all W of axes beyond a body pass through it together. Into rows over axes as by `masses`. After `place_in_world`,
+/// `articulate`, whose gains are then in world axes; of joints that all yield or rest.
 template <class P, class S>
-void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x) {
+void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x, S* rows) {
   const std::size_t bases = static_cast<std::size_t>(f.bases), n = f.axes();
-  x.loads.resize(n), x.left.resize(n), x.inverse.assign(n * n, S(0));
+  x.loads.resize(n), x.left.resize(n);
   const wrench_rows<S> w = x.loads.rows();
   S* const left = x.left.data();
   for (std::size_t i = f.records.size(); i-- > 0;) {
@@ -61,7 +60,7 @@ void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x) {
       });
       for (std::size_t j = l; j < last; ++j) {  // (2)
         const S rate = own.inverse * left[j];
-        S* const row = &x.inverse[j * n];
+        S* const row = &rows[j * n];
         by_fours(j, last, [&]<std::size_t N>(std::size_t k) KTE_INLINE_LAMBDA {
           auto sum = several<N>(row + k);
           const auto e = several<N>(left + k);

@@ -47,35 +47,28 @@ void carry(const Elements& c, State& s) {
   place_in_world(s);
   tree::carry_bodies(s.tree().forest, s.work);
 }
-/// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: that of `m`, which is zero, is
-/// added to where joints share coordinates. What lies beyond its size is left out.
-template <class P, class S, class Matrix>
-void add_symmetric(const tree::forest<P>& f, const std::vector<S>& rows, Matrix& m) {
-  const std::size_t axes = f.axes();
-  for (std::size_t j = 0; j < axes; ++j)
-    for (std::size_t k = j; k < axes; ++k) {
-      const int a = f.row[j], b = f.row[k];
-      if (a >= m.rows() || b >= m.rows()) continue;
-      m(a, b) += rows[j * axes + k];
-      if (j != k) m(b, a) += rows[j * axes + k];  // of shared coordinates both triangles meet on the diagonal
-    }
-}
-/// The same where axes are in the order of coordinates, and are all of them.
-template <class S, class Matrix>
-void fill_symmetric(std::size_t axes, const std::vector<S>& rows, Matrix& m) {
-  m.resize(static_cast<Eigen::Index>(axes), static_cast<Eigen::Index>(axes));
-  S* const to = m.data();
-  for (std::size_t j = 0; j < axes; ++j)
-    for (std::size_t k = j; k < axes; ++k) to[j * axes + k] = to[k * axes + j] = rows[j * axes + k];
-}
-template <class P, class S, class Matrix>
-void take_symmetric(const tree::forest<P>& f, const std::vector<S>& rows, int coordinates, Matrix& m) {
-  if (f.in_order && f.axes() == static_cast<std::size_t>(coordinates)) [[likely]] {
-    fill_symmetric(f.axes(), rows, m);
-  } else {
-    m.setZero(coordinates, coordinates);
-    add_symmetric(f, rows, m);
+/// A symmetric matrix over coordinates: fill(rows) writes it in rows over axes, each from the diagonal on. What lies
+/// beyond the coordinates asked for is left out.
+template <class P, class Matrix, class Fill>
+void fill_symmetric(const tree::forest<P>& f, int coordinates, Matrix& by_axes, Matrix& m, const Fill& fill) {
+  const auto axes = static_cast<Eigen::Index>(f.axes());
+  if (f.in_order && axes == coordinates) [[likely]] {  // a row is a column of m below the diagonal
+    m.setZero(axes, axes);
+    auto* const x = m.data();
+    fill(x);
+    for (Eigen::Index j = 0; j < axes; ++j)
+      for (Eigen::Index k = j + 1; k < axes; ++k) x[k * axes + j] = x[j * axes + k];
+    return;
   }
+  by_axes.setZero(axes, axes), m.setZero(coordinates, coordinates);
+  fill(by_axes.data());
+  for (Eigen::Index j = 0; j < axes; ++j)
+    for (Eigen::Index k = j; k < axes; ++k) {
+      const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
+      if (a >= coordinates || b >= coordinates) continue;
+      m(a, b) += by_axes(k, j);
+      if (j != k) m(b, a) += by_axes(k, j);  // of shared coordinates both triangles meet on the diagonal
+    }
 }
 
 /// The mass matrix (CRBA), into the working memory.
@@ -87,8 +80,7 @@ void mass_of_coordinates(const Elements& c, State& s) {
   auto& w = s.work;
   const bool others = t.plan.coordinates > s.dofs();
   auto& m = others ? w.all : w.mass;
-  tree::masses(t.forest, w, w.mass_by_axes);
-  take_symmetric(t.forest, w.mass_by_axes, t.plan.coordinates, m);
+  fill_symmetric(t.forest, t.plan.coordinates, w.by_axes, m, [&t, &w](S* rows) { tree::masses(t.forest, w, rows); });
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
@@ -193,8 +185,8 @@ void invert_articulated(State& s, Matrix& inverse) {
   using S = typename State::scalar;
   const auto& f = s.tree().forest;
   place_in_world(s);
-  tree::inverse_masses(f, s.work, s.work.inverting);
-  take_symmetric(f, s.work.inverting.inverse, s.dofs(), inverse);
+  auto& w = s.work;
+  fill_symmetric(f, s.dofs(), w.by_axes, inverse, [&f, &w](S* rows) { tree::inverse_masses(f, w, w.inverting, rows); });
   for (const int row : s.tree().plan.lone_rows)
     inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
 }
