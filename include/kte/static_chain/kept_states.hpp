@@ -76,7 +76,7 @@ class kept_states<true> {
   template <class State>
   struct node_of final : node {
     template <class Chain>
-    node_of(const Chain& c, const void* owner) : node(&kind_of<State>, owner), original(c) {}
+    node_of(const Chain& c, const void* whose) : node(&kind_of<State>, whose), original(c) {}
     ~node_of() override { delete spare.load(); }
     const State original;
     std::atomic<State*> spare{nullptr};
