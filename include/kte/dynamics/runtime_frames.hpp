@@ -29,7 +29,7 @@ template <class S>
 Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const kte_map_chain& c, basic_runtime_state<S>& s,
                                            Eigen::Matrix<S, 6, Eigen::Dynamic> a) {
   if (a.cols() == s.dofs()) return a;
-  hand_on(runtime_elements{c}, s, [&a](int base, int end, const S& ratio) { a.col(base) += ratio * a.col(end); });
+  hand_on(runtime_elements{c}, s, [&a](int to, int from, const S& ratio) { a.col(to) += ratio * a.col(from); });
   return a.leftCols(s.dofs());
 }
 }  // namespace detail

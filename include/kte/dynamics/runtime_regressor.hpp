@@ -42,7 +42,7 @@ runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s
       for (int i = 0; i < count; ++i) y(row, first + i) += tree::parameter_at(x, i, count);
     });
   });
-  hand_on(runtime_elements{c}, s, [&y](int base, int end, const S& ratio) { y.row(base) += ratio * y.row(end); });
+  hand_on(runtime_elements{c}, s, [&y](int to, int from, const S& ratio) { y.row(to) += ratio * y.row(from); });
   y.conservativeResize(s.dofs(), columns);
   check_result(y.data(), static_cast<std::size_t>(y.size()), [&s] { blame("a regressor", s); });
   return y;

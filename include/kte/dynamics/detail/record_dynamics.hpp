@@ -84,9 +84,9 @@ void mass_of_coordinates(const Elements& c, State& s) {
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
-  hand_on(c, s, [&m](int base, int end, const S& ratio) {
-    m.row(base) += ratio * m.row(end);
-    m.col(base) += ratio * m.col(end);
+  hand_on(c, s, [&m](int to, int from, const S& ratio) {
+    m.row(to) += ratio * m.row(from);
+    m.col(to) += ratio * m.col(from);
   });
   w.mass = m.topLeftCorner(s.dofs(), s.dofs());
 }
