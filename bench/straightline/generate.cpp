@@ -9,6 +9,10 @@
 #include "robots/ur5.hpp"
 #include "straightline/print.hpp"
 
+/// Every element is traced by its type, so that nothing is computed with what is known to be zero.
+template <>
+inline constexpr bool kte::detail::is_a_few_instructions<straightline::traced> = true;
+
 namespace straightline {
 namespace {
 
