@@ -1,6 +1,6 @@
 // What a user of kte::compiled writes: the pendulum of main.cpp from a model file.
-#include <kte/elements/registry.hpp>
 #include <kte/dynamics/runtime.hpp>
+#include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
 
 #include <cmath>
@@ -10,7 +10,8 @@
 #endif
 
 int main() {
-  const auto pendulum = kte::to_chain(kte::from_json(R"({"kte_model": {"version": 1, "gravity": "0 -9.81 0", "elements": [
+  const auto pendulum =
+      kte::to_chain(kte::from_json(R"({"kte_model": {"version": 1, "gravity": "0 -9.81 0", "elements": [
     {"type": "revolute_joint_3D", "version": 1, "ports": {"coordinate": "q", "base": "base", "end": "arm"},
      "parameters": {"axis": "0 0 1"}},
     {"type": "inertia_3D", "version": 1, "ports": {"frame": "arm"},

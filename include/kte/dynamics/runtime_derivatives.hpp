@@ -156,12 +156,16 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(
+    const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(
+    const kte_map_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain&, runtime_state&);
-}
+KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain&,
+                                                                                          runtime_state&);
+KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain&,
+                                                                                                 runtime_state&);
+}  // namespace detail
 #endif
 
 }  // namespace kte

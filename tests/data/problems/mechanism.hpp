@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/static_chain/layout.hpp>
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/energy.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
@@ -13,6 +12,7 @@
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/math/eigen.hpp>
+#include <kte/static_chain/layout.hpp>
 
 #include "data/problems/error.hpp"
 

@@ -16,7 +16,8 @@ void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!all_finite(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
-/// By the factorised mass matrix, under the forces that are `kept`. Accelerations of rows that are `prescribed` are those of the state.
+/// By the factorised mass matrix, under the forces that are `kept`. Accelerations of rows that are `prescribed` are
+/// those of the state.
 template <class S>
 void accelerate_by_mass(const kte_map_chain& c, basic_runtime_state<S>& s, std::span<const char> prescribed) {
   runtime_vector<S> given;
