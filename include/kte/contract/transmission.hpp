@@ -49,15 +49,6 @@ KTE_INLINE constexpr auto position_only(const C& c) {
     return motion{c.position, c.rotation, none, none, none, none};
   }
 }
-/// A coordinate without accelerations.
-template <class C>
-KTE_INLINE constexpr auto unaccelerated(const C& c) {
-  if constexpr (requires { c.q; }) {
-    return coordinate{c.q, c.q_dot, zero, c.cos, c.sin};
-  } else {
-    return motion{c.position, c.rotation, c.velocity, c.ang_velocity, zero3{}, zero3{}};
-  }
-}
 /// The power of a wrench on a velocity.
 template <class Motion, class F, class T>
 KTE_INLINE constexpr auto power(const Motion& m, const wrench<F, T>& w) {

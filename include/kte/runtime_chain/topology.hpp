@@ -28,7 +28,6 @@ class topology {
     int writer;     ///< the element that writes it, or -1: given from outside
     bool declared;  ///< written by an element, or declared by base_gen, base_2D, base_3D
     bool moves;     ///< for coordinates: an element moves by it, or it is given
-    bool angle;     ///< for coordinates: an element wants its cosine and sine
   };
   struct connection {
     const kte_element* element = nullptr;
@@ -55,7 +54,6 @@ class topology {
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
   void check_complete() const;
   /// Whether an element wants the cosine and sine of generalized coordinate i.
-  bool is_angle(int i) const { return things_.find(names[0][static_cast<std::size_t>(i)])->second.angle; }
   /// What a name is; throws `unknown_name`.
   kind kind_of(std::string_view name) const {
     const auto it = things_.find(name);
@@ -141,9 +139,8 @@ KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
   const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
   const bool moves = x.how != access::on;
   const auto [it, fresh] =
-      things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves, false});
+      things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves});
   it->second.moves |= moves;
-  it->second.angle |= x.how == access::angle;
   if (x.how == access::keep) keepers.push_back(static_cast<int>(elements.size()));
   if (fresh) {
     names[k].push_back(name);
