@@ -54,7 +54,7 @@ S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->potential_energy(s);
-  detail::carry(detail::runtime_elements{c}, s);
+  detail::carry(c, s);
   return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment));
 }
 template <class S>
@@ -67,21 +67,21 @@ energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
 template <class S>
 mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  detail::carry(detail::runtime_elements{c}, s);
+  detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment)};
 }
 template <class S>
 vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
-  detail::carry(detail::runtime_elements{c}, s);
+  detail::carry(c, s);
   return detail::divided_by_mass<S>(tree::weight_in_world(s.tree().forest, s.work).mass,
                                     detail::momentum_of_coordinates(s).force);
 }
 template <class S>
 linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
-  detail::carry(detail::runtime_elements{c}, s);
+  detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const auto h = detail::momentum_of_coordinates(s);
   return detail::checked<S>(h.force, h.torque - cross(detail::divided_by_mass<S>(w.mass, w.moment), h.force));
@@ -89,7 +89,7 @@ linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_stat
 template <class S>
 basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  detail::carry(detail::runtime_elements{c}, s);
+  detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const vec3<S> centre = detail::divided_by_mass<S>(w.mass, w.moment);
   basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);

@@ -1,75 +1,95 @@
 #pragma once
 
-#include <kte/tree/memory.hpp>
+#include <kte/tree/lanes.hpp>
+#include <kte/tree/placement.hpp>
 
-/// Wrenches of many axes that go in along the tree together: of all bodies beyond one they stand in a row, so that
-/// processors take four at a time.
+#include <algorithm>
+#include <vector>
+
+/// What stands in a row for all axes beyond a body goes in along the tree together: processors take several at a time.
 namespace kte::tree {
 
-/// f<4>(k) for k = first, first + 4 ..., then f<1>(k) for what is left up to `last`.
-template <class F>
-KTE_INLINE void by_fours(std::size_t first, std::size_t last, const F& f) {
-  std::size_t k = first;
-  for (; k + 4 <= last; k += 4) f.template operator()<4>(k);
-  for (; k < last; ++k) f.template operator()<1>(k);
-}
-
-/// N numbers in a row, read before anything is written, so that they are taken at once.
-template <std::size_t N, class S>
-KTE_INLINE std::array<S, N> several(const S* x) {
-  std::array<S, N> y;
-  for (std::size_t c = 0; c < N; ++c) y[c] = x[c];
-  return y;
-}
-template <std::size_t N, class S>
-KTE_INLINE void store(const std::array<S, N>& y, S* x) {
-  for (std::size_t c = 0; c < N; ++c) x[c] = y[c];
-}
-
-/// A wrench of every axis, by its components.
+/// Rows over axes. Bodies are visited `inward`: behind the axes beyond a body stand those that hold nothing yet, and
+/// registers may run over the end.
 template <class S>
-struct wrench_rows {
-  S *fx, *fy, *fz, *tx, *ty, *tz;
+class axis_rows {
+ public:
+  void resize(std::size_t rows, std::size_t axes) {
+    stride_ = axes + most_lanes;
+    numbers_.resize(rows * stride_);
+  }
+  void clear() { std::fill(numbers_.begin(), numbers_.end(), S(0)); }
+  KTE_INLINE std::size_t stride() const { return stride_; }
+  KTE_INLINE S* operator[](int row) { return numbers_.data() + static_cast<std::size_t>(row) * stride_; }
+  KTE_INLINE const S* operator[](int row) const { return numbers_.data() + static_cast<std::size_t>(row) * stride_; }
 
-  KTE_INLINE void set(std::size_t k, const dense_wrench<S>& w) const {
-    fx[k] = w.force.x, fy[k] = w.force.y, fz[k] = w.force.z;
-    tx[k] = w.torque.x, ty[k] = w.torque.y, tz[k] = w.torque.z;
+ private:
+  std::size_t stride_ = 0;
+  std::vector<S> numbers_;
+};
+
+/// A wrench of some axes.
+template <class S>
+struct wrench_lanes {
+  vec3<lanes<S>> force, torque;
+
+  /// The first of them.
+  KTE_INLINE void put_first(const dense_wrench<S>& w) {
+    tree::put_first<S>(force.x, w.force.x), tree::put_first<S>(force.y, w.force.y);
+    tree::put_first<S>(force.z, w.force.z), tree::put_first<S>(torque.x, w.torque.x);
+    tree::put_first<S>(torque.y, w.torque.y), tree::put_first<S>(torque.z, w.torque.z);
   }
-  /// To an origin from which the present one stands at `step`: torque += step x force.
-  KTE_INLINE void shift(std::size_t first, std::size_t last, const vec3<S>& step) const {
-    const vec3<S> p = step;
-    by_fours(first, last, [this, &p]<std::size_t N>(std::size_t k) KTE_INLINE_LAMBDA {
-      const auto x = several<N>(fx + k), y = several<N>(fy + k), z = several<N>(fz + k);
-      auto u = several<N>(tx + k), v = several<N>(ty + k), w = several<N>(tz + k);
-      for (std::size_t c = 0; c < N; ++c) u[c] += p.y * z[c] - p.z * y[c];
-      for (std::size_t c = 0; c < N; ++c) v[c] += p.z * x[c] - p.x * z[c];
-      for (std::size_t c = 0; c < N; ++c) w[c] += p.x * y[c] - p.y * x[c];
-      store(u, tx + k), store(v, ty + k), store(w, tz + k);
-    });
+  /// Their powers on the unit rate of a joint of one axis.
+  template <class P>
+  KTE_INLINE void power_on(const record<P>& r, lanes<S>& power) const {
+    power = torque.z;
+    if (r.moves != joint::revolute) power = r.slides * force.z + r.turns * power;
   }
-  /// The power of N wrenches on the unit rate of an axis.
-  template <std::size_t N>
-  KTE_INLINE std::array<S, N> power(const world_axis<S>& s, bool turns, std::size_t k) const {
-    const auto u = several<N>(tx + k), v = several<N>(ty + k), w = several<N>(tz + k);
-    std::array<S, N> e;
-    for (std::size_t c = 0; c < N; ++c) e[c] = s.angular.x * u[c] + s.angular.y * v[c] + s.angular.z * w[c];
-    if (!turns) {
-      const auto x = several<N>(fx + k), y = several<N>(fy + k), z = several<N>(fz + k);
-      for (std::size_t c = 0; c < N; ++c) e[c] += s.linear.x * x[c] + s.linear.y * y[c] + s.linear.z * z[c];
-    }
-    return e;
+  /// To axes and origin of the parent.
+  template <class P>
+  KTE_INLINE void go_in(const record<P>& r, const spot<S>& at) {
+    const placed seat{r, at};
+    const vec3<S>& p = at.position;
+    force = seat.out(force), torque = seat.out(torque);
+    torque.x += p.y * force.z - p.z * force.y;
+    torque.y += p.z * force.x - p.x * force.z;
+    torque.z += p.x * force.y - p.y * force.x;
   }
 };
-template <class S>
-struct wrench_columns {
-  std::vector<S> components;
 
-  void resize(std::size_t axes) { components.resize(6 * axes); }
-  wrench_rows<S> rows() {
-    const std::size_t n = components.size() / 6;
-    S* const c = components.data();
-    return {c, c + n, c + 2 * n, c + 3 * n, c + 4 * n, c + 5 * n};
+/// A wrench of every axis, at the origin and in axes of the body that it has come to.
+template <class S>
+class wrench_rows {
+ public:
+  void resize(std::size_t axes) {
+    rows_.resize(6, axes);
+    for (int c = 0; c < 6; ++c) std::fill_n(rows_[c] + axes, most_lanes, S(0));  // what registers read beyond the last
   }
+  KTE_INLINE const S* component(int c) const { return rows_[c]; }
+  KTE_INLINE void set(int k, const dense_wrench<S>& w) {
+    S* const x = rows_[0] + k;
+    const std::size_t row = rows_.stride();
+    x[0] = w.force.x, x[row] = w.force.y, x[2 * row] = w.force.z;
+    x[3 * row] = w.torque.x, x[4 * row] = w.torque.y, x[5 * row] = w.torque.z;
+  }
+  /// f(wrenches, the first of them) of axes from `first` up to `last`, which are changed by it.
+  template <class F>
+  KTE_INLINE void change(int first, int last, const F& f) {
+    const std::size_t row = rows_.stride();
+    S* const x = rows_[0];
+    by_lanes<S>(static_cast<std::size_t>(first), static_cast<std::size_t>(last), [&](std::size_t k) KTE_INLINE_LAMBDA {
+      wrench_lanes<S> w;
+      S* const at = x + k;
+      load(w.force.x, at), load(w.force.y, at + row), load(w.force.z, at + 2 * row);
+      load(w.torque.x, at + 3 * row), load(w.torque.y, at + 4 * row), load(w.torque.z, at + 5 * row);
+      f(w, static_cast<int>(k));
+      store<S>(w.force.x, at), store<S>(w.force.y, at + row), store<S>(w.force.z, at + 2 * row);
+      store<S>(w.torque.x, at + 3 * row), store<S>(w.torque.y, at + 4 * row), store<S>(w.torque.z, at + 5 * row);
+    });
+  }
+
+ private:
+  axis_rows<S> rows_;
 };
 
 }  // namespace kte::tree

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/tree/placement.hpp>
+#include <kte/tree/columns.hpp>
 
 namespace kte::tree {
 
@@ -111,37 +111,33 @@ KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_c
 ///
 ///   M_jk = s_j . F          for k and all axes j before it          (1)
 ///
-/// F goes in from body to body in world axes, where only its torque changes. Into rows over axes, each from the
-/// diagonal on, which are zero before. After `place_in_world`, `carry_bodies`.
+/// Bodies inward: the wrenches of all axes beyond a body go in together. Into rows over axes, from the diagonal on up
+/// to the last axis beyond it. After `carry_bodies`.
 template <class P, class S>
-void masses(const forest<P>& f, const memory<P, S>& m, S* at_row) {
-  const int bases = f.bases;
-  const record<P>* const records = f.records.data() - bases;  // by slot
-  const auto n = static_cast<int>(f.axes());
-  for (int slot = bases + static_cast<int>(f.records.size()); slot-- > bases;) {
-    const record<P>& r = records[slot];
-    const auto at = static_cast<std::size_t>(slot);
-    for (int k = r.first; k < r.first + r.axes; ++k) {
-      const dense_wrench<S> own = accelerating(r, k - r.first, m.carried[at]);
-      powers_along(r, own, k - r.first + 1,
-                   [&](int j, const S& x) KTE_INLINE_LAMBDA { at_row[(r.first + j) * n + k] = x; });
-      if (r.parent < bases) continue;
-      const mat3<vec3<S>>& rotation = m.world[at].rotation;
-      const vec3<S> force = rotation * own.force;
-      vec3<S> torque = rotation * own.torque;
-      for (int in = slot; records[in].parent >= bases;) {
-        torque = torque + cross(m.world[static_cast<std::size_t>(in)].step, force);
-        in = records[in].parent;
-        const record<P>& before = records[in];
-        const world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(before.first)];
-        if (before.moves == joint::revolute) {
-          at_row[before.first * n + k] = dot(axis->angular, torque);
-        } else {
-          for (int j = 0; j < before.axes; ++j)
-            at_row[(before.first + j) * n + k] = dot(axis[j].angular, torque) + dot(axis[j].linear, force);
-        }
-      }
+void masses(const forest<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_rows<S>& rows) {
+  w.resize(f.axes()), rows.resize(f.axes(), f.axes());
+  for (const int i : f.inward) {
+    const record<P>& r = f.records[static_cast<std::size_t>(i)];
+    const dense_composite<S>& carried = m.carried[static_cast<std::size_t>(f.bases + i)];
+    const spot<S>& at = m.spots[static_cast<std::size_t>(i)];
+    const bool on_base = r.parent < f.bases;
+    if (r.moves != joint::several) {
+      const dense_wrench<S> own = accelerating(r, 0, carried);
+      S* const to = rows[r.first];
+      w.change(r.first, r.last, [&](wrench_lanes<S>& x, int k) KTE_INLINE_LAMBDA {
+        if (k == r.first) x.put_first(own);
+        lanes<S> mass;
+        x.power_on(r, mass);  // (1)
+        store<S>(mass, to + k);
+        if (!on_base) x.go_in(r, at);
+      });
+      continue;
     }
+    for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, accelerating(r, k - r.first, carried));
+    for (int j = r.first; j < r.first + r.axes; ++j)
+      std::copy(w.component(r.axis[static_cast<std::size_t>(j - r.first)]) + j,
+                w.component(r.axis[static_cast<std::size_t>(j - r.first)]) + r.last, rows[j] + j);
+    if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& x, int) KTE_INLINE_LAMBDA { x.go_in(r, at); });
   }
 }
 

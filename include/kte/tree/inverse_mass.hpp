@@ -2,17 +2,15 @@
 
 #include <kte/tree/articulated.hpp>
 #include <kte/tree/columns.hpp>
-#include <kte/tree/composite.hpp>
-
-#include <vector>
 
 namespace kte::tree {
 
-/// What the inverse of the mass matrix works with.
+/// What M and its inverse work with.
 template <class S>
-struct inverse_memory {
-  wrench_columns<S> loads;  ///< W of every axis that is reached
-  std::vector<S> left;      ///< e_lk of one l
+struct mass_memory {
+  wrench_rows<S> wrenches;  ///< of every axis that is reached
+  axis_rows<S> rows;
+  axis_rows<S> left;  ///< e_lk, of the axes l of one body
 };
 
 /// The inverse of the mass matrix from articulated inertias. A unit force on axis k leaves e_lk on axis l of its own
@@ -21,55 +19,65 @@ struct inverse_memory {
 ///   e_kk = 1,   e_lk = s_l . W,   W -= gain_l e_lk          (1)
 ///   M^-1 = E^T D^-1 E                                       (2)
 ///
-/// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) Bodies from the last:
-/// all W of axes beyond a body pass through it together. Into rows over axes as by `masses`. After `place_in_world`,
-/// `articulate`, whose gains are then in world axes; of joints that all yield or rest.
+/// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) Bodies inward: all W of
+/// axes beyond a body go in together. Into rows over axes, each from the diagonal on. After `articulate`; of joints that
+/// all yield or rest.
 template <class P, class S>
-void inverse_masses(const forest<P>& f, memory<P, S>& m, inverse_memory<S>& x, S* rows) {
-  const std::size_t bases = static_cast<std::size_t>(f.bases), n = f.axes();
-  x.loads.resize(n), x.left.resize(n);
-  const wrench_rows<S> w = x.loads.rows();
-  S* const left = x.left.data();
-  for (std::size_t i = f.records.size(); i-- > 0;) {
-    const record<P>& r = f.records[i];
-    const world_place<S>& place = m.world[bases + i];
-    const auto first = static_cast<std::size_t>(r.first), end = first + static_cast<std::size_t>(r.axes),
-               last = static_cast<std::size_t>(r.last);
-    for (std::size_t l = end; l-- > first;) {
-      if (!m.yields[i]) {
-        w.set(l, {});
-        continue;
-      }
-      axis_answer<S>& own = m.answers[l];
-      own.gain = {place.rotation * own.gain.force, place.rotation * own.gain.torque};
-      const dense_wrench<S> gain = own.gain;
-      const world_axis<S> s = m.axes[l];
-      const bool turns = r.moves == joint::revolute;
-      left[l] = S(1);
-      w.set(l, {-gain.force, -gain.torque});
-      by_fours(l + 1, last, [&]<std::size_t N>(std::size_t k) KTE_INLINE_LAMBDA {  // (1)
-        const auto e = w.template power<N>(s, turns, k);
-        store(e, left + k);
-        const auto give = [&e, k](S* component, const S& by) KTE_INLINE_LAMBDA {
-          auto sum = several<N>(component + k);
-          for (std::size_t c = 0; c < N; ++c) sum[c] -= by * e[c];
-          store(sum, component + k);
-        };
-        give(w.fx, gain.force.x), give(w.fy, gain.force.y), give(w.fz, gain.force.z);
-        give(w.tx, gain.torque.x), give(w.ty, gain.torque.y), give(w.tz, gain.torque.z);
+void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x) {
+  wrench_rows<S>& w = x.wrenches;
+  w.resize(f.axes());
+  x.rows.resize(f.axes(), f.axes()), x.rows.clear();
+  x.left.resize(6, f.axes());
+  const auto give = [](wrench_lanes<S>& load, const dense_wrench<S>& gain, const lanes<S>& e) KTE_INLINE_LAMBDA {
+    load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
+    load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
+  };
+  for (const int i : f.inward) {
+    const record<P>& r = f.records[static_cast<std::size_t>(i)];
+    const spot<S>& at = m.spots[static_cast<std::size_t>(i)];
+    const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
+    const bool on_base = r.parent < f.bases, yields = m.yields[static_cast<std::size_t>(i)] != 0;
+    if (r.moves != joint::several && yields) {
+      const dense_wrench<S> gain = answers[0].gain;
+      S* const left = x.left[0];
+      w.change(r.first, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {  // (1)
+        lanes<S> e;
+        load.power_on(r, e);
+        if (k == r.first) load.put_first({}), put_first<S>(e, S(1));
+        store<S>(e, left + k);
+        if (on_base) return;
+        give(load, gain, e);
+        load.go_in(r, at);
       });
-      for (std::size_t j = l; j < last; ++j) {  // (2)
-        const S rate = own.inverse * left[j];
-        S* const row = &rows[j * n];
-        by_fours(j, last, [&]<std::size_t N>(std::size_t k) KTE_INLINE_LAMBDA {
-          auto sum = several<N>(row + k);
-          const auto e = several<N>(left + k);
-          for (std::size_t c = 0; c < N; ++c) sum[c] += rate * e[c];
-          store(sum, row + k);
+    } else {
+      for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, {});
+      for (int l = r.first + r.axes; yields && l-- > r.first;) {
+        const S* const component = w.component(r.axis[static_cast<std::size_t>(l - r.first)]);
+        S* const left = x.left[l - r.first];
+        std::copy(component + l, component + r.last, left + l);
+        left[l] = S(1);
+        w.change(l, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {
+          lanes<S> e;
+          tree::load<S>(e, left + k);
+          give(load, answers[l - r.first].gain, e);
+        });
+      }
+      if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
+    }
+    if (!yields) continue;
+    for (int j = r.first; j < r.last; ++j) {  // (2)
+      S* const to = x.rows[j];
+      for (int l = r.first; l < r.first + r.axes && l <= j; ++l) {
+        const S* const left = x.left[l - r.first];
+        const S rate = answers[l - r.first].inverse * left[j];
+        by_lanes<S>(static_cast<std::size_t>(j), static_cast<std::size_t>(r.last), [&](std::size_t k) KTE_INLINE_LAMBDA {
+          lanes<S> sum, e;
+          load<S>(sum, to + k), load<S>(e, left + k);
+          sum += rate * e;
+          store<S>(sum, to + k);
         });
       }
     }
-    if (r.parent >= f.bases) w.shift(first, last, place.step);
   }
 }
 

@@ -32,9 +32,8 @@ struct loop_memory : tree::memory<P, S> {
   std::vector<S> angle, sine, cosine;  ///< of `chain_tree::angles`, and zeros up to a multiple of four
   /// As large as M or larger: made by the first call that gives them.
   matrix mass, inverse;
-  matrix all;      ///< masses of all coordinates, if there are others than degrees of freedom
-  matrix by_axes;  ///< of M or its inverse, where axes are not coordinates
-  tree::inverse_memory<S> inverting;
+  matrix all;  ///< masses of all coordinates, if there are others than degrees of freedom
+  tree::mass_memory<S> masses;
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;
   forward_dynamics_result<S, Eigen::Dynamic> of_accelerations;

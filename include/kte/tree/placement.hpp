@@ -6,9 +6,10 @@
 namespace kte::tree {
 
 // Calls: joints of several axes are few, and would otherwise be in the code of all others.
-template <class S>
-[[gnu::noinline]] vec3<S> rotated(const mat3<vec3<S>>& r, const vec3<S>& u) {
-  return r * u;
+template <class S, class L>
+[[gnu::noinline]] vec3<L> rotated(const mat3<vec3<S>>& r, const vec3<L>& u) {
+  return {r.x.x * u.x + r.x.y * u.y + r.x.z * u.z, r.y.x * u.x + r.y.y * u.y + r.y.z * u.z,
+          r.z.x * u.x + r.z.y * u.y + r.z.z * u.z};
 }
 template <class S>
 [[gnu::noinline]] vec3<S> rotated_back(const mat3<vec3<S>>& r, const vec3<S>& u) {
@@ -33,8 +34,9 @@ struct placed {
   const record<P>& r;
   const spot<S>& at;
 
-  /// To axes of the parent: vectors u, and A to R A R^T.
-  KTE_INLINE vec3<S> out(vec3<S> u) const {
+  /// To axes of the parent: vectors u (of numbers, or of lanes of them), and A to R A R^T.
+  template <class L>
+  KTE_INLINE vec3<L> out(vec3<L> u) const {
     if (r.moves == joint::several) [[unlikely]]
       u = rotated(at.rotation, u);
     return seat(u);

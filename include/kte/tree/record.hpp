@@ -64,6 +64,7 @@ struct forest {
   int bases = 0;
   std::vector<record<P>> records;
   std::vector<int> row;
+  std::vector<int> inward;  ///< records, those that stand on one before it, and brothers in order
   std::vector<composite<P, vec3<P>, sym3<P>>> base_weight;  ///< of what is fixed to bases
   std::array<std::vector<frame_place<P>>, 2> frames;        ///< in the plane, in space; by index
   bool in_order = true;                                     ///< row[k] is k

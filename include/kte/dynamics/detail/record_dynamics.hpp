@@ -40,47 +40,49 @@ void hand_on(const Elements& c, State& s, const Add& add) {
   }
 }
 
-/// The inertias of bodies with all they carry, and axes, in the world.
-template <class Elements, class State>
-void carry(const Elements& c, State& s) {
-  place_bodies(c, s);
-  place_in_world(s);
-  tree::carry_bodies(s.tree().forest, s.work);
-}
-/// A symmetric matrix over coordinates: fill(rows) writes it in rows over axes, each from the diagonal on. What lies
-/// beyond the coordinates asked for is left out.
-template <class P, class Matrix, class Fill>
-void fill_symmetric(const tree::forest<P>& f, int coordinates, Matrix& by_axes, Matrix& m, const Fill& fill) {
-  const auto axes = static_cast<Eigen::Index>(f.axes());
-  if (f.in_order && axes == coordinates) [[likely]] {  // a row is a column of m below the diagonal
-    m.setZero(axes, axes);
-    auto* const x = m.data();
-    fill(x);
-    for (Eigen::Index j = 0; j < axes; ++j)
-      for (Eigen::Index k = j + 1; k < axes; ++k) x[k * axes + j] = x[j * axes + k];
+/// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: those of bodies beyond a joint,
+/// which have something in common with it, or of all. What lies beyond the coordinates asked for is left out.
+template <class P, class S, class Matrix>
+void fill_symmetric(const tree::forest<P>& f, int coordinates, const tree::axis_rows<S>& rows, bool all, Matrix& m) {
+  const int axes = static_cast<int>(f.axes());
+  if (f.in_order && axes == coordinates) [[likely]] {
+    m.resize(axes, axes);
+    S* const x = m.data();
+    for (const tree::record<P>& r : f.records)
+      for (int j = r.first; j < r.first + r.axes; ++j) {
+        const S* const from = rows[j];
+        const int last = all ? axes : r.last;
+        for (int k = j; k < last; ++k) x[k * axes + j] = from[k];
+        for (int k = last; k < axes; ++k) x[k * axes + j] = S(0);
+        std::copy(from + j, from + last, x + (j * axes + j));
+        std::fill(x + (j * axes + last), x + (j + 1) * axes, S(0));
+      }
     return;
   }
-  by_axes.setZero(axes, axes), m.setZero(coordinates, coordinates);
-  fill(by_axes.data());
-  for (Eigen::Index j = 0; j < axes; ++j)
-    for (Eigen::Index k = j; k < axes; ++k) {
-      const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
-      if (a >= coordinates || b >= coordinates) continue;
-      m(a, b) += by_axes(k, j);
-      if (j != k) m(b, a) += by_axes(k, j);  // of shared coordinates both triangles meet on the diagonal
-    }
+  m.setZero(coordinates, coordinates);
+  for (const tree::record<P>& r : f.records)
+    for (int j = r.first; j < r.first + r.axes; ++j)
+      for (int k = j; k < (all ? axes : r.last); ++k) {
+        const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
+        if (a >= coordinates || b >= coordinates) continue;
+        const S& mass = rows[j][k];
+        m(a, b) += mass;
+        if (j != k) m(b, a) += mass;  // of shared coordinates both triangles meet on the diagonal
+      }
 }
 
 /// The mass matrix (CRBA), into the working memory.
 template <class Elements, class State>
 void mass_of_coordinates(const Elements& c, State& s) {
   using S = typename State::scalar;
-  carry(c, s);
   const auto& t = s.tree();
   auto& w = s.work;
+  place_bodies(c, s);
+  tree::carry_bodies(t.forest, w);
   const bool others = t.plan.coordinates > s.dofs();
   auto& m = others ? w.all : w.mass;
-  fill_symmetric(t.forest, t.plan.coordinates, w.by_axes, m, [&t, &w](S* rows) { tree::masses(t.forest, w, rows); });
+  tree::masses(t.forest, w, w.masses.wrenches, w.masses.rows);
+  fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
@@ -184,9 +186,9 @@ template <class State, class Matrix>
 void invert_articulated(State& s, Matrix& inverse) {
   using S = typename State::scalar;
   const auto& f = s.tree().forest;
-  place_in_world(s);
   auto& w = s.work;
-  fill_symmetric(f, s.dofs(), w.by_axes, inverse, [&f, &w](S* rows) { tree::inverse_masses(f, w, w.inverting, rows); });
+  tree::inverse_masses(f, w, w.masses);
+  fill_symmetric(f, s.dofs(), w.masses.rows, true, inverse);
   for (const int row : s.tree().plan.lone_rows)
     inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
 }

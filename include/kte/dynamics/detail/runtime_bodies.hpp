@@ -49,6 +49,13 @@ void forces_of_bodies(const kte_map_chain& c, basic_runtime_state<S>& s, bool ac
   forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
+/// The inertias of bodies with all they carry, and axes, in the world.
+template <class S>
+void carry(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  place_bodies(runtime_elements{c}, s);
+  place_in_world(s);
+  tree::carry_bodies(s.tree().forest, s.work);
+}
 /// visit(row of an axis among all coordinates, momentum of its unit rate about the origin of the world).
 template <class S, class F>
 void for_each_momentum(basic_runtime_state<S>& s, const F& visit) {
