@@ -47,34 +47,40 @@ void place_in_world(const forest<P>& f, memory<P, S>& m) {
   }
 }
 
-/// The inertia of each body with all that it carries, at its origin in its axes; of bases in theirs.
+/// The inertia of each body with all that it carries, at its origin in its axes; of bases in theirs, where these are
+/// asked for.
 template <class P, class S>
-void carry_bodies(const forest<P>& f, memory<P, S>& m) {
-  const auto start = [](dense_composite<S>& to, const auto& w) { to = {S(w.mass), as<S>(w.moment), as<S>(w.inertia)}; };
-  const std::size_t bases = static_cast<std::size_t>(f.bases);
-  for (std::size_t b = 0; b < bases; ++b) start(m.carried[b], f.base_weight[b]);
-  for (std::size_t i = 0; i < f.records.size(); ++i) start(m.carried[bases + i], f.records[i].weight);
-  // What the body at hand carries, in registers.
-  S mass(0);
-  vec3<S> h{};
-  sym3<S> inertia{};
+void carry_bodies(const forest<P>& f, memory<P, S>& m, bool with_bases) {
+  const auto bases = static_cast<std::size_t>(f.bases);
+  const auto converted = [](const composite<P, vec3<P>, sym3<P>>& x) KTE_INLINE_LAMBDA {
+    return dense_composite<S>{S(x.mass), as<S>(x.moment), as<S>(x.inertia)};
+  };
+  const auto sum = [](const dense_composite<S>& a, const dense_composite<S>& b) KTE_INLINE_LAMBDA {
+    return dense_composite<S>{a.mass + b.mass, a.moment + b.moment, a.inertia + b.inertia};
+  };
+  for (std::size_t b = 0; b < bases; ++b) m.carried[b] = converted(f.base_weight[b]);
+  for (std::size_t i = 0; i < f.records.size(); ++i)
+    if (f.records[i].branches) m.carried[bases + i] = {};
+  dense_composite<S> hand;  // what the body before carries of this one, in registers
   bool at_hand = false;
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
-    const placed at{r, m.spots[i]};
+    dense_composite<S> own = converted(r.weight);
+    if (at_hand) own = sum(hand, own);
     dense_composite<S>& c = m.carried[bases + i];
-    if (at_hand)
-      c = {mass, h, inertia};
-    else
-      mass = c.mass, h = c.moment, inertia = c.inertia;
-    dense_composite<S>& to = m.carried[static_cast<std::size_t>(r.parent)];
+    if (r.branches) own = sum(own, c);
+    c = own;
+    at_hand = false;
+    if (r.parent < f.bases && !with_bases) continue;
+    const placed at{r, m.spots[i]};
     const vec3<S>& p = at.at.position;
-    h = at.out(h);
-    inertia = to.inertia + detail::shifted(at.out(inertia), p, h + detail::half(mass) * p);
-    h = to.moment + (h + mass * p);
-    mass = to.mass + mass;
-    at_hand = static_cast<std::size_t>(r.parent) + 1 == bases + i && i > 0;
-    if (!at_hand) to = {mass, h, inertia};
+    const S mass = own.mass;
+    const vec3<S> h = at.out(own.moment);
+    hand = {mass, h + mass * p, detail::shifted(at.out(own.inertia), p, h + detail::half(mass) * p)};
+    at_hand = r.parent >= f.bases && static_cast<std::size_t>(r.parent) + 1 == bases + i;
+    if (at_hand) continue;
+    dense_composite<S>& to = m.carried[static_cast<std::size_t>(r.parent)];
+    to = sum(to, hand);
   }
 }
 

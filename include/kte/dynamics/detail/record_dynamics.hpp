@@ -46,16 +46,13 @@ template <class P, class S, class Matrix>
 void fill_symmetric(const tree::forest<P>& f, int coordinates, const tree::axis_rows<S>& rows, bool all, Matrix& m) {
   const int axes = static_cast<int>(f.axes());
   if (f.in_order && axes == coordinates) [[likely]] {
-    m.resize(axes, axes);
+    m.setZero(axes, axes);
     S* const x = m.data();
     for (const tree::record<P>& r : f.records)
       for (int j = r.first; j < r.first + r.axes; ++j) {
         const S* const from = rows[j];
-        const int last = all ? axes : r.last;
-        for (int k = j; k < last; ++k) x[k * axes + j] = from[k];
-        for (int k = last; k < axes; ++k) x[k * axes + j] = S(0);
-        std::copy(from + j, from + last, x + (j * axes + j));
-        std::fill(x + (j * axes + last), x + (j + 1) * axes, S(0));
+        S *down = x + (j * axes + j), *right = down;
+        for (int k = j; k < (all ? axes : r.last); ++k, right += axes) *down++ = *right = from[k];
       }
     return;
   }
@@ -78,7 +75,7 @@ void mass_of_coordinates(const Elements& c, State& s) {
   const auto& t = s.tree();
   auto& w = s.work;
   place_bodies(c, s);
-  tree::carry_bodies(t.forest, w);
+  tree::carry_bodies(t.forest, w, false);
   const bool others = t.plan.coordinates > s.dofs();
   auto& m = others ? w.all : w.mass;
   tree::masses(t.forest, w, w.masses.wrenches, w.masses.rows);

@@ -54,7 +54,7 @@ template <class S>
 void carry(const kte_map_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
   place_in_world(s);
-  tree::carry_bodies(s.tree().forest, s.work);
+  tree::carry_bodies(s.tree().forest, s.work, true);
 }
 /// visit(row of an axis among all coordinates, momentum of its unit rate about the origin of the world).
 template <class S, class F>
