@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/math/select.hpp>
+#include <kte/tree/lanes.hpp>
 #include <kte/tree/newton_euler.hpp>
 
 #include <limits>
@@ -65,24 +66,6 @@ void start_articulated(const forest<P>& f, memory<P, S>& m, bool moving) {
     const vec3<S> force = b.mass * cross(w, cross(w, b.com));
     x.load = {-force, -(cross(w, b.inertia * w) + cross(b.com, force))};
   }
-}
-
-template <class S>
-KTE_INLINE void set_component(vec3<S>& linear, vec3<S>& angular, int n, const S& x) {
-  S* const components[]{&linear.x, &linear.y, &linear.z, &angular.x, &angular.y, &angular.z};
-  *components[n] = x;
-}
-/// Exact zeros for what is left along unit motion n.
-template <class S>
-KTE_INLINE void leave_nothing(int n, articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>& i) {
-  const auto clear = [](sym3<S>& m, int c) {
-    S* const rows[3][3]{{&m.xx, &m.xy, &m.xz}, {&m.xy, &m.yy, &m.yz}, {&m.xz, &m.yz, &m.zz}};
-    for (S* const x : rows[c]) *x = S(0);
-  };
-  auto& h = i.coupling;
-  S* const coupling[3][3]{{&h.x.x, &h.x.y, &h.x.z}, {&h.y.x, &h.y.y, &h.y.z}, {&h.z.x, &h.z.y, &h.z.z}};
-  clear(n < 3 ? i.linear : i.angular, n % 3);
-  for (int c = 0; c < 3; ++c) *(n < 3 ? coupling[n][c] : coupling[c][n - 3]) = S(0);
 }
 
 /// Below this, what moves along an axis is nothing but rounding of what does not.
@@ -155,39 +138,90 @@ KTE_INLINE bool give_way_about_z(const record<P>& r, const spot<S>& at, const S&
   return good;
 }
 
-/// The same by any joint, axis by axis from the last, of which the first is returned that moves nothing, or -1; a
-/// further mass m on an axis keeps something of I along it. Where the acceleration of the joint is given, all that its
-/// body carries goes on.
+/// The same along an axis (s, sw) of any kind; a further mass on it keeps something of I along it.
+template <class P, class S>
+KTE_INLINE bool give_way_along(const record<P>& r, const S& force, const P& own_mass, burden<S>& x,
+                               axis_answer<S>& answer) {
+  auto& [a, h, j] = x.inertia;
+  const S one(1);
+  vec3<S> s{}, sw{};
+  along_axes(r, &one, s, sw);
+  const dense_wrench<S> u{a * s + h * sw, transpose(h) * s + j * sw};
+  const S d = (dot(s, u.force) + dot(sw, u.torque)) + own_mass;
+  const bool good = all(d > least_mass(S(dot(s, s) * trace(a)), S(dot(sw, sw) * trace(j))));
+  const S inverse = S(1) / d;
+  const dense_wrench<S> gain{inverse * u.force, inverse * u.torque};
+  const S rate = inverse * (force + (dot(s, x.load.force) + dot(sw, x.load.torque)));
+  answer = {gain, rate, inverse};
+  a = detail::less_dyad(a, u.force, gain.force);
+  h = detail::less_dyad(h, u.force, gain.torque);
+  j = detail::less_dyad(j, u.torque, gain.torque);
+  x.load = {x.load.force - rate * u.force, x.load.torque - rate * u.torque};
+  if (r.moves == joint::prismatic && own_mass == P(0)) {  // nothing at all is left
+    a.xz = a.yz = a.zz = S(0);
+    h.z = {};
+    x.load.force.z = -force;
+  }
+  return good;
+}
+/// The same by a joint of several unit axes, from the last, of which the first is returned that moves nothing, or -1:
+/// on I as a matrix of 6 x 6, in rows of 8 for the sake of registers.
+template <class P, class S>
+int give_way_by_several(const record<P>& r, const S* force, const P* own_mass, burden<S>& x, axis_answer<S>* answers) {
+  auto& [a, h, j] = x.inertia;
+  alignas(32) S m[6][8]{{a.xx, a.xy, a.xz, h.x.x, h.x.y, h.x.z, S(0), S(0)},
+                        {a.xy, a.yy, a.yz, h.y.x, h.y.y, h.y.z, S(0), S(0)},
+                        {a.xz, a.yz, a.zz, h.z.x, h.z.y, h.z.z, S(0), S(0)},
+                        {h.x.x, h.y.x, h.z.x, j.xx, j.xy, j.xz, S(0), S(0)},
+                        {h.x.y, h.y.y, h.z.y, j.xy, j.yy, j.yz, S(0), S(0)},
+                        {h.x.z, h.y.z, h.z.z, j.xz, j.yz, j.zz, S(0), S(0)}};
+  alignas(32) S w[8]{x.load.force.x,  x.load.force.y,  x.load.force.z, x.load.torque.x,
+                     x.load.torque.y, x.load.torque.z, S(0),           S(0)};
+  int bad = -1;
+  const S linear = trace(a), angular = trace(j);
+  for (int k = r.axes; k-- > 0;) {
+    const int n = r.axis[static_cast<std::size_t>(k)];
+    const S d = m[n][n] + own_mass[k];
+    if (bad < 0 && !all(d > (n < 3 ? least_mass(linear, S(0)) : least_mass(S(0), angular)))) [[unlikely]]
+      bad = k;
+    const S inverse = S(1) / d, rate = inverse * (force[k] + w[n]);
+    alignas(32) S u[8], gain[8];
+    by_lanes<S>(0, 6, [&](std::size_t c) KTE_INLINE_LAMBDA {
+      lanes<S> row, load_left;
+      load<S>(row, m[n] + c), load<S>(load_left, w + c);
+      store<S>(row, u + c), store<S>(inverse * row, gain + c);
+      store<S>(load_left - rate * row, w + c);
+    });
+    for (int i = 0; i < 6; ++i)
+      by_lanes<S>(0, 6, [&](std::size_t c) KTE_INLINE_LAMBDA {
+        lanes<S> row, by;
+        load<S>(row, m[i] + c), load<S>(by, gain + c);
+        store<S>(row - u[i] * by, m[i] + c);
+      });
+    answers[k] = {{{gain[0], gain[1], gain[2]}, {gain[3], gain[4], gain[5]}}, rate, inverse};
+    if (own_mass[k] != P(0)) continue;
+    for (int c = 0; c < 6; ++c) m[n][c] = m[c][n] = S(0);  // nothing at all is left
+    w[n] = -force[k];
+  }
+  x.inertia = {{m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]},
+               {{m[0][3], m[0][4], m[0][5]}, {m[1][3], m[1][4], m[1][5]}, {m[2][3], m[2][4], m[2][5]}},
+               {m[3][3], m[3][4], m[3][5], m[4][4], m[4][5], m[5][5]}};
+  x.load = {{w[0], w[1], w[2]}, {w[3], w[4], w[5]}};
+  return bad;
+}
+/// The same by any joint, of which the first axis is returned that moves nothing, or -1. Where the acceleration of the
+/// joint is given, all that its body carries goes on.
 template <class P, class S>
 [[gnu::noinline]] int give_way(const record<P>& r, const spot<S>& at, bool yields, const S* force, const P* own_mass,
                                const vec3<S>& da, const vec3<S>& dal, burden<S>& x, axis_answer<S>* answers,
                                bool on_base) {
-  auto& [a, h, j] = x.inertia;
   int bad = -1;
-  const S linear = trace(a), angular = trace(j);
-  for (int k = yields ? r.axes : 0; k-- > 0;) {
-    std::array<S, 6> one{};
-    one[static_cast<std::size_t>(k)] = S(1);
-    vec3<S> s{}, sw{};
-    along_axes(r, one.data(), s, sw);
-    const dense_wrench<S> u{a * s + h * sw, transpose(h) * s + j * sw};
-    const S d = (dot(s, u.force) + dot(sw, u.torque)) + own_mass[k];
-    if (bad < 0 && !all(d > least_mass(S(dot(s, s) * linear), S(dot(sw, sw) * angular)))) [[unlikely]]
-      bad = k;
-    const S inverse = S(1) / d;
-    const dense_wrench<S> gain{inverse * u.force, inverse * u.torque};
-    const S rate = inverse * (force[k] + (dot(s, x.load.force) + dot(sw, x.load.torque)));
-    answers[k] = {gain, rate, inverse};
-    a = detail::less_dyad(a, u.force, gain.force);
-    h = detail::less_dyad(h, u.force, gain.torque);
-    j = detail::less_dyad(j, u.torque, gain.torque);
-    x.load = {x.load.force - rate * u.force, x.load.torque - rate * u.torque};
-    if (r.moves == joint::screw || own_mass[k] != P(0)) continue;
-    const auto n = static_cast<int>(r.axis[static_cast<std::size_t>(k)]);
-    leave_nothing(n, x.inertia);
-    set_component(x.load.force, x.load.torque, n, S(-force[k]));
-  }
+  if (yields && r.moves == joint::several)
+    bad = give_way_by_several(r, force, own_mass, x, answers);
+  else if (yields && !give_way_along(r, *force, *own_mass, x, *answers))
+    bad = 0;
   if (on_base) return bad;
+  const auto& [a, h, j] = x.inertia;
   const dense_wrench<S> load{x.load.force - (a * da + h * dal), x.load.torque - (transpose(h) * da + j * dal)};
   const placed<P, S> seat{r, at};
   x = seen_from_parent(seat, seat.out(a), seat.out(h), seat.out(j), load);
@@ -254,12 +288,11 @@ template <class P, class S>
       one[static_cast<std::size_t>(k)] = change[k];
       along_axes(r, one.data(), a, al);
     } else {
-      const auto n = static_cast<int>(r.axis[static_cast<std::size_t>(k)]);
-      const S before = component(a, al, n);
-      set_component(a, al, n, S(0));
-      const S now = rate - (dot(gain.force, a) + dot(gain.torque, al));
-      set_component(a, al, n, now);
-      change[k] = now - before;
+      S& along = component(a, al, r.axis[static_cast<std::size_t>(k)]);
+      const S before = along;
+      along = S(0);
+      along = rate - (dot(gain.force, a) + dot(gain.torque, al));
+      change[k] = along - before;
     }
   }
 }

@@ -67,16 +67,19 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
     if (!yields) continue;
     for (int j = r.first; j < r.last; ++j) {  // (2)
       S* const to = x.rows[j];
-      for (int l = r.first; l < r.first + r.axes && l <= j; ++l) {
-        const S* const left = x.left[l - r.first];
-        const S rate = answers[l - r.first].inverse * left[j];
-        by_lanes<S>(static_cast<std::size_t>(j), static_cast<std::size_t>(r.last), [&](std::size_t k) KTE_INLINE_LAMBDA {
-          lanes<S> sum, e;
-          load<S>(sum, to + k), load<S>(e, left + k);
-          sum += rate * e;
-          store<S>(sum, to + k);
-        });
-      }
+      const int axes = std::min(r.axes, j - r.first + 1);
+      std::array<S, 6> rate;
+      for (int l = 0; l < axes; ++l) rate[static_cast<std::size_t>(l)] = answers[l].inverse * x.left[l][j];
+      by_lanes<S>(static_cast<std::size_t>(j), static_cast<std::size_t>(r.last), [&](std::size_t k) KTE_INLINE_LAMBDA {
+        lanes<S> sum;
+        load<S>(sum, to + k);
+        for (int l = 0; l < axes; ++l) {
+          lanes<S> e;
+          load<S>(e, x.left[l] + k);
+          sum += rate[static_cast<std::size_t>(l)] * e;
+        }
+        store<S>(sum, to + k);
+      });
     }
   }
 }

@@ -96,15 +96,10 @@ KTE_INLINE void place_on_z(const record<P>& r, const S& q, const turn<S>& angle,
   if (r.moves != joint::revolute) at.position = slid(r, vec3<S>{S(0), S(0), r.slides * q});
 }
 
-/// The unit motion `n` of the axes of a body.
+/// The component along unit motion `n` of the axes of a body.
 template <class S>
-KTE_INLINE void add_to_component(vec3<S>& linear, vec3<S>& angular, int n, const S& x) {
+KTE_INLINE S& component(vec3<S>& linear, vec3<S>& angular, int n) {
   S* const components[]{&linear.x, &linear.y, &linear.z, &angular.x, &angular.y, &angular.z};
-  *components[n] += x;
-}
-template <class S>
-KTE_INLINE S component(const vec3<S>& linear, const vec3<S>& angular, int n) {
-  const S* const components[]{&linear.x, &linear.y, &linear.z, &angular.x, &angular.y, &angular.z};
   return *components[n];
 }
 
@@ -122,7 +117,7 @@ KTE_INLINE void along_axes(const record<P>& r, const S* x, vec3<S>& linear, vec3
       linear.z += r.slides * x[0], angular.z += r.turns * x[0];
       break;
     case joint::several:
-      for (int k = 0; k < r.axes; ++k) add_to_component(linear, angular, r.axis[static_cast<std::size_t>(k)], x[k]);
+      for (int k = 0; k < r.axes; ++k) component(linear, angular, r.axis[static_cast<std::size_t>(k)]) += x[k];
   }
 }
 /// put(k, the power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.

@@ -50,9 +50,11 @@ void fill_symmetric(const tree::forest<P>& f, int coordinates, const tree::axis_
     S* const x = m.data();
     for (const tree::record<P>& r : f.records)
       for (int j = r.first; j < r.first + r.axes; ++j) {
-        const S* const from = rows[j];
-        S *down = x + (j * axes + j), *right = down;
-        for (int k = j; k < (all ? axes : r.last); ++k, right += axes) *down++ = *right = from[k];
+        // Pointers alone: of a loop with strides g++ makes several, which take longer to choose from than to run.
+        const S* from = rows[j] + j;
+        S* down = x + (j * axes + j);
+        const S* const end = x + (all ? axes : r.last) * axes;
+        for (S* right = down; right < end; right += axes) *down++ = *right = *from++;
       }
     return;
   }
