@@ -3,6 +3,7 @@
 #include <kte/dynamics/detail/runtime_duals.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/runtime.hpp>
+#include <kte/tree/solve_limbs.hpp>
 
 #include <string_view>
 #include <vector>
@@ -97,7 +98,12 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
   else
     inverse_of_masses(c, s, r.by_tau);
   const auto& forces = forces_derived(c, s);
-  solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
+  const auto& t = s.tree();
+  if (t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
+    tree::solve_limbs(t.forest, !t.only_bodies, s.work.rows, r.by_tau.data(), forces.by_q.data(), forces.by_v.data(),
+                      r.by_q.data(), r.by_v.data());
+  else
+    solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
   return r;
 }
 }  // namespace detail

@@ -186,14 +186,14 @@ int give_way_by_several(const record<P>& r, const S* force, const P* own_mass, b
       bad = k;
     const S inverse = S(1) / d, rate = inverse * (force[k] + w[n]);
     alignas(32) S u[8], gain[8];
-    by_lanes<S>(0, 6, [&](std::size_t c) KTE_INLINE_LAMBDA {
+    by_lanes<S>(0, 6, [&](int c) KTE_INLINE_LAMBDA {
       lanes<S> row, load_left;
       load<S>(row, m[n] + c), load<S>(load_left, w + c);
       store<S>(row, u + c), store<S>(inverse * row, gain + c);
       store<S>(load_left - rate * row, w + c);
     });
     for (int i = 0; i < 6; ++i)
-      by_lanes<S>(0, 6, [&](std::size_t c) KTE_INLINE_LAMBDA {
+      by_lanes<S>(0, 6, [&](int c) KTE_INLINE_LAMBDA {
         lanes<S> row, by;
         load<S>(row, m[i] + c), load<S>(by, gain + c);
         store<S>(row - u[i] * by, m[i] + c);

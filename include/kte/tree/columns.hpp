@@ -57,6 +57,16 @@ struct wrench_lanes {
   }
 };
 
+/// Three rows as vectors.
+template <class S>
+KTE_INLINE void load_vectors(vec3<lanes<S>>& x, const S* from, std::size_t row) {
+  load<S>(x.x, from), load<S>(x.y, from + row), load<S>(x.z, from + 2 * row);
+}
+template <class S>
+KTE_INLINE void store_vectors(const vec3<lanes<S>>& x, S* to, std::size_t row) {
+  store<S>(x.x, to), store<S>(x.y, to + row), store<S>(x.z, to + 2 * row);
+}
+
 /// A wrench of every axis, at the origin and in axes of the body that it has come to.
 template <class S>
 class wrench_rows {
@@ -72,19 +82,20 @@ class wrench_rows {
     x[0] = w.force.x, x[row] = w.force.y, x[2 * row] = w.force.z;
     x[3 * row] = w.torque.x, x[4 * row] = w.torque.y, x[5 * row] = w.torque.z;
   }
+  KTE_INLINE void get(int k, wrench_lanes<S>& w) const {
+    load_vectors(w.force, rows_[0] + k, rows_.stride()), load_vectors(w.torque, rows_[3] + k, rows_.stride());
+  }
+  KTE_INLINE void set(int k, const wrench_lanes<S>& w) {
+    store_vectors(w.force, rows_[0] + k, rows_.stride()), store_vectors(w.torque, rows_[3] + k, rows_.stride());
+  }
   /// f(wrenches, the first of them) of axes from `first` up to `last`, which are changed by it.
   template <class F>
   KTE_INLINE void change(int first, int last, const F& f) {
-    const std::size_t row = rows_.stride();
-    S* const x = rows_[0];
-    by_lanes<S>(static_cast<std::size_t>(first), static_cast<std::size_t>(last), [&](std::size_t k) KTE_INLINE_LAMBDA {
+    by_lanes<S>(first, last, [&](int k) KTE_INLINE_LAMBDA {
       wrench_lanes<S> w;
-      S* const at = x + k;
-      load(w.force.x, at), load(w.force.y, at + row), load(w.force.z, at + 2 * row);
-      load(w.torque.x, at + 3 * row), load(w.torque.y, at + 4 * row), load(w.torque.z, at + 5 * row);
-      f(w, static_cast<int>(k));
-      store<S>(w.force.x, at), store<S>(w.force.y, at + row), store<S>(w.force.z, at + 2 * row);
-      store<S>(w.torque.x, at + 3 * row), store<S>(w.torque.y, at + 4 * row), store<S>(w.torque.z, at + 5 * row);
+      get(k, w);
+      f(w, k);
+      set(k, w);
     });
   }
 

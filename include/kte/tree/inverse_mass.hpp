@@ -70,7 +70,7 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       const int axes = std::min(r.axes, j - r.first + 1);
       std::array<S, 6> rate;
       for (int l = 0; l < axes; ++l) rate[static_cast<std::size_t>(l)] = answers[l].inverse * x.left[l][j];
-      by_lanes<S>(static_cast<std::size_t>(j), static_cast<std::size_t>(r.last), [&](std::size_t k) KTE_INLINE_LAMBDA {
+      by_lanes<S>(j, r.last, [&](int k) KTE_INLINE_LAMBDA {
         lanes<S> sum;
         load<S>(sum, to + k);
         for (int l = 0; l < axes; ++l) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 /// As many numbers of a row as a register of the processor takes at once. Not packs (math/pack.hpp), which are scalars
 /// of their own with all that scalars can: this costs nothing to compile.
@@ -39,16 +40,17 @@ using lanes = typename lanes_of<S>::type;
 /// The most numbers that stand in a register: so many may be read and written beyond the end of a row.
 inline constexpr std::size_t most_lanes = 8;
 
-template <class S>
-KTE_INLINE void load(lanes<S>& x, const S* from) {
-  if constexpr (lanes_of<S>::count == 1)
+/// Lane: lanes<S>, or S itself.
+template <class S, class Lane>
+KTE_INLINE void load(Lane& x, const S* from) {
+  if constexpr (std::is_same_v<Lane, S>)
     x = *from;
   else
     std::memcpy(&x, from, sizeof x);
 }
-template <class S>
-KTE_INLINE void store(const lanes<S>& x, S* to) {
-  if constexpr (lanes_of<S>::count == 1)
+template <class S, class Lane>
+KTE_INLINE void store(const Lane& x, S* to) {
+  if constexpr (std::is_same_v<Lane, S>)
     *to = x;
   else
     std::memcpy(to, &x, sizeof x);
@@ -62,8 +64,8 @@ KTE_INLINE void put_first(lanes<S>& x, const S& number) {
 }
 /// f(k) for every register from number `first` of a row up to `last`, the last of them perhaps beyond it.
 template <class S, class F>
-KTE_INLINE void by_lanes(std::size_t first, std::size_t last, const F& f) {
-  for (std::size_t k = first; k < last; k += lanes_of<S>::count) f(k);
+KTE_INLINE void by_lanes(int first, int last, const F& f) {
+  for (int k = first; k < last; k += static_cast<int>(lanes_of<S>::count)) f(k);
 }
 
 }  // namespace kte::tree

@@ -34,6 +34,7 @@ struct loop_memory : tree::memory<P, S> {
   matrix mass, inverse;
   matrix all;  ///< masses of all coordinates, if there are others than degrees of freedom
   tree::mass_memory<S> masses;
+  std::vector<int> rows;  ///< of a column of derivatives that are anything
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;
   forward_dynamics_result<S, Eigen::Dynamic> of_accelerations;

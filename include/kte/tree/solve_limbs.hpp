@@ -1,0 +1,91 @@
+#pragma once
+
+#include <kte/tree/lanes.hpp>
+#include <kte/tree/record.hpp>
+
+#include <algorithm>
+
+/// Products with the inverse of a mass matrix that know which bodies stand on each other.
+namespace kte::tree {
+
+/// n x n by columns, as Eigen has them.
+template <class S>
+struct solve_arguments {
+  int n;
+  const S *inverse, *b, *c;
+  S *x, *y;
+  const std::vector<int>& rows;  ///< of b and c that are anything
+};
+/// Rows from i on, and from `further` on, as many as go together, of columns j, j + 1 .. of X = -M^-1 B and
+/// Y = -M^-1 C.
+template <int Columns, bool Two, class Lane, class S>
+KTE_INLINE void solve_block(const solve_arguments<S>& s, int i, int further, int j) {
+  Lane x[Columns]{}, y[Columns]{}, u[Columns]{}, v[Columns]{};
+  const S *const b = s.b + j * s.n, *const c = s.c + j * s.n;
+  for (const int k : s.rows) {
+    const S* const column = s.inverse + k * s.n;
+    Lane m, o{};
+    load(m, column + i);
+    if constexpr (Two) load(o, column + further);
+    for (int a = 0; a < Columns; ++a) {
+      const S &of_b = b[a * s.n + k], &of_c = c[a * s.n + k];
+      x[a] -= of_b * m, y[a] -= of_c * m;
+      if constexpr (Two) u[a] -= of_b * o, v[a] -= of_c * o;
+    }
+  }
+  for (int a = 0; a < Columns; ++a) {
+    S *const to_x = s.x + (j + a) * s.n, *const to_y = s.y + (j + a) * s.n;
+    store(x[a], to_x + i), store(y[a], to_y + i);
+    if constexpr (Two) store(u[a], to_x + further), store(v[a], to_y + further);
+  }
+}
+template <int Columns, class S>
+void solve_columns(const solve_arguments<S>& s, int j) {
+  constexpr int count = static_cast<int>(lanes_of<S>::count);
+  if (s.n < count) {
+    for (int i = 0; i < s.n; ++i) solve_block<Columns, false, S>(s, i, i, j);
+    return;
+  }
+  const int blocks = (s.n + count - 1) / count;  // the last goes back over some rows
+  const auto begin = [&s](int block) KTE_INLINE_LAMBDA { return std::min(block * count, s.n - count); };
+  for (int k = 0; k + 1 < blocks; k += 2) solve_block<Columns, true, lanes<S>>(s, begin(k), begin(k + 1), j);
+  if (blocks % 2 != 0) solve_block<Columns, false, lanes<S>>(s, begin(blocks - 1), 0, j);
+}
+
+/// X = -M^-1 B and Y = -M^-1 C for axes in order: a column of B and C has rows of bodies on the way to its own and
+/// beyond it. Bodies that stand one on the other have that in common. If `coupled`, columns are full.
+template <class P, class S>
+void solve_limbs(const forest<P>& f, bool coupled, std::vector<int>& rows, const S* inverse, const S* b, const S* c,
+                 S* x, S* y) {
+  const int n = static_cast<int>(f.axes());
+  for (std::size_t i = 0; i < f.records.size();) {
+    const record<P>& r = f.records[i];
+    int end = r.first + r.axes;
+    for (; ++i < f.records.size() && !f.records[i - 1].branches &&
+           f.records[i].parent == f.bases + static_cast<int>(i) - 1;)
+      end += f.records[i].axes;
+    rows.clear();
+    for (int slot = r.parent; slot >= f.bases && !coupled;) {
+      const record<P>& before = f.records[static_cast<std::size_t>(slot - f.bases)];
+      for (int k = 0; k < before.axes; ++k) rows.push_back(before.first + k);
+      slot = before.parent;
+    }
+    for (int k = coupled ? 0 : r.first; k < (coupled ? n : r.last); ++k) rows.push_back(k);
+    const solve_arguments<S> s{n, inverse, b, c, x, y, rows};
+    for (int j = r.first; j < end;) {
+      switch (const int left = end - j; left) {
+        case 1:
+          solve_columns<1>(s, j), j += 1;
+          break;
+        case 2:
+        case 4:
+          solve_columns<2>(s, j), j += 2;
+          break;
+        default:
+          solve_columns<3>(s, j), j += 3;
+      }
+    }
+  }
+}
+
+}  // namespace kte::tree
