@@ -162,9 +162,12 @@ void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>&
         put(j, k, power(own, by_q), power(own, by_v), power(own, by_a));
       }
       if (r.parent < f.bases) continue;
-      by_q = {by_q.force + cross(s.angular, needs.force),
-              by_q.torque + (cross(s.angular, needs.torque) + cross(s.linear, needs.force))};
-      vec3<S> to_rate = transpose(b.torque) * s.angular - cross(b.force, s.linear);
+      by_q = {by_q.force + cross(s.angular, needs.force), by_q.torque + cross(s.angular, needs.torque)};
+      vec3<S> to_rate = transpose(b.torque) * s.angular;
+      if (!turns) {
+        by_q.torque = by_q.torque + cross(s.linear, needs.force);
+        to_rate = to_rate - cross(b.force, s.linear);
+      }
       for (std::size_t slot = bases + i;;) {
         const vec3<S>& step = m.world[slot].step;
         by_q.torque = by_q.torque + cross(step, by_q.force);
