@@ -6,8 +6,9 @@
 #include <kte/tree/jacobian.hpp>
 
 /// The algorithms on runtime chains, under the names they have on static chains. They work in the memory of a state and
-/// return references into it, valid until the next call with that state; they allocate nothing. A call that refuses an
-/// argument leaves the state as it was.
+/// return references into it, valid until the next call with that state; they allocate nothing, but for what is as
+/// large as M, for which the first call that gives it makes room. A call that refuses an argument leaves the state as
+/// it was.
 namespace kte {
 
 /// Inverse dynamics (RNEA) at the state's positions, rates and accelerations. As `inverse_dynamics` on a static chain.

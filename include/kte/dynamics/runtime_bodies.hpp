@@ -76,30 +76,36 @@ vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& 
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   return detail::divided_by_mass<S>(tree::weight_in_world(s.tree().forest, s.work).mass,
-                                    detail::momentum_of_coordinates(s).force);
+                                    detail::momentum_of_coordinates(s, vec3<S>{}).force);
 }
 template <class S>
 linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const auto h = detail::momentum_of_coordinates(s);
-  return detail::checked<S>(h.force, h.torque - cross(detail::divided_by_mass<S>(w.mass, w.moment), h.force));
+  const auto h = detail::momentum_of_coordinates(s, detail::divided_by_mass<S>(w.mass, w.moment));
+  return detail::checked<S>(h.force, h.torque);
 }
+namespace detail {
+/// At positions that are good.
+template <class S>
+basic_runtime_jacobian<S> centroidal_map_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
+  for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment), [&a](int row, const tree::dense_wrench<S>& h) {
+    auto column = a.col(row);
+    column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
+    column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
+  });
+  if (a.cols() == s.dofs()) return a;
+  return folded(c, s, std::move(a));
+}
+}  // namespace detail
 template <class S>
 basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  detail::carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const vec3<S> centre = detail::divided_by_mass<S>(w.mass, w.moment);
-  basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
-  detail::for_each_momentum(s, [&](int row, const tree::dense_wrench<S>& h) {
-    const vec3<S> k = h.torque - cross(centre, h.force);
-    auto column = a.col(row);
-    column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
-    column[3] += k.x, column[4] += k.y, column[5] += k.z;
-  });
-  return detail::folded(c, s, std::move(a));
+  return detail::centroidal_map_of(c, s);
 }
 
 // The same at q, or q and v, which are put into the state.
@@ -155,8 +161,9 @@ linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_stat
 }
 template <class S, indexable Q>
 basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::check_regular(c, s);
   detail::take(c, s, q);
-  return centroidal_map(c, s);
+  return detail::centroidal_map_of(c, s);
 }
 
 #ifdef KTE_EXTERN
@@ -170,6 +177,9 @@ KTE_EXTERN template mass_centre<double> centre_of_mass(const kte_map_chain&, run
 KTE_EXTERN template vec3<> centre_of_mass_velocity(const kte_map_chain&, runtime_state&);
 KTE_EXTERN template linear_angular<double> centroidal_momentum(const kte_map_chain&, runtime_state&);
 KTE_EXTERN template runtime_jacobian centroidal_map(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template runtime_jacobian centroidal_map_of(const kte_map_chain&, runtime_state&);
+}  // namespace detail
 #endif
 
 }  // namespace kte

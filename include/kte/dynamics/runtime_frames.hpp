@@ -126,23 +126,25 @@ basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_stat
   place_ancestors(runtime_elements{c}, s, place.slot);
   const auto& row = t.forest.row;
   basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
+  const auto column = [&](int k) { return j.data() + 6 * row[static_cast<std::size_t>(k)]; };
   tree::dense_pose<S> seen;
   const int base =
       tree::jacobian_columns(t.forest, s.work, place, seen, [&](int k, const vec3<S>& v, const vec3<S>& w) {
-        auto column = j.col(row[static_cast<std::size_t>(k)]);
-        column[0] += v.x, column[1] += v.y, column[2] += v.z;
-        column[3] += w.x, column[4] += w.y, column[5] += w.z;
+        S* const x = column(k);
+        x[0] += v.x, x[1] += v.y, x[2] += v.z, x[3] += w.x, x[4] += w.y, x[5] += w.z;
       });
   if (world) {
     mat3<vec3<S>> axes = seen.rotation;
     for_each_base(s, [&](const auto& m, std::size_t slot) {
       if (static_cast<int>(slot) == base) axes = as<S>(matrix(m.rotation) * seen.rotation);
     });
-    for (int k = 0; k < j.cols(); ++k) {
-      const vec3<S> v = axes * vec3{j(0, k), j(1, k), j(2, k)}, w = axes * vec3{j(3, k), j(4, k), j(5, k)};
-      j.col(k) << v.x, v.y, v.z, w.x, w.y, w.z;
+    for (int k = 0; k < static_cast<int>(j.cols()); ++k) {
+      S* const x = j.data() + 6 * k;
+      const vec3<S> v = axes * vec3<S>{x[0], x[1], x[2]}, w = axes * vec3<S>{x[3], x[4], x[5]};
+      x[0] = v.x, x[1] = v.y, x[2] = v.z, x[3] = w.x, x[4] = w.y, x[5] = w.z;
     }
   }
+  if (j.cols() == s.dofs()) return j;
   return folded(c, s, std::move(j));
 }
 template <class S>

@@ -215,7 +215,8 @@ struct forest_builder {
         records[static_cast<std::size_t>(p)].branches = true;
     for (std::size_t k = 0; k < result.row.size(); ++k) result.in_order &= result.row[k] == static_cast<int>(k);
     for (std::size_t i = 0; i < n; ++i) {  // what is on the stack is done with when its last axis is passed
-      for (; !stack.empty() && records[static_cast<std::size_t>(stack.back())].last <= records[i].first; stack.pop_back())
+      for (; !stack.empty() && records[static_cast<std::size_t>(stack.back())].last <= records[i].first;
+           stack.pop_back())
         result.inward.push_back(stack.back());
       stack.push_back(static_cast<int>(i));
     }

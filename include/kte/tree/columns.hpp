@@ -82,10 +82,10 @@ class wrench_rows {
     x[0] = w.force.x, x[row] = w.force.y, x[2 * row] = w.force.z;
     x[3 * row] = w.torque.x, x[4 * row] = w.torque.y, x[5 * row] = w.torque.z;
   }
-  KTE_INLINE void get(int k, wrench_lanes<S>& w) const {
+  KTE_INLINE void get_lanes(int k, wrench_lanes<S>& w) const {
     load_vectors(w.force, rows_[0] + k, rows_.stride()), load_vectors(w.torque, rows_[3] + k, rows_.stride());
   }
-  KTE_INLINE void set(int k, const wrench_lanes<S>& w) {
+  KTE_INLINE void set_lanes(int k, const wrench_lanes<S>& w) {
     store_vectors(w.force, rows_[0] + k, rows_.stride()), store_vectors(w.torque, rows_[3] + k, rows_.stride());
   }
   /// f(wrenches, the first of them) of axes from `first` up to `last`, which are changed by it.
@@ -93,9 +93,9 @@ class wrench_rows {
   KTE_INLINE void change(int first, int last, const F& f) {
     by_lanes<S>(first, last, [&](int k) KTE_INLINE_LAMBDA {
       wrench_lanes<S> w;
-      get(k, w);
+      get_lanes(k, w);
       f(w, k);
-      set(k, w);
+      set_lanes(k, w);
     });
   }
 

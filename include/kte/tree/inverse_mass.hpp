@@ -20,8 +20,8 @@ struct mass_memory {
 ///   M^-1 = E^T D^-1 E                                       (2)
 ///
 /// symmetric and positive by its form. (Jain, Robot and Multibody Dynamics, 2011, section 7.2.) Bodies inward: all W of
-/// axes beyond a body go in together. Into rows over axes, each from the diagonal on. After `articulate`; of joints that
-/// all yield or rest.
+/// axes beyond a body go in together. Into rows over axes, each from the diagonal on. After `articulate`; of joints
+/// that all yield or rest.
 template <class P, class S>
 void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x) {
   wrench_rows<S>& w = x.wrenches;
@@ -50,7 +50,7 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
         load.go_in(r, at);
       });
     } else {
-      for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, {});
+      for (int k = r.first; k < r.first + r.axes; ++k) w.set(k, dense_wrench<S>{});
       for (int l = r.first + r.axes; yields && l-- > r.first;) {
         const S* const component = w.component(r.axis[static_cast<std::size_t>(l - r.first)]);
         S* const left = x.left[l - r.first];
@@ -65,6 +65,9 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
     }
     if (!yields) continue;
+    // Registers run over the end, where rows have something yet to come.
+    if (static_cast<std::size_t>(r.last) < f.axes())
+      for (int l = 0; l < r.axes; ++l) std::fill_n(x.left[l] + r.last, most_lanes, S(0));
     for (int j = r.first; j < r.last; ++j) {  // (2)
       S* const to = x.rows[j];
       const int axes = std::min(r.axes, j - r.first + 1);

@@ -36,16 +36,28 @@ int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_plac
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
-    if (r.moves == joint::revolute) {
-      put(r.first, vec3<S>(p.x * rotation.y - p.y * rotation.x), rotation.z);
-    } else {
-      const mat3<vec3<S>> t = transpose(rotation);
-      for (int k = 0; k < r.axes; ++k) {
-        std::array<S, 6> one{};
-        one[static_cast<std::size_t>(k)] = S(1);
-        vec3<S> v{}, w{};
-        along_axes(r, one.data(), v, w);
-        put(r.first + k, vec3<S>(t * (v + cross(w, p))), vec3<S>(t * w));
+    const auto &x_row = rotation.x, &y_row = rotation.y, &z_row = rotation.z;  // unit vectors of the body
+    const vec3<S> turn = p.x * y_row - p.y * x_row;
+    switch (r.moves) {
+      case joint::revolute:
+        put(r.first, turn, z_row);
+        break;
+      case joint::prismatic:
+        put(r.first, z_row, vec3<S>{});
+        break;
+      case joint::screw:
+        put(r.first, vec3<S>(r.slides * z_row + r.turns * turn), vec3<S>(r.turns * z_row));
+        break;
+      case joint::several: {
+        const std::array<vec3<S>, 3> unit{x_row, y_row, z_row},
+            turns{vec3<S>(p.y * z_row - p.z * y_row), vec3<S>(p.z * x_row - p.x * z_row), turn};
+        for (int k = 0; k < r.axes; ++k) {
+          const std::size_t n = r.axis[static_cast<std::size_t>(k)];
+          if (n < 3)
+            put(r.first + k, unit[n], vec3<S>{});
+          else
+            put(r.first + k, turns[n - 3], unit[n - 3]);
+        }
       }
     }
     rotation = at.columns_out(rotation), p = at.at.position + at.out(p);

@@ -21,17 +21,18 @@ mass_moment<S> weight_in_world(const forest<P>& f, const memory<P, S>& m) {
   }
   return sum;
 }
-/// put(k, momentum of the unit rate of axis k about the origin of the world, in its axes).
+/// put(k, momentum of the unit rate of axis k about a point, in world axes).
 template <class P, class S, class Put>
-void momenta(const forest<P>& f, const memory<P, S>& m, const Put& put) {
+void momenta(const forest<P>& f, const memory<P, S>& m, const vec3<S>& about, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
     const world_place<S>& x = m.world[bases + i];
+    const vec3<S> arm = x.position - about;
     for (int k = 0; k < r.axes; ++k) {
       const dense_wrench<S> own = accelerating(r, k, m.carried[bases + i]);
       const vec3<S> p = x.rotation * own.force;
-      put(r.first + k, dense_wrench<S>{p, x.rotation * own.torque + cross(x.position, p)});
+      put(r.first + k, dense_wrench<S>{p, x.rotation * own.torque + cross(arm, p)});
     }
   }
 }

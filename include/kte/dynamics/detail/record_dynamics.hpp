@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/detail/record_loops.hpp>
 #include <kte/kernels/solve.hpp>
+#include <kte/tree/fill_symmetric.hpp>
 
 #include <span>
 
@@ -40,36 +41,6 @@ void hand_on(const Elements& c, State& s, const Add& add) {
   }
 }
 
-/// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: those of bodies beyond a joint,
-/// which have something in common with it, or of all. What lies beyond the coordinates asked for is left out.
-template <class P, class S, class Matrix>
-void fill_symmetric(const tree::forest<P>& f, int coordinates, const tree::axis_rows<S>& rows, bool all, Matrix& m) {
-  const int axes = static_cast<int>(f.axes());
-  if (f.in_order && axes == coordinates) [[likely]] {
-    m.setZero(axes, axes);
-    S* const x = m.data();
-    for (const tree::record<P>& r : f.records)
-      for (int j = r.first; j < r.first + r.axes; ++j) {
-        // Pointers alone: of a loop with strides g++ makes several, which take longer to choose from than to run.
-        const S* from = rows[j] + j;
-        S* down = x + (j * axes + j);
-        const S* const end = x + (all ? axes : r.last) * axes;
-        for (S* right = down; right < end; right += axes) *down++ = *right = *from++;
-      }
-    return;
-  }
-  m.setZero(coordinates, coordinates);
-  for (const tree::record<P>& r : f.records)
-    for (int j = r.first; j < r.first + r.axes; ++j)
-      for (int k = j; k < (all ? axes : r.last); ++k) {
-        const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
-        if (a >= coordinates || b >= coordinates) continue;
-        const S& mass = rows[j][k];
-        m(a, b) += mass;
-        if (j != k) m(b, a) += mass;  // of shared coordinates both triangles meet on the diagonal
-      }
-}
-
 /// The mass matrix (CRBA), into the working memory.
 template <class Elements, class State>
 void mass_of_coordinates(const Elements& c, State& s) {
@@ -81,7 +52,7 @@ void mass_of_coordinates(const Elements& c, State& s) {
   const bool others = t.plan.coordinates > s.dofs();
   auto& m = others ? w.all : w.mass;
   tree::masses(t.forest, w, w.masses.wrenches, w.masses.rows);
-  fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
+  tree::fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   if (!others) return;
@@ -187,7 +158,7 @@ void invert_articulated(State& s, Matrix& inverse) {
   const auto& f = s.tree().forest;
   auto& w = s.work;
   tree::inverse_masses(f, w, w.masses);
-  fill_symmetric(f, s.dofs(), w.masses.rows, true, inverse);
+  tree::fill_symmetric(f, s.dofs(), w.masses.rows, true, inverse);
   for (const int row : s.tree().plan.lone_rows)
     inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
 }

@@ -56,23 +56,23 @@ void carry(const kte_map_chain& c, basic_runtime_state<S>& s) {
   place_in_world(s);
   tree::carry_bodies(s.tree().forest, s.work, true);
 }
-/// visit(row of an axis among all coordinates, momentum of its unit rate about the origin of the world).
+/// visit(row of an axis among all coordinates, momentum of its unit rate about a point of the world).
 template <class S, class F>
-void for_each_momentum(basic_runtime_state<S>& s, const F& visit) {
+void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F& visit) {
   const auto& f = s.tree().forest;
-  tree::momenta(f, s.work,
+  tree::momenta(f, s.work, about,
                 [&](int k, const tree::dense_wrench<S>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
 }
-/// Momentum at the origin of the world, after `carry`; coordinates that are given rest.
+/// Momentum about a point of the world, after `carry`; coordinates that are given rest.
 template <class S>
-tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s) {
+tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
   const auto& f = s.tree().forest;
   take_rates(s);
   for (const auto& r : f.records)
     if (r.what == kind::gen && !r.yields && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
       s.work.rate[static_cast<std::size_t>(r.first)] = S(0);
   tree::dense_wrench<S> sum{};
-  tree::momenta(f, s.work, [&](int k, const tree::dense_wrench<S>& h) {
+  tree::momenta(f, s.work, about, [&](int k, const tree::dense_wrench<S>& h) {
     const S& r = s.work.rate[static_cast<std::size_t>(k)];
     sum = {sum.force + r * h.force, sum.torque + r * h.torque};
   });

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <kte/tree/columns.hpp>
+
+namespace kte::tree {
+
+/// A symmetric matrix over coordinates from rows over axes, each from the diagonal on: those of bodies beyond a joint,
+/// which have something in common with it, or of all. What lies beyond the coordinates asked for is left out.
+template <class P, class S, class Matrix>
+void fill_symmetric(const forest<P>& f, int coordinates, const axis_rows<S>& rows, bool all, Matrix& m) {
+  const int axes = static_cast<int>(f.axes());
+  if (f.in_order && axes == coordinates) [[likely]] {
+    m.setZero(axes, axes);
+    S* const x = m.data();
+    for (const record<P>& r : f.records)
+      for (int j = r.first; j < r.first + r.axes; ++j) {
+        // Pointers alone: of a loop with strides g++ makes several, which take longer to choose from than to run.
+        const S* from = rows[j] + j;
+        S* down = x + (j * axes + j);
+        const S* const end = x + (all ? axes : r.last) * axes;
+        for (S* right = down; right < end; right += axes) *down++ = *right = *from++;
+      }
+    return;
+  }
+  m.setZero(coordinates, coordinates);
+  for (const record<P>& r : f.records)
+    for (int j = r.first; j < r.first + r.axes; ++j)
+      for (int k = j; k < (all ? axes : r.last); ++k) {
+        const int a = f.row[static_cast<std::size_t>(j)], b = f.row[static_cast<std::size_t>(k)];
+        if (a >= coordinates || b >= coordinates) continue;
+        const S& mass = rows[j][k];
+        m(a, b) += mass;
+        if (j != k) m(b, a) += mass;  // of shared coordinates both triangles meet on the diagonal
+      }
+}
+
+}  // namespace kte::tree
