@@ -92,7 +92,10 @@ class adams : public integrator<adams<F, X>, F, X> {
     using std::abs;
     detail::adams_errors<S> e = predict(end);
     const S length = abs(h_);
-    if (e.same <= S(1) && correct(end, e)) {
+    const S level = e.same <= S(1) && floor_.is_below() ? S(1) : square_of_level(e.same);
+    const bool accepted = e.same <= level && correct(end, e);
+    e.compare_with(level);
+    if (accepted) {
       interpolated_ = order_ + 1;
       return {.error = e.same, .next = e.next_step(length, steps_.proposed(), order_)};
     }
@@ -113,6 +116,15 @@ class adams : public integrator<adams<F, X>, F, X> {
     const int lower = order_ - 1;
     if (lower > 0) e.lower = square(lower, change_ + past_.beta(lower) * past_.difference(lower));
     return e;
+  }
+  /// Errors are compared with what rounding makes of f over the step, where that is more than the tolerances.
+  [[gnu::noinline]] S square_of_level(const S& error) {
+    using std::sqrt;
+    const auto norm = [&](const auto& r) { return sqrt(weights_.square(r, this->x_, this->next_)); };
+    const S reach = h_ * (past_.g(order_) - past_.g(order_ - 1)) * S(detail::rounding_of_difference(order_));
+    const S level = this->level_of_rounding(
+        floor_, error, reach, [&] { return past_.newest(); }, norm);
+    return level * level;
   }
   /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.
   bool correct(const S& end, detail::adams_errors<S>& e) {
@@ -145,6 +157,7 @@ class adams : public integrator<adams<F, X>, F, X> {
 
   detail::error_weights<X> weights_;
   detail::step_choice<S> steps_{2};
+  detail::rounding_floor<S> floor_;
   detail::adams_differences<X> past_;
   X slope_, predicted_, change_;  ///< at the end of the step; at p; (2)
   S h_{}, by_{};                  ///< of the step being tried, or the last one: its length, h g_k

@@ -21,6 +21,9 @@ struct adams_errors {
   S lower = std::numeric_limits<S>::infinity();
   S higher = lower;
 
+  /// Not with the tolerances, but with what is more by this factor, squared.
+  void compare_with(const S& square) { same /= square, lower /= square, higher /= square; }
+
   /// The step after one of this length was accepted, for which `proposed` had been chosen; sets its order.
   S next_step(const S& length, const S& proposed, int& order) const {
     float f = log_factor(same, order);

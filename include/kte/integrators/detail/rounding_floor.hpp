@@ -1,8 +1,18 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 namespace kte::detail {
+
+/// How far a k-th difference of numbers is off that are each off by something else of size 1:
+///
+///   sqrt(sum_j binomial(k, j)^2) = sqrt(binomial(2 k, k))          (1)
+inline double rounding_of_difference(int k) {
+  double square = 1;
+  for (int j = 1; j <= k; ++j) square *= static_cast<double>(k + j) / j;
+  return std::sqrt(square);
+}
 
 /// What of the errors of steps is rounding, which shorter steps do not cure. As times and states are rounded, f is off
 /// by about
@@ -16,15 +26,15 @@ namespace kte::detail {
 template <class S>
 class rounding_floor {
  public:
-  /// c
-  explicit rounding_floor(double share) : share_(static_cast<S>(share)) {}
   /// Whether errors of at most 1 are what they seem.
   bool is_below() const { return size_ == S(0); }
-  /// The error of a try, seen from the floor. `tries`: until now; slope(), rounding(): the norms of f and of (1), of
-  /// which the second one takes an evaluation; it is asked for after rejections, and seldom.
+  /// The norm of (1), where errors are more than they seem.
+  const S& size() const { return size_; }
+  /// How many times the tolerances an error of a try is compared with. reach: h c; `tries`: until now; slope(),
+  /// rounding(): the norms of f and of (1), of which the second one takes an evaluation; it is asked for after
+  /// rejections, and seldom.
   template <class Slope, class Rounding>
-  S above(const S& error, const S& length, long long tries, const Slope& slope, const Rounding& rounding) {
-    const S reach = length * share_;
+  S level(const S& error, const S& reach, long long tries, const Slope& slope, const Rounding& rounding) {
     if (tries - measured_ >= (S(1) < error ? 8 : 32)) {
       const S most = S(1e5) * std::numeric_limits<S>::epsilon() * slope();
       const S found = reach * most > S(1) ? rounding() : S(0);
@@ -32,11 +42,10 @@ class rounding_floor {
       measured_ = tries;
     }
     const S floor = reach * size_;
-    return S(1) < floor ? S(error / floor) : error;
+    return S(1) < floor ? floor : S(1);
   }
 
  private:
-  S share_;
   S size_{0};                 ///< the norm of (1) where it matters
   long long measured_ = -32;  ///< tries until it was measured
 };
