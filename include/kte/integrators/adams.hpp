@@ -18,9 +18,10 @@ namespace kte {
 ///
 /// of the history of slopes, see `adams_differences`. (4) is the difference to the corrector of order k. The same with
 /// k - 1 and k + 1, for which e_{k-1} = e_k + beta_{k-1} phi_{k-1}, tells the errors of the neighbours of the order;
-/// that with the longest next step is taken. Between the ends of a step, the integral of the polynomial through its
-/// k + 1 slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the end, so that
-/// state and slope are continuous:
+/// that with the longest next step is taken. (4) is compared with the tolerances, or with what rounding makes of it
+/// where that is more (`rounding_floor`). Between the ends of a step, the integral of the polynomial through its k + 1
+/// slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the end, so that state and
+/// slope are continuous:
 ///
 ///   x(t + theta h) = x + int P - theta^2 (3 - 2 theta) h g_k (f(t + h, x1) - f(t + h, p))             (5)
 ///
@@ -117,13 +118,14 @@ class adams : public integrator<adams<F, X>, F, X> {
     if (lower > 0) e.lower = square(lower, change_ + past_.beta(lower) * past_.difference(lower));
     return e;
   }
-  /// Errors are compared with what rounding makes of f over the step, where that is more than the tolerances.
+  /// (2) is a k-th difference, each of whose slopes is rounded.
   [[gnu::noinline]] S square_of_level(const S& error) {
     using std::sqrt;
     const auto norm = [&](const auto& r) { return sqrt(weights_.square(r, this->x_, this->next_)); };
     const S reach = h_ * (past_.g(order_) - past_.g(order_ - 1)) * S(detail::rounding_of_difference(order_));
     const S level = this->level_of_rounding(
-        floor_, error, reach, [&] { return past_.newest(); }, norm);
+        floor_, sqrt(error), reach, [&] { return norm(past_.newest()); },
+        [&] { return norm(this->rate_a_rounding_away() - past_.newest()); });
     return level * level;
   }
   /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.

@@ -24,7 +24,7 @@ struct bdf_settings {
 /// (`backward_differences`). Between the ends of a step: the polynomial of its order through the states until its end.
 ///
 /// A step may add a tenth of the tolerances: as the errors of steps sum up, the error in the end is about the
-/// tolerance.
+/// tolerance. Where rounding makes errors larger than that, they are compared with what it makes (`rounding_floor`).
 ///
 /// The history goes on from one `integrate` to the next, unless time, state, direction or the slope f(t, x) have
 /// changed: then it begins anew with order 1.

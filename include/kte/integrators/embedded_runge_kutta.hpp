@@ -92,8 +92,10 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
       return {error};
     const auto& sizes = this->magnitudes(this->x_);
     const auto norm = [&](const auto& r) { return detail::error_norm(tolerances_, r, sizes, sizes); };
-    const auto slope = [&]() -> const rate& { return k_.front(); };
-    return {error / this->level_of_rounding(floor_, error, h * S(share_of_rounding), slope, norm)};
+    const S level = this->level_of_rounding(
+        floor_, error, h * S(share_of_rounding), [&] { return norm(k_.front()); },
+        [&] { return norm(this->rate_a_rounding_away() - k_.front()); });
+    return {error / level};
   }
   /// sum_i |a_si - b_i|: how much (3) is off where all slopes are, each by less than 1 / h.
   static constexpr double share_of_rounding = [] {

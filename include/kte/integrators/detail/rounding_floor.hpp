@@ -5,21 +5,13 @@
 
 namespace kte::detail {
 
-/// How far a k-th difference of numbers is off that are each off by something else of size 1:
-///
-///   sqrt(sum_j binomial(k, j)^2) = sqrt(binomial(2 k, k))          (1)
-inline double rounding_of_difference(int k) {
-  double square = 1;
-  for (int j = 1; j <= k; ++j) square *= static_cast<double>(k + j) / j;
-  return std::sqrt(square);
-}
-
 /// What of the errors of steps is rounding, which shorter steps do not cure. As times and states are rounded, f is off
 /// by about
 ///
 ///   d = f(t + eps |t|, x + eps |x|) - f(t, x)          (1)
 ///
-/// and the error of a step of length h by h c d, where c is the share that the method has of it. Where that is more
+/// and the error of a step of length h by h c d, where c is the share that the method has of it; implicit methods see
+/// W^-1 d, which is what a stiff system makes of d. Where that is more
 /// than the tolerances, errors are compared with it.
 ///
 /// No more than 1e5 eps |f| is taken for rounding: f may have jumped between the two times or states.
@@ -35,9 +27,10 @@ class rounding_floor {
   /// rejections, and seldom.
   template <class Slope, class Rounding>
   S level(const S& error, const S& reach, long long tries, const Slope& slope, const Rounding& rounding) {
-    if (tries - measured_ >= (S(1) < error ? 8 : 32)) {
+    if (tries - measured_ >= (S(1) < error ? patience_ : 32)) {
       const S most = S(1e5) * std::numeric_limits<S>::epsilon() * slope();
       const S found = reach * most > S(1) ? rounding() : S(0);
+      patience_ = reach * found > S(1e-3) ? 8 : 64;
       size_ = most < found ? most : reach * found > S(0.1) ? found : S(0);
       measured_ = tries;
     }
@@ -47,7 +40,17 @@ class rounding_floor {
 
  private:
   S size_{0};                 ///< the norm of (1) where it matters
-  long long measured_ = -32;  ///< tries until it was measured
+  long long measured_ = -64;  ///< tries until it was measured
+  int patience_ = 64;         ///< tries until a rejection makes it measured again
 };
+
+/// How far a k-th difference of numbers is off that are each off by something else of size 1:
+///
+///   sqrt(sum_j binomial(k, j)^2) = sqrt(binomial(2 k, k))          (2)
+inline double rounding_of_difference(int k) {
+  double square = 1;
+  for (int j = 1; j <= k; ++j) square *= static_cast<double>(k + j) / j;
+  return std::sqrt(square);
+}
 
 }  // namespace kte::detail
