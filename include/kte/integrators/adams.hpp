@@ -95,7 +95,8 @@ class adams : public integrator<adams<F, X>, F, X> {
     const S length = abs(h_);
     const S level = e.same <= S(1) && floor_.is_below() ? S(1) : square_of_level(e.same);
     const bool accepted = e.same <= level && correct(end, e);
-    e.compare_with(level);
+    if (level != S(1)) [[unlikely]]
+      e.compare_with(level);
     if (accepted) {
       interpolated_ = order_ + 1;
       return {.error = e.same, .next = e.next_step(length, steps_.proposed(), order_)};
