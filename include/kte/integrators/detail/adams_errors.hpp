@@ -50,7 +50,9 @@ struct adams_errors {
   static constexpr float log_10 = 3.3219281f, log_12 = 0.2630344f, log_09 = -0.1520031f;  // to base 2, as all here
 
   /// 2^x, but not of an x out of this range; of `least` for an x that is not a number.
-  KTE_INLINE static S factor(float least, float x, float most) { return S(std::exp2(x > most ? most : x > least ? x : least)); }
+  KTE_INLINE static S factor(float least, float x, float most) {
+    return S(std::exp2(x > most ? most : x > least ? x : least));
+  }
   KTE_INLINE static float log_factor(const S& square, int order) {
     const S least = S(1e-36);
     return -0.5f * log_of(4 * static_cast<float>(square < least ? least : square)) / static_cast<float>(order + 1);
