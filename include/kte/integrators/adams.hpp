@@ -122,7 +122,7 @@ class adams : public integrator<adams<F, X>, F, X> {
   /// (2) is a k-th difference, each of whose slopes is rounded.
   [[gnu::noinline]] S square_of_level(const S& error) {
     using std::sqrt;
-    const auto norm = [&](const auto& r) { return sqrt(weights_.square(r, this->x_, this->next_)); };
+    const auto norm = [&](const auto& r) { return S(sqrt(weights_.square(r, this->x_, this->next_))); };
     const S reach = h_ * (past_.g(order_) - past_.g(order_ - 1)) * S(detail::rounding_of_difference(order_));
     const S level = this->level_of_rounding(
         floor_, sqrt(error), reach, [&] { return norm(past_.newest()); },
