@@ -141,3 +141,32 @@ TEST_CASE("Variational integrators go backward, restart, and say where a step is
   auto long_steps = start<variational2, dzhanibekov>(0.5);
   CHECK_THROWS_WITH(long_steps.integrate(10), contains_text("a step of 0.5 does not converge: it is too long"));
 }
+
+TEST_CASE("Variational integrators name the coordinate that moves no mass, and when") {
+  const auto check = [](const auto& c, const std::string& name) {
+    const manipulator_dynamics_model model(c);
+    const std::array two{0.1, 0.2};
+    const auto x0 = model.make_x(two, two);
+    const auto try_with = [&](auto& solver) {
+      try {
+        solver.integrate(3);
+        CHECK(false);
+      } catch (const integration_failure& e) {
+        CHECK(e.cause == "the mass matrix is singular: '" + name + "' moves no mass of its own");
+        CHECK_THAT(e.what(), contains_text("kte: integration stopped at t = 2: ") && contains_text(e.cause));
+        CHECK(e.time == 2);
+      }
+      CHECK(solver.state() == x0);
+    };
+    variational2 second(std::cref(model), 2.0, x0, 0.01);
+    variational4 fourth(std::cref(model), 2.0, x0, 0.01);
+    try_with(second), try_with(fourth);
+  };
+  // On the axis of its joint; and not at all.
+  check(chain(revolute_joint_3D(q1, ground, body), inertia_3D(body, brick), revolute_joint_3D(q2, body, hand, axis::x),
+              inertia_3D(hand, point_mass(1.0, along_x(0.5)))),
+        "q2");
+  check(chain(revolute_joint_3D(q1, ground, body), prismatic_joint_3D(q2, ground, hand, axis::x),
+              inertia_3D(hand, brick)),
+        "q1");
+}

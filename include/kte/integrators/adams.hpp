@@ -18,9 +18,10 @@ namespace kte {
 ///
 /// of the history of slopes, see `adams_differences`. (4) is the difference to the corrector of order k. The same with
 /// k - 1 and k + 1, for which e_{k-1} = e_k + beta_{k-1} phi_{k-1}, tells the errors of the neighbours of the order;
-/// that with the longest next step is taken. Between the ends of a step, the integral of the polynomial through its
-/// k + 1 slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the end, so that
-/// state and slope are continuous:
+/// that with the longest next step is taken. (4) is compared with the tolerances, or with what rounding makes of it
+/// where that is more (`rounding_floor`). Between the ends of a step, the integral of the polynomial through its k + 1
+/// slopes is of order k + 1 too; a cubic closes the gap that the last evaluation leaves at the end, so that state and
+/// slope are continuous:
 ///
 ///   x(t + theta h) = x + int P - theta^2 (3 - 2 theta) h g_k (f(t + h, x1) - f(t + h, p))             (5)
 ///
@@ -92,7 +93,11 @@ class adams : public integrator<adams<F, X>, F, X> {
     using std::abs;
     detail::adams_errors<S> e = predict(end);
     const S length = abs(h_);
-    if (e.same <= S(1) && correct(end, e)) {
+    const S level = e.same <= S(1) && floor_.is_below() ? S(1) : square_of_level(e.same);
+    const bool accepted = e.same <= level && correct(end, e);
+    if (level != S(1)) [[unlikely]]
+      e.compare_with(level);
+    if (accepted) {
       interpolated_ = order_ + 1;
       return {.error = e.same, .next = e.next_step(length, steps_.proposed(), order_)};
     }
@@ -113,6 +118,16 @@ class adams : public integrator<adams<F, X>, F, X> {
     const int lower = order_ - 1;
     if (lower > 0) e.lower = square(lower, change_ + past_.beta(lower) * past_.difference(lower));
     return e;
+  }
+  /// (2) is a k-th difference, each of whose slopes is rounded.
+  [[gnu::noinline]] S square_of_level(const S& error) {
+    using std::sqrt;
+    const auto norm = [&](const auto& r) { return S(sqrt(weights_.square(r, this->x_, this->next_))); };
+    const S reach = h_ * (past_.g(order_) - past_.g(order_ - 1)) * S(detail::rounding_of_difference(order_));
+    const S level = this->level_of_rounding(
+        floor_, sqrt(error), reach, [&] { return norm(past_.newest()); },
+        [&] { return norm(this->rate_a_rounding_away() - past_.newest()); });
+    return level * level;
   }
   /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.
   bool correct(const S& end, detail::adams_errors<S>& e) {
@@ -145,6 +160,7 @@ class adams : public integrator<adams<F, X>, F, X> {
 
   detail::error_weights<X> weights_;
   detail::step_choice<S> steps_{2};
+  detail::rounding_floor<S> floor_;
   detail::adams_differences<X> past_;
   X slope_, predicted_, change_;  ///< at the end of the step; at p; (2)
   S h_{}, by_{};                  ///< of the step being tried, or the last one: its length, h g_k

@@ -24,7 +24,7 @@ struct bdf_settings {
 /// (`backward_differences`). Between the ends of a step: the polynomial of its order through the states until its end.
 ///
 /// A step may add a tenth of the tolerances: as the errors of steps sum up, the error in the end is about the
-/// tolerance.
+/// tolerance. Where rounding makes errors larger than that, they are compared with what it makes (`rounding_floor`).
 ///
 /// The history goes on from one `integrate` to the next, unless time, state, direction or the slope f(t, x) have
 /// changed: then it begins anew with order 1.
@@ -90,25 +90,29 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
     const S length = abs(this->h_);
     if (!this->solve_formula(end)) {
       const S nan = std::numeric_limits<S>::quiet_NaN();
-      if (this->jacobian_is_new_) return {nan, this->obstacle_, length / 4};
+      if (this->jacobian_is_new_) {
+        this->level_of_rounding(S(2));
+        return {nan, this->obstacle_, length / 4};
+      }
       this->renew_jacobian();
       return {nan, this->obstacle_, length};
     }
-    const S error = this->error();
+    const S seen = this->error(), level = this->level_of_rounding(seen), error = seen / level;
     if (error <= S(1)) {
       this->extend_history();
       order_of_last_ = this->order_;
-      return {.error = error, .next = plan(length)};
+      return {.error = error, .next = plan(length, level)};
     }
     return {.error = error, .next = length * detail::shrink_step(this->order_, error)};
   }
   /// The next step, and its order.
-  S plan(const S& length) {
+  S plan(const S& length, const S& level) {
     if (this->equal_steps_ <= this->order_) {  // D^{k+2} needs k + 1 equal steps
       const S& proposed = steps_.proposed();   // more where this one was cut short, which tells little of longer ones
       return proposed < length ? length : 2 * length < proposed ? S(2 * length) : proposed;
     }
-    const auto next = detail::choose_order<S>(this->order_, max_order_, [&](int q) { return this->error(q); });
+    const auto next =
+        detail::choose_order<S>(this->order_, max_order_, [&](int q) { return S(this->error(q) / level); });
     if (this->order_ != next.order) this->equal_steps_ = 0;
     this->order_ = next.order;
     return length * next.factor;

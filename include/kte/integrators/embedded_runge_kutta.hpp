@@ -2,7 +2,6 @@
 
 #include <kte/integrators/detail/continuous_extension.hpp>
 #include <kte/integrators/detail/hermite.hpp>
-#include <kte/integrators/detail/rounding_floor.hpp>
 #include <kte/integrators/detail/step_choice.hpp>
 #include <kte/integrators/integrator.hpp>
 #include <kte/integrators/tableau.hpp>
@@ -91,7 +90,12 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     const S error = detail::error_norm(tolerances_, e, this->magnitudes(this->x_), this->magnitudes(this->next_));
     if (error <= S(1) && floor_.is_below()) [[likely]]
       return {error};
-    return {above_rounding(error, h)};
+    const auto& sizes = this->magnitudes(this->x_);
+    const auto norm = [&](const auto& r) { return detail::error_norm(tolerances_, r, sizes, sizes); };
+    const S level = this->level_of_rounding(
+        floor_, error, h * S(share_of_rounding), [&] { return norm(k_.front()); },
+        [&] { return norm(this->rate_a_rounding_away() - k_.front()); });
+    return {error / level};
   }
   /// sum_i |a_si - b_i|: how much (3) is off where all slopes are, each by less than 1 / h.
   static constexpr double share_of_rounding = [] {
@@ -104,14 +108,6 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     }
     return sum;
   }();
-  [[gnu::noinline]] S above_rounding(const S& error, const S& h) {
-    using std::abs;
-    const auto& sizes = this->magnitudes(this->x_);
-    const auto norm = [&](const auto& r) { return detail::error_norm(tolerances_, r, sizes, sizes); };
-    return floor_.above(
-        error, abs(h), this->statistics_.steps + this->statistics_.rejected, [&] { return norm(k_.front()); },
-        [&] { return norm(this->rate_a_rounding_away() - k_.front()); });
-  }
   template <std::size_t I>
   void stage(const S& h, const S& end) {
     this->displace(h * detail::combination<Tableau::a[I]>(k_));  // (1); at last (2)
@@ -162,7 +158,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
   tolerances<S> tolerances_;
   detail::step_choice<S> steps_{Tableau::order_of_error};
-  detail::rounding_floor<S> floor_{share_of_rounding};
+  detail::rounding_floor<S> floor_;
   mutable std::array<rate, stages + extension::stages> k_;  ///< those of the extension when asked for
   [[no_unique_address]] mutable extension extension_;
   [[no_unique_address]] typename base::template if_on_group<rate> slope_at_end_;

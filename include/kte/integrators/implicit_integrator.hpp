@@ -79,16 +79,29 @@ class implicit_integrator : public integrator<Method, F, X> {
     }
     check_finite(jacobian_);
   }
-  /// df/dt at the present time and state, where f is `slope`: f.time_derivative(t, x, out), else by a difference over a
-  /// small part of the step h. Overwrites `next_`.
+  /// df/dt at the present time and state, where f is `slope`: f.time_derivative(t, x, out), else by a difference. As f
+  /// may change within a step h, and t is rounded, one to the time t + d is off by a part of about
+  ///
+  ///   sqrt(eps (h + |t|) / h),   d = sqrt(eps h (h + |t|))                                             (2)
+  ///
+  /// Where that part of h^2 df/dt matters to the tolerances, by the last df/dt, which is in `out`, one more evaluation
+  /// is worth it: the difference from t - d to t + d, d = cbrt(eps) sqrt(h (h + |t|)). Overwrites `next_`.
   void differentiate_in_time(const rate& slope, const S& h, rate& out) {
     if constexpr (requires { this->system().time_derivative(this->time_, this->x_, out); }) {
       this->ask([&] { this->system().time_derivative(this->time_, this->x_, out); });
     } else {
       using std::abs;
-      const S moved = this->time_ + root_of_epsilon() * (h + (h < S(0) ? -abs(this->time_) : abs(this->time_)));
-      this->evaluate_if_possible(moved, this->x_, shifted_);
-      out = (shifted_ - slope) / S(moved - this->time_);
+      using std::cbrt;
+      using std::sqrt;
+      const S eps = std::numeric_limits<S>::epsilon(), length = abs(h), reach = length + abs(this->time_);
+      const S mean = sqrt(length * reach), part = root_of_epsilon() * mean / length;
+      const auto& sizes = this->magnitudes(this->x_);
+      const bool both = detail::error_norm(tolerances_, (h * h * part) * out, sizes, sizes) > S(0.1);
+      const S d = (both ? S(cbrt(eps)) : root_of_epsilon()) * (h < S(0) ? -mean : mean);
+      const S after = this->time_ + d, before = both ? S(this->time_ - d) : this->time_;
+      this->evaluate_if_possible(after, this->x_, shifted_);
+      if (both) this->evaluate_if_possible(before, this->x_, out);
+      out = (shifted_ - (both ? out : slope)) / S(after - before);
     }
   }
   /// Makes W ready for `solve`. Says whether that was possible.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/integrators/detail/followers.hpp>
+#include <kte/integrators/detail/rounding_floor.hpp>
 #include <kte/integrators/moving_state.hpp>
 
 #include <cmath>
@@ -209,6 +210,13 @@ class integrator : public moving_state<F, X> {
   template <class Try>
   auto attempted(const Try& try_step) const {
     return this->computed(try_step, decltype(try_step()){std::numeric_limits<S>::quiet_NaN()}, this->next_);
+  }
+  /// How many times the tolerances the error of a try is compared with; arguments as of `rounding_floor`.
+  template <class Slope, class Rounding>
+  [[gnu::noinline]] S level_of_rounding(detail::rounding_floor<S>& floor, const S& error, const S& reach,
+                                        const Slope& slope, const Rounding& rounding) const {
+    using std::abs;
+    return floor.level(error, abs(reach), statistics_.steps + statistics_.rejected, slope, rounding);
   }
   /// The rate a rounding away from the present time and state; no number where f cannot be computed.
   rate rate_a_rounding_away() const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/errors.hpp>
-#include <kte/kernels/joint_vector.hpp>
+#include <kte/integrators/detail/packet_sum.hpp>
 
 #include <Eigen/Core>
 
@@ -32,12 +32,7 @@ template <class M>
 bool all_finite(const Eigen::MatrixBase<M>& x) {
   using S = typename M::Scalar;
   S sum(0);
-  for (Eigen::Index j = 0; j < x.cols(); ++j) {
-    const auto column = x.col(j);
-    sum += sum_by_four<S>(static_cast<std::size_t>(x.rows()), [&column](std::size_t i) KTE_INLINE_LAMBDA {
-      return S(column.coeff(static_cast<Eigen::Index>(i)) * S(0));
-    });
-  }
+  for (Eigen::Index j = 0; j < x.cols(); ++j) sum += sum_by_packets(x.col(j) * S(0));
   return sum == S(0);
 }
 

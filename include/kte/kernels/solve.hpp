@@ -59,9 +59,6 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
     text.append("'").append(coordinate).append("'");
   raise<singular_mass_matrix>(text.append(" moves no mass of its own"));
 }
-struct singular_somewhere {
-  [[noreturn]] void operator()(int) const { raise_singular_mass_matrix(); }
-};
 /// The first row of which `factorise` said that its pivot vanishes; m_jj follows again from (1).
 template <class Matrix>
 [[gnu::cold, gnu::noinline]] int first_vanishing(const Matrix& m) {
@@ -76,14 +73,14 @@ template <class Matrix>
 }
 /// Factorises a mass matrix. Where a coordinate moves no mass, or only what others move too, calls `fail` with its row,
 /// which throws `singular_mass_matrix`.
-template <class Matrix, class Fail = singular_somewhere>
-KTE_INLINE void factorise_mass(Matrix& m, const Fail& fail = {}) {
+template <class Matrix, class Fail>
+KTE_INLINE void factorise_mass(Matrix& m, const Fail& fail) {
   if (!factorise(m)) [[unlikely]]
     fail(first_vanishing(m));
 }
 /// M^-1; M is used up.
-template <class Matrix, class Inverse, class Fail = singular_somewhere>
-KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse, const Fail& fail = {}) {
+template <class Matrix, class Inverse, class Fail>
+KTE_INLINE void invert_by_factors(Matrix& m, Inverse& inverse, const Fail& fail) {
   factorise_mass(m, fail);
   inverse.setIdentity();
   for (Eigen::Index j = 0; j < inverse.cols(); ++j) {
@@ -141,15 +138,15 @@ KTE_INLINE void solve_by_inverse(const Matrix& inverse, const Matrix& b, X& x) {
 
 /// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws as
 /// `factorise_mass`.
-template <class Matrix, class Vector, class Fail = singular_somewhere>
-KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail = {}) {
+template <class Matrix, class Vector, class Fail>
+KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail) {
   factorise_mass(m, fail);
   substitute(m, b);
 }
 
 /// The same where some of x are known: of b, which are x for them. Their rows and columns of M are used up.
-template <class Matrix, class Vector, class Known, class Fail = singular_somewhere>
-void solve_partly_known(Matrix& m, Vector& b, const Known& is_known, const Fail& fail = {}) {
+template <class Matrix, class Vector, class Known, class Fail>
+void solve_partly_known(Matrix& m, Vector& b, const Known& is_known, const Fail& fail) {
   using S = typename Matrix::Scalar;
   const Eigen::Index n = m.rows();
   const auto known = [&is_known](Eigen::Index i) { return is_known[static_cast<std::size_t>(i)]; };

@@ -76,8 +76,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
       for (const S& part : {g, g, S(1 - 4 * g), g, g}) advance_by(part * h);  // (4)
     }
     vector v = p_;
-    auto m = mass_matrix(chain(), this->next_.data());
-    detail::solve_in_place(m, v);
+    solve_by_mass(this->next_, v);
     this->next_.template tail<n>() = v;
   }
   /// One step of (1): q in `next_` and p_.
@@ -102,8 +101,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
         step.change(rate_of_p, p_, change);
       });
       v -= p;
-      auto m = mass_matrix(chain(), middle_.data());
-      detail::solve_in_place(m, v);
+      solve_by_mass(middle_, v);
       const S size = v_.norm(), by = v.norm();
       v_ += v;
       return size == S(0) ? by : S(by / size);
@@ -141,6 +139,13 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
   }
 
   const auto& chain() const { return this->system().chain(); }
+  /// p becomes M(q)^-1 p.
+  void solve_by_mass(const X& q, vector& p) const {
+    auto m = mass_matrix(chain(), q.data());
+    detail::solve_in_place(m, p, [](int row) {
+      detail::raise_singular_mass_matrix(detail::name_of_row(detail::layout_of_wiring<wiring>::table, row));
+    });
+  }
   template <class Visit>
   static void for_each(const Visit& visit) {
     for (std::size_t i = 0; i < wiring::freedoms; ++i) visit(wiring::table.free[i]);

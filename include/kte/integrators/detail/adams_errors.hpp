@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/detail/inline.hpp>
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -21,8 +23,11 @@ struct adams_errors {
   S lower = std::numeric_limits<S>::infinity();
   S higher = lower;
 
+  /// Not with the tolerances, but with what is more by this factor, squared.
+  void compare_with(const S& square) { same /= square, lower /= square, higher /= square; }
+
   /// The step after one of this length was accepted, for which `proposed` had been chosen; sets its order.
-  S next_step(const S& length, const S& proposed, int& order) const {
+  KTE_INLINE S next_step(const S& length, const S& proposed, int& order) const {
     float f = log_factor(same, order);
     const float fewer = log_factor(lower, order - 1), more = log_factor(higher, order + 1);
     if (f < fewer && more <= fewer) {
@@ -45,13 +50,15 @@ struct adams_errors {
   static constexpr float log_10 = 3.3219281f, log_12 = 0.2630344f, log_09 = -0.1520031f;  // to base 2, as all here
 
   /// 2^x, but not of an x out of this range; of `least` for an x that is not a number.
-  static S factor(float least, float x, float most) { return S(std::exp2(x > most ? most : x > least ? x : least)); }
-  static float log_factor(const S& square, int order) {
+  KTE_INLINE static S factor(float least, float x, float most) {
+    return S(std::exp2(x > most ? most : x > least ? x : least));
+  }
+  KTE_INLINE static float log_factor(const S& square, int order) {
     const S least = S(1e-36);
     return -0.5f * log_of(4 * static_cast<float>(square < least ? least : square)) / static_cast<float>(order + 1);
   }
   /// The logarithm to 0.001, of infinity and of what is no number 128 at least.
-  static float log_of(float x) {
+  KTE_INLINE static float log_of(float x) {
     constexpr std::uint32_t fraction = 0x7fffff, one = 0x3f800000;
     const auto bits = std::bit_cast<std::uint32_t>(x);
     const auto exponent = static_cast<float>(static_cast<int>(bits >> 23 & 0xff) - 127);

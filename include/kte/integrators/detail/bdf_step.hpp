@@ -59,6 +59,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
 
   /// (1), until `end`; the solution is left in `next_`. Says whether that was possible; otherwise `obstacle_` says why.
   bool solve_formula(const S& end) {
+    using std::abs;
     if (!jacobian_is_known_) renew_jacobian();
     if (!factorize_for(S(h_ * formulas_.slope(order_)))) return false;
     differences_.predict(order_, predicted_);
@@ -66,7 +67,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
         order_, [&](int j) { return formulas_.history(order_, j); }, history_);
     correction_.setZero();
     this->next_ = predicted_;
-    const S rounding = size(std::numeric_limits<S>::epsilon() * this->x_);
+    const S rounding = size(std::numeric_limits<S>::epsilon() * this->x_) + abs(c_) * floor_.size();
     newton_.begin(S(0.05), rounding);  // a small part of the error that a step may have
     auto progress = detail::newton::go_on;
     while (progress == detail::newton::go_on) {
@@ -80,6 +81,20 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     if (progress == detail::newton::hopeless)
       obstacle_ = this->next_is_finite() ? detail::diverging : detail::not_finite;
     return progress == detail::newton::converged;
+  }
+  /// How many times the tolerances the error of a try is compared with. What rounding makes of f, W^-1 takes back to
+  /// what that does to the solution.
+  S level_of_rounding(const S& error) {
+    if (error <= S(1) && floor_.is_below()) return S(1);
+    const auto norm = [&](const auto& r) {
+      change_ = r;
+      this->solve(change_);
+      return size(change_);
+    };
+    const S reach = h_ * formulas_.error(order_) * S(detail::rounding_of_difference(order_));
+    return base::level_of_rounding(
+        floor_, error, reach, [&] { return norm(differences_[1] / h_); },
+        [&] { return norm(this->rate_a_rounding_away() - slope_now()); });
   }
   /// The error of the step that is solved.
   S error() const { return size(formulas_.error(order_) * correction_); }
@@ -120,6 +135,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
 
   detail::bdf_coefficients<S> formulas_;
   detail::newton_progress<S> newton_;
+  detail::rounding_floor<S> floor_;
   rate correction_, predicted_, history_;  ///< d, p and the sum of (1)
   S c_{0};                                 ///< of the matrix
   bool matrix_is_known_ = false;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/integrators/detail/packet_sum.hpp>
 #include <kte/integrators/detail/step_control.hpp>
-#include <kte/kernels/joint_vector.hpp>
 
 namespace kte::detail {
 
@@ -16,7 +16,7 @@ class error_weights {
     for (Eigen::Index i = 0; i < n; ++i) absolute_[i] = tol.absolute[i], relative_[i] = tol.relative[i];
   }
   /// Of a step from x0 to x1.
-  void weigh(const X& x0, const X& x1) {
+  KTE_INLINE void weigh(const X& x0, const X& x1) {
     using std::abs;
     for (Eigen::Index i = 0; i < inverse_.size(); ++i) {
       const S before = abs(x0[i]), after = abs(x1[i]);
@@ -25,14 +25,8 @@ class error_weights {
   }
   /// The square of the norm of e by the last weights, which are those of these states.
   template <class E>
-  S square(const E& e, const X& x0, const X& x1) const {
-    const S mean = sum_by_four<S>(static_cast<std::size_t>(e.size()),
-                                  [&](std::size_t i) KTE_INLINE_LAMBDA {
-                                    const S weighted =
-                                        e.coeff(static_cast<Eigen::Index>(i)) * inverse_[static_cast<Eigen::Index>(i)];
-                                    return S(weighted * weighted);
-                                  }) *
-                   share_;
+  KTE_INLINE S square(const E& e, const X& x0, const X& x1) const {
+    const S mean = sum_by_packets(e.cwiseProduct(inverse_).cwiseAbs2()) * share_;
     if (is_finite(mean)) [[likely]]
       return mean;
     const S norm = error_norm_without_zeros(tolerances_, e, x0, x1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 namespace kte::detail {
@@ -9,36 +10,47 @@ namespace kte::detail {
 ///
 ///   d = f(t + eps |t|, x + eps |x|) - f(t, x)          (1)
 ///
-/// and the error of a step of length h by h c d, where c is the share that the method has of it. Where that is more
+/// and the error of a step of length h by h c d, where c is the share that the method has of it; implicit methods see
+/// W^-1 d, which is what a stiff system makes of d. Where that is more
 /// than the tolerances, errors are compared with it.
 ///
 /// No more than 1e5 eps |f| is taken for rounding: f may have jumped between the two times or states.
 template <class S>
 class rounding_floor {
  public:
-  /// c
-  explicit rounding_floor(double share) : share_(static_cast<S>(share)) {}
   /// Whether errors of at most 1 are what they seem.
   bool is_below() const { return size_ == S(0); }
-  /// The error of a try, seen from the floor. `tries`: until now; slope(), rounding(): the norms of f and of (1), of
-  /// which the second one takes an evaluation; it is asked for after rejections, and seldom.
+  /// The norm of (1), where errors are more than they seem.
+  const S& size() const { return size_; }
+  /// How many times the tolerances an error of a try is compared with. reach: h c; `tries`: until now; slope(),
+  /// rounding(): the norms of f and of (1), of which the second one takes an evaluation; it is asked for after
+  /// rejections, and seldom.
   template <class Slope, class Rounding>
-  S above(const S& error, const S& length, long long tries, const Slope& slope, const Rounding& rounding) {
-    const S reach = length * share_;
-    if (tries - measured_ >= (S(1) < error ? 8 : 32)) {
+  S level(const S& error, const S& reach, long long tries, const Slope& slope, const Rounding& rounding) {
+    if (tries - measured_ >= (S(1) < error ? patience_ : 32)) {
       const S most = S(1e5) * std::numeric_limits<S>::epsilon() * slope();
       const S found = reach * most > S(1) ? rounding() : S(0);
+      patience_ = reach * found > S(1e-3) ? 8 : 64;
       size_ = most < found ? most : reach * found > S(0.1) ? found : S(0);
       measured_ = tries;
     }
     const S floor = reach * size_;
-    return S(1) < floor ? S(error / floor) : error;
+    return S(1) < floor ? floor : S(1);
   }
 
  private:
-  S share_;
   S size_{0};                 ///< the norm of (1) where it matters
-  long long measured_ = -32;  ///< tries until it was measured
+  long long measured_ = -64;  ///< tries until it was measured
+  int patience_ = 64;         ///< tries until a rejection makes it measured again
 };
+
+/// How far a k-th difference of numbers is off that are each off by something else of size 1:
+///
+///   sqrt(sum_j binomial(k, j)^2) = sqrt(binomial(2 k, k))          (2)
+inline double rounding_of_difference(int k) {
+  double square = 1;
+  for (int j = 1; j <= k; ++j) square *= static_cast<double>(k + j) / j;
+  return std::sqrt(square);
+}
 
 }  // namespace kte::detail
