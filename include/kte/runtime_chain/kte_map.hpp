@@ -18,7 +18,7 @@ using runtime_state = basic_runtime_state<double>;
 namespace detail {
 /// In which derivatives go through elements, four directions at a time.
 using derivative_number = dual<double, 4>;
-using derivative_state = basic_runtime_state<derivative_number>;
+class derivative_state;
 }  // namespace detail
 class topology;
 

@@ -39,7 +39,7 @@ runtime_tree<P> tree_of(const topology& t) {
 /// Throws `bad_argument` if S is a scalar in which forces, or coordinates that follow others, are not known.
 template <class S, class P>
 void check_scalar(const topology& t, const runtime_tree<P>& tree) {
-  if (std::is_same_v<S, double> || std::is_same_v<S, derivative_number>) return;
+  if (std::is_same_v<S, double>) return;
   const auto refuse = [&t](int e, const char* why) {
     throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
                        t.elements[static_cast<std::size_t>(e)].element->record().type + why);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <kte/contract/thing.hpp>
+#include <kte/runtime_chain/topology.hpp>
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace kte::detail {
+
+/// All things of a chain, by kind and index.
+template <class S, class Kinds = std::make_index_sequence<kinds>>
+class thing_lists;
+template <class S, std::size_t... K>
+class thing_lists<S, std::index_sequence<K...>> {
+ public:
+  explicit thing_lists(const topology& t)
+      : of_(std::vector<std::tuple_element_t<K, things<S>>>(t.names[K].size())...) {}
+
+  template <kind What>
+  auto& get(int i) {
+    return of_kind<What>(of_)[static_cast<std::size_t>(i)];
+  }
+  template <kind What>
+  const auto& get(int i) const {
+    return of_kind<What>(of_)[static_cast<std::size_t>(i)];
+  }
+
+ private:
+  std::tuple<std::vector<std::tuple_element_t<K, things<S>>>...> of_;
+};
+
+}  // namespace kte::detail
