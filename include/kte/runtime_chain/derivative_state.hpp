@@ -7,13 +7,15 @@
 namespace kte::detail {
 
 /// What a runtime state has for elements with laws of their own, in dual numbers: coordinates and frames, and bodies,
-/// on which the frames stand. It goes with a state of numbers, which has all else.
-class derivative_state {
+/// on which the frames stand. It goes with a state of numbers, which has all else. A template, though of one scalar
+/// alone: headers that know it do not instantiate what is in it.
+template <class D>
+class basic_derivative_state {
  public:
-  using scalar = derivative_number;
+  using scalar = D;
   static constexpr bool has_sines = false;
 
-  derivative_state(const topology& t, std::shared_ptr<const runtime_tree<double>> tree)
+  basic_derivative_state(const topology& t, std::shared_ptr<const runtime_tree<double>> tree)
       : layout_(t.layout),
         freedoms_(t.free),
         tree_(std::move(tree)),
@@ -25,11 +27,11 @@ class derivative_state {
 
   template <kind K>
   auto& get(int i) {
-    return things_.get<K>(i);
+    return things_.template get<K>(i);
   }
   template <kind K>
   const auto& get(int i) const {
-    return things_.get<K>(i);
+    return things_.template get<K>(i);
   }
   std::span<const freedom> freedoms() const { return freedoms_; }
   const runtime_tree<double>& tree() const { return *tree_; }
