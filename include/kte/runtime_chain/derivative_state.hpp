@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kte/contract/thing_lists.hpp>
 #include <kte/runtime_chain/runtime_tree.hpp>
-#include <kte/runtime_chain/thing_lists.hpp>
 #include <kte/tree/dual_motion.hpp>
 
 namespace kte::detail {
@@ -19,7 +19,7 @@ class basic_derivative_state {
       : layout_(t.layout),
         freedoms_(t.free),
         tree_(std::move(tree)),
-        things_(t),
+        things_([&t](kind k) { return t.count(k); }),
         work(tree_->forest),
         q(static_cast<std::size_t>(t.nq)),
         v(static_cast<std::size_t>(t.nv)),

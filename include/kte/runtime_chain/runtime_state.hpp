@@ -1,11 +1,11 @@
 #pragma once
 
+#include <kte/contract/thing_lists.hpp>
 #include <kte/detail/compiled.hpp>
 #include <kte/math/plain_scalar.hpp>
 #include <kte/runtime_chain/handle.hpp>
 #include <kte/runtime_chain/runtime_tree.hpp>
 #include <kte/runtime_chain/shared_topology.hpp>
-#include <kte/runtime_chain/thing_lists.hpp>
 #include <kte/static_chain/state.hpp>
 
 #include <memory>
@@ -137,7 +137,7 @@ template <class S>
 basic_runtime_state<S>::basic_runtime_state(shared_topology t)
     : topology_(std::move(t)),
       tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
-      things_(*topology_),
+      things_([this](kind k) { return topology_->count(k); }),
       work(*tree_, topology_->nv, topology_->elements.size()) {
   detail::check_scalar<S>(*topology_, *tree_);
   for (const auto& f : topology_->free)

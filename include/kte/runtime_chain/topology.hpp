@@ -53,6 +53,8 @@ class topology {
                std::span<const std::string> to);
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
   void check_complete() const;
+  /// Things of a kind.
+  int count(kind k) const { return static_cast<int>(names[static_cast<std::size_t>(k)].size()); }
   /// What a name is; throws `unknown_name`.
   kind kind_of(std::string_view name) const {
     const auto it = things_.find(name);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kte/contract/thing.hpp>
-#include <kte/runtime_chain/topology.hpp>
 
 #include <tuple>
 #include <utility>
@@ -15,8 +14,11 @@ class thing_lists;
 template <class S, std::size_t... K>
 class thing_lists<S, std::index_sequence<K...>> {
  public:
-  explicit thing_lists(const topology& t)
-      : of_(std::vector<std::tuple_element_t<K, things<S>>>(t.names[K].size())...) {}
+  /// count(k) of kind k.
+  template <class Count>
+  explicit thing_lists(const Count& count)
+      : of_(std::vector<std::tuple_element_t<K, things<S>>>(static_cast<std::size_t>(count(static_cast<kind>(K))))...) {
+  }
 
   template <kind What>
   auto& get(int i) {
