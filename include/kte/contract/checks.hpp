@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/port.hpp>
+#include <kte/contract/wiring_rules.hpp>
 #include <kte/detail/call.hpp>
 
 #include <tuple>
@@ -41,15 +41,6 @@ constexpr std::size_t first_misfit(const std::array<port, N>& ports, const std::
   while (p < N && ports[p].what == given[p]) ++p;
   return p;
 }
-
-/// Rules of a chain, and what breaks them.
-enum class problem : unsigned char {
-  none,
-  same_text,            ///< another key has the same text
-  written_twice,        ///< another element has written this name before
-  read_before_written,  ///< only a later element writes it
-  unknown               ///< nothing writes it, and it is no base or coordinate of the chain
-};
 
 /// An element of a chain, what is wrong with it, and the name in question.
 template <class Element, problem P, class Name>

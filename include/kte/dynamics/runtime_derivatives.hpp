@@ -55,11 +55,11 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
   coordinate_forces(c, s);
   take_needed_forces(s);
   auto& r = s.work.of_forces;
-  r.tau = s.work.forces;
   if (is_known_by_elements(c, s)) [[likely]]
     derive_forces(runtime_elements{c}, s);
   else if constexpr (std::is_same_v<S, double>)
     derive_forces_by_duals(c, s);
+  r.tau = s.work.forces;
   check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
   return r;
 }

@@ -18,7 +18,9 @@ using runtime_state = basic_runtime_state<double>;
 namespace detail {
 /// In which derivatives go through elements, four directions at a time.
 using derivative_number = dual<double, 4>;
-using derivative_state = basic_runtime_state<derivative_number>;
+template <class D>
+class basic_derivative_state;
+using derivative_state = basic_derivative_state<derivative_number>;
 }  // namespace detail
 class topology;
 

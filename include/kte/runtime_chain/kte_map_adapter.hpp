@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/force_derivatives.hpp>
+#include <kte/runtime_chain/derivative_state.hpp>
 #include <kte/runtime_chain/kte_map.hpp>
 #include <kte/runtime_chain/runtime_state.hpp>
 

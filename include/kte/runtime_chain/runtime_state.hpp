@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/thing_lists.hpp>
 #include <kte/detail/compiled.hpp>
 #include <kte/math/plain_scalar.hpp>
 #include <kte/runtime_chain/handle.hpp>
@@ -61,17 +62,17 @@ class basic_runtime_state {
   /// Thing i of kind K, for the passes.
   template <kind K>
   auto& get(int i) {
-    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
+    return things_.template get<K>(i);
   }
   template <kind K>
   const auto& get(int i) const {
-    return detail::of_kind<K>(things_)[static_cast<std::size_t>(i)];
+    return things_.template get<K>(i);
   }
 
  private:
   template <kind K, class Self>
   static auto& at(Self& s, const name_or_handle& name) {
-    return detail::of_kind<K>(s.things_)[static_cast<std::size_t>(name.find(*s.topology_, K))];
+    return s.template get<K>(name.find(*s.topology_, K));
   }
 
  public:
@@ -107,6 +108,7 @@ class basic_runtime_state {
   /// What this state was made for.
   const shared_topology& made_for() const { return topology_; }
   const tree_type& tree() const { return *tree_; }
+  const std::shared_ptr<const tree_type>& shared_tree() const { return tree_; }
 
  private:
   int free_coordinate(int i) const {
@@ -118,20 +120,10 @@ class basic_runtime_state {
     std::swap(free_coordinates_, o.free_coordinates_);
     std::swap(tree_, o.tree_), std::swap(work, o.work);
   }
-  template <std::size_t... K>
-  void resize(std::index_sequence<K...>) {
-    (std::get<K>(things_).resize(topology_->names[K].size()), ...);
-  }
-  template <class Kinds>
-  struct lists;
-  template <std::size_t... K>
-  struct lists<std::index_sequence<K...>> {
-    using type = std::tuple<std::vector<detail::thing_of<static_cast<kind>(K), S>>...>;
-  };
 
   shared_topology topology_;
   std::shared_ptr<const tree_type> tree_;
-  typename lists<std::make_index_sequence<kinds>>::type things_;
+  detail::thing_lists<S> things_;
   std::vector<int> free_coordinates_;
 
  public:
@@ -145,9 +137,9 @@ template <class S>
 basic_runtime_state<S>::basic_runtime_state(shared_topology t)
     : topology_(std::move(t)),
       tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
+      things_([this](kind k) { return topology_->count(k); }),
       work(*tree_, topology_->nv, topology_->elements.size()) {
   detail::check_scalar<S>(*topology_, *tree_);
-  resize(std::make_index_sequence<kinds>{});
   for (const auto& f : topology_->free)
     if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
 }

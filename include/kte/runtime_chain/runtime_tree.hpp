@@ -15,7 +15,7 @@ struct runtime_connections {
   std::span<const port> ports(std::size_t e) const { return t.elements[e].ports; }
   int index(std::size_t e, std::size_t p) const { return t.elements[e].index[p]; }
   bool stiff(std::size_t e) const { return t.elements[e].stiff; }
-  int count(kind k) const { return static_cast<int>(t.names[static_cast<std::size_t>(k)].size()); }
+  int count(kind k) const { return t.count(k); }
   int writer(kind k, int i) const { return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
   std::size_t freedoms() const { return t.free.size(); }
   freedom freedom_at(std::size_t f) const { return t.free[f]; }
@@ -39,7 +39,7 @@ runtime_tree<P> tree_of(const topology& t) {
 /// Throws `bad_argument` if S is a scalar in which forces, or coordinates that follow others, are not known.
 template <class S, class P>
 void check_scalar(const topology& t, const runtime_tree<P>& tree) {
-  if (std::is_same_v<S, double> || std::is_same_v<S, derivative_number>) return;
+  if (std::is_same_v<S, double>) return;
   const auto refuse = [&t](int e, const char* why) {
     throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
                        t.elements[static_cast<std::size_t>(e)].element->record().type + why);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/freedom.hpp>
-#include <kte/contract/port.hpp>
+#include <kte/contract/wiring_rules.hpp>
 #include <kte/detail/compiled.hpp>
 #include <kte/errors.hpp>
 
@@ -53,7 +53,8 @@ class topology {
                std::span<const std::string> to);
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
   void check_complete() const;
-  /// Whether an element wants the cosine and sine of generalized coordinate i.
+  /// Things of a kind.
+  int count(kind k) const { return static_cast<int>(names[static_cast<std::size_t>(k)].size()); }
   /// What a name is; throws `unknown_name`.
   kind kind_of(std::string_view name) const {
     const auto it = things_.find(name);
@@ -107,37 +108,41 @@ KTE_FUNCTION void topology::check_complete() const {
 KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> ports,
                                   std::span<const std::string> to) const {
   const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
-  bool base_taken = base_known_;
+  detail::wiring_rules rules(base_known_);
   for (std::size_t p = 0; p < ports.size(); ++p) {
     const port& x = ports[p];
-    if (to[p].empty()) refuse("its " + std::string(x.role) + " has no name");
-    const auto known = things_.find(to[p]);
-    const auto here = static_cast<std::size_t>(std::find(to.begin(), to.end(), to[p]) - to.begin());
-    if (known != things_.end() || here < p) {
-      const kind k = known != things_.end() ? known->second.what : ports[here].what;
-      if (k != x.what)
-        refuse("'" + to[p] + "' is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
-      const bool declared = known != things_.end() ? known->second.declared : ports[here].declares();
-      if (x.declares())
-        refuse("it writes '" + to[p] +
-               (declared ? "', which is then written twice" : "', which is read before it is written"));
-      continue;
-    }
-    if (x.what == kind::internal && x.how != access::keep)
-      refuse("it reads the internal state '" + to[p] + "', which no element before it keeps");
-    if (is_frame(x.what) && !x.writes()) {
-      if (base_taken)
-        refuse("it reads '" + to[p] +
+    const std::string& name = to[p];
+    if (name.empty()) refuse("its " + std::string(x.role) + " has no name");
+    const auto known = things_.find(name);
+    const auto here = static_cast<std::size_t>(std::find(to.begin(), to.end(), name) - to.begin());
+    const bool chain_has_it = known != things_.end(), used = chain_has_it || here < p;
+    const kind k = chain_has_it ? known->second.what : ports[here].what;
+    const bool declared = chain_has_it ? known->second.declared : ports[here].declares();
+    switch (rules.broken_by(x.what, x.how, {used, k == x.what, used && declared})) {
+      case detail::problem::none:
+        break;
+      case detail::problem::same_text:
+        refuse("'" + name + "' is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
+        break;
+      case detail::problem::written_twice:
+        refuse("it writes '" + name + "', which is then written twice");
+        break;
+      case detail::problem::read_before_written:
+        refuse("it writes '" + name + "', which is read before it is written");
+        break;
+      case detail::problem::unknown:
+        if (x.what == kind::internal)
+          refuse("it reads the internal state '" + name + "', which no element before it keeps");
+        refuse("it reads '" + name +
                "', which no element before it writes: misspelt, written later, or another base? "
                "(a further base is declared by base_2D or base_3D)");
-      base_taken = true;
     }
   }
 }
 KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
   const auto k = static_cast<std::size_t>(x.what);
   const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
-  const bool moves = x.how != access::on;
+  const bool moves = detail::wiring_rules::moves(x.how) || x.declares();
   const auto [it, fresh] =
       things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves});
   it->second.moves |= moves;

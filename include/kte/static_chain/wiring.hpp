@@ -67,33 +67,27 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     while (bucket[b] != 0 && use[bucket[b] - 1].text != use[p].text) b = (b + 1) % buckets;
     if (bucket[b] == 0) bucket[b] = p + 1;
     name[p] = bucket[b] - 1;
-    if (use[name[p]].key != use[p].key || use[name[p]].what != use[p].what) report(p, problem::same_text);
   }
-  // writers; a name is known by its first port
-  for (int p = 0; p < n; ++p) writer[p] = -1;
-  for (int p = 0; p < n; ++p)
-    if (port::declares(use[p].how)) {
-      if (writer[name[p]] >= 0)
-        report(p, problem::written_twice);
-      else
-        writer[name[p]] = p;
-    }
-  // the first frame that is read is the base of the chain
-  int base = -1;
-  for (int p = 0; p < n && base < 0; ++p)
-    if (is_frame(use[p].what) && (use[p].how == access::in || use[p].how == access::on)) base = name[p];
-  // coordinates that move something
+  // The rules, port by port. A name is known by its first port; who reads before it is written is to blame for that.
   std::array<bool, P + 1> moves{};
-  for (int p = 0; p < n; ++p)
-    if (use[p].how == access::in || use[p].how == access::angle) moves[name[p]] = true;
+  for (int p = 0; p < n; ++p) writer[p] = -1;
+  const auto written_later = [&](int p) {
+    for (int later = p + 1; later < n; ++later)
+      if (name[later] == name[p] && port::declares(use[later].how)) return true;
+    return false;
+  };
+  wiring_rules rules;
   for (int p = 0; p < n; ++p) {
-    if (port::declares(use[p].how)) continue;
-    const int w = writer[name[p]];
-    if (w >= 0 && element[w] >= element[p]) report(p, problem::read_before_written);
-    if (w < 0 && is_coordinate(use[p].what) && !moves[name[p]]) report(p, problem::unknown);
-    if (w < 0 && is_frame(use[p].what) && name[p] != base) report(p, problem::unknown);
-    if (w < 0 && use[p].what == kind::internal) report(p, problem::unknown);
+    const int before = name[p];
+    const bool same = use[before].key == use[p].key && use[before].what == use[p].what;
+    problem broken = rules.broken_by(use[p].what, use[p].how, {before < p, same, writer[before] >= 0});
+    if (broken == problem::unknown && written_later(p)) broken = problem::read_before_written;
+    if (broken != problem::none) report(broken == problem::read_before_written ? before : p, broken);
+    if (port::declares(use[p].how) && writer[before] < 0) writer[before] = p;
+    moves[before] |= wiring_rules::moves(use[p].how);
   }
+  for (int p = 0; p < n; ++p)
+    if (is_coordinate(use[p].what) && writer[name[p]] < 0 && !moves[name[p]]) report(p, problem::unknown);
   // slots: coordinates that are degrees of freedom first, the rest in order of appearance
   for (int round = 0; round < 2; ++round)
     for (int p = 0; p < n; ++p) {

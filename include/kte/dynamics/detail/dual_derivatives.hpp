@@ -21,13 +21,18 @@ void displace(freedom f, int direction, std::size_t lane, std::span<dual<S, N>> 
   for (std::size_t k = 0; k < count; ++k) x[first + k].derivative[lane] = rate[k];
 }
 
-/// Derivatives of tau = evaluate(), which reads q and v as dual numbers, by q and v: as many directions at a time as
-/// they have, into `r`.
+/// Directions that are derived by at once: along degrees of freedom from `first` on, of the configuration or of v.
+struct directions {
+  bool by_v;
+  int first;
+};
+/// Derivatives of tau = evaluate(directions), which reads q and v as dual numbers, by q and v: as many directions at a
+/// time as they have, into `r`.
 template <class S, int N, class Evaluate, class Result>
 void derive_by_duals(std::span<const freedom> freedoms, std::span<dual<S, N>> q, std::span<dual<S, N>> v,
                      const Evaluate& evaluate, Result& r) {
   const int dofs = static_cast<int>(v.size());
-  for (int by_v = 0; by_v < 2; ++by_v)
+  for (const bool by_v : {false, true})
     for (int first = 0; first < dofs; first += N) {
       for (auto* numbers : {&q, &v})
         for (auto& x : *numbers) x = dual<S, N>(x.value);
@@ -40,7 +45,7 @@ void derive_by_duals(std::span<const freedom> freedoms, std::span<dual<S, N>> q,
           else
             displace(f, k, static_cast<std::size_t>(lane), q);
         }
-      const auto& tau = evaluate();
+      const auto& tau = evaluate(directions{by_v, first});
       for (int i = 0; i < dofs; ++i) {
         r.tau[i] = tau[i].value;
         for (int j = first; j < dofs && j < first + N; ++j)
@@ -63,7 +68,7 @@ void dual_derivatives(const Chain& c, const Base& base, const Q& q, const V& v, 
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = number(S(v[i]));
   auto lent = c.kept.template borrow<static_state<number, Chain>>(c);
   static_state<number, Chain>& s = lent;
-  const auto evaluate = [&] {
+  const auto evaluate = [&](const directions&) {
     const configuration<number, wiring, positions> at(x);
     const given g{at, each<number, rates>{y}, each<number, A>{a}, base};
     const auto tau = take_forces(c, g, s, minus_one);

@@ -115,8 +115,6 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
 
   // ---- joints
   template <std::size_t I>
-  static constexpr bool has_coordinate = coordinates_of<core_t<I>> == 1;
-  template <std::size_t I>
   static constexpr kind kind_of = coordinate_kind<core_t<I>>;
   template <std::size_t I>
   static constexpr int slot_of = wiring::slot(I, 0);
@@ -130,18 +128,6 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   requires(yields<I>) struct response_of_element<I> {
     using type = joint_response<S, joint_dofs<core_t<I>>>;
   };
-  template <std::size_t I>
-  KTE_INLINE constexpr auto pose() const {
-    if constexpr (has_coordinate<I>) {
-      return this->chain_.template core<I>().relative(position_only(coordinate<I>()));
-    } else {
-      return this->chain_.template core<I>().relative();
-    }
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr decltype(auto) coordinate() const {
-    return this->template get<kind_of<I>, slot_of<I>>();
-  }
   /// The further mass on the coordinate of joint I.
   template <std::size_t I>
   KTE_INLINE constexpr auto mass_on() const {
@@ -194,11 +180,11 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
       const auto f = coordinate_load<k, slot>(readers<k, slot>);
       unmoved_.at(number_of_freedom<k, slot>);
       return carried_by_joint<S>(
-          this->chain_.template core<I>(), coordinate<I>(), bias<I>(), b,
+          this->chain_.template core<I>(), this->template joint_coordinate<I>(), bias<I>(), b,
           [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(),
           boost::hana::at_c<I>(responses_), unmoved_);
     } else {
-      return carried_stiffly(pose<I>(), bias<I>(), b);
+      return carried_stiffly(this->template joint_pose<I>(), bias<I>(), b);
     }
   }
 
@@ -221,13 +207,13 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   KTE_INLINE constexpr void accelerate_one(const A& base) {
     constexpr kind k = types::template output_kind<I>;
     constexpr int end = types::template output_slot<I>;
-    const auto before = carried_acceleration(pose<I>(), bias<I>(), base);
+    const auto before = carried_acceleration(this->template joint_pose<I>(), bias<I>(), base);
     if constexpr (yields<I>) {
       constexpr int v = wiring::template at<kind_of<I>, slot_of<I>>.v;
-      accelerate_all<k, end>(
-          accelerated(this->chain_.template core<I>(), coordinate<I>(), boost::hana::at_c<I>(responses_), mass_on<I>(),
-                      before, [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
-          readers<k, end>);
+      accelerate_all<k, end>(accelerated(this->chain_.template core<I>(), this->template joint_coordinate<I>(),
+                                         boost::hana::at_c<I>(responses_), mass_on<I>(), before,
+                                         [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
+                             readers<k, end>);
     } else {
       if constexpr (gives_way<Chain, I>) put_given<I>(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
       accelerate_all<k, end>(before, readers<k, end>);

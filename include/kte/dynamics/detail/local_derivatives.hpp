@@ -35,20 +35,12 @@ class local_derivatives : local_pass<Chain, Given> {
   template <std::size_t I>
   static constexpr int axes = gives_way<Chain, I> ? joint_dofs<core_t<I>> : 0;
   template <std::size_t I>
-  KTE_INLINE constexpr decltype(auto) coordinate() const {
-    return this->template get<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
-  }
-  template <std::size_t I>
   KTE_INLINE constexpr auto relative() const {
     if constexpr (coordinates_of<core_t<I>> == 1) {
-      return this->chain_.template core<I>().relative(coordinate<I>());
+      return this->chain_.template core<I>().relative(this->template joint_coordinate<I>());
     } else {
       return this->chain_.template core<I>().relative();
     }
-  }
-  template <std::size_t I, int N>
-  KTE_INLINE constexpr auto axis() const {
-    return axis_of<N>(this->chain_.template core<I>(), coordinate<I>());
   }
   template <std::size_t I>
   static constexpr kind frame_kind = types::template output_kind<I>;
@@ -60,11 +52,11 @@ class local_derivatives : local_pass<Chain, Given> {
   }
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto displaced() const {
-    return by_displacement(relative<I>(), axis<I, N>(), at_base<I>());
+    return by_displacement(relative<I>(), this->template joint_axis<I, N>(), at_base<I>());
   }
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto faster() const {
-    return by_rate(relative<I>(), axis<I, N>(), at_base<I>());
+    return by_rate(relative<I>(), this->template joint_axis<I, N>(), at_base<I>());
   }
 
   // ---- up the tree: what a frame carries
@@ -102,15 +94,15 @@ class local_derivatives : local_pass<Chain, Given> {
   template <std::size_t I, int N, class C>
   KTE_INLINE constexpr void own(const C& c) {
     constexpr int j = row_of<I> + N;
-    const auto s = axis<I, N>();
+    const auto s = this->template joint_axis<I, N>();
     const auto at_end = this->template load<frame_kind<I>, types::template output_slot<I>>();  // -W
     const auto by_q = varied_wrench(c.inertia, c.gyration, displaced<I, N>());
     const auto by_v = varied_wrench(c.inertia, c.gyration, faster<I, N>());
     const auto z = sensitivity_along(c.inertia, c.gyration, s);
     for_each_number<axes<I>>([&]<int K>() KTE_INLINE_LAMBDA {
-      put(by_q_, row_of<I> + K, j, power(axis<I, K>(), by_q));
-      put(by_v_, row_of<I> + K, j, power(axis<I, K>(), by_v));
-      put(by_a_, row_of<I> + K, j, power(axis<I, K>(), z.to_acceleration));
+      put(by_q_, row_of<I> + K, j, power(this->template joint_axis<I, K>(), by_q));
+      put(by_v_, row_of<I> + K, j, power(this->template joint_axis<I, K>(), by_v));
+      put(by_a_, row_of<I> + K, j, power(this->template joint_axis<I, K>(), z.to_acceleration));
     });
     down<I>(by_q - by_displacement(s, at_end), by_v, z, j);
   }
@@ -126,7 +118,7 @@ class local_derivatives : local_pass<Chain, Given> {
       const auto y = sensitivity_through(x, at_base<I>().ang_velocity, z);
       for_each_number<axes<b>>([&]<int K>() KTE_INLINE_LAMBDA {
         constexpr int i = row_of<b> + K;
-        const auto s = axis<b, K>();
+        const auto s = this->template joint_axis<b, K>();
         put(by_q_, i, j, power(s, q)), put(by_q_, j, i, change(y, displaced<b, K>()));
         put(by_v_, i, j, power(s, v)), put(by_v_, j, i, change(y, faster<b, K>()));
         const auto m = power(s, y.to_acceleration);

@@ -78,7 +78,7 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
     constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, port_count<core_t<I>> - 2));
     if constexpr (yields<I>) {
       auto& response = boost::hana::at_c<I>(this->responses_);
-      const auto w = transmitted_by_joint<S>(this->chain_.template core<I>(), base::template coordinate<I>(),
+      const auto w = transmitted_by_joint<S>(this->chain_.template core<I>(), base::template joint_coordinate<I>(),
                                              base::template mass_on<I>(), load, force, response);
       for (int n = 0; n < axes<I>; ++n) {
         left[base::template row_of<I> + n] = force[static_cast<std::size_t>(n)];
@@ -86,7 +86,7 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
       }
       if constexpr (below >= 0) load_down<std::size_t{below}>(w, {}, left, rate);
     } else if constexpr (below >= 0) {
-      load_down<std::size_t{below}>(transmit(base::template pose<I>(), load), {}, left, rate);
+      load_down<std::size_t{below}>(transmit(base::template joint_pose<I>(), load), {}, left, rate);
     }
   }
 

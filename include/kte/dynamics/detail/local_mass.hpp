@@ -38,24 +38,6 @@ class local_mass {
       wiring::template is_free<K, Slot> ? wiring::template at<K, Slot>.v : wiring::dofs + Slot - wiring::gen_dofs;
   template <std::size_t I>
   static constexpr int row_of = row<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>;
-  /// A joint or link in its present position; `rate` is applied to its coordinate.
-  template <std::size_t I, class Rate>
-  KTE_INLINE constexpr auto relative(const Rate& rate) const {
-    if constexpr (coordinates_of<core_t<I>> == 0) {
-      return chain_.template core<I>().relative();
-    } else {
-      return chain_.template core<I>().relative(
-          rate(motion_.template get<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>()));
-    }
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto pose() const {
-    return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return position_only(c); });
-  }
-  template <std::size_t I, int N>
-  KTE_INLINE constexpr auto axis() const {
-    return relative<I>([](const auto& c) KTE_INLINE_LAMBDA { return unit_rate<coordinate_kind<core_t<I>>, N>(c); });
-  }
   template <std::size_t I>
   static constexpr int axes = joint_dofs<core_t<I>>;
 
@@ -81,7 +63,7 @@ class local_mass {
       const auto c = carried<k, end>();
       if constexpr (coordinates_of<core_t<I>> == 1)
         for_each_number<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
-      const auto x = pose<I>();
+      const auto x = motion_.template joint_pose<I>();
       return transported(x.rotation, x.position, c);
     } else {
       return no_mass;
@@ -91,11 +73,11 @@ class local_mass {
   // ---- down the tree: the force of a unit acceleration of joint J, felt at all joints below
   template <std::size_t J, int N, class C>
   KTE_INLINE constexpr void column(const C& composite_inertia) {
-    const auto w = accelerating_wrench(composite_inertia, axis<J, N>());
+    const auto w = accelerating_wrench(composite_inertia, motion_.template joint_axis<J, N>());
     constexpr int j = row_of<J> + N;
     column_ = S(0);
     for_each_number<axes<J>>([&]<int R>() KTE_INLINE_LAMBDA {
-      const auto m = power(axis<J, R>(), w);
+      const auto m = power(motion_.template joint_axis<J, R>(), w);
       if constexpr (R < N) put(row_of<J> + R, j, m);
       if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m), watch(m);
     });
@@ -107,10 +89,10 @@ class local_mass {
     constexpr std::size_t base_port = coordinates_of<core_t<I>>;
     constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, base_port));
     if constexpr (below >= 0) {
-      const auto w = transmit(pose<I>(), at_end);
+      const auto w = transmit(motion_.template joint_pose<I>(), at_end);
       if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
         for_each_number<axes<std::size_t{below}>>([&]<int N>() KTE_INLINE_LAMBDA {
-          put(row_of<std::size_t{below}> + N, column, power(axis<std::size_t{below}, N>(), w));
+          put(row_of<std::size_t{below}> + N, column, power(motion_.template joint_axis<std::size_t{below}, N>(), w));
         });
       down<std::size_t{below}>(w, column);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/joint.hpp>
 #include <kte/dynamics/detail/silent.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
@@ -203,6 +204,26 @@ class local_motion<Chain, Given, std::index_sequence<E...>> {
     } else {
       return types::template given<K, Slot>(given_);
     }
+  }
+
+  /// The coordinate of joint I.
+  template <std::size_t I>
+  KTE_INLINE constexpr decltype(auto) joint_coordinate() const {
+    return get<coordinate_kind<typename types::template core<I>>, wiring::slot(I, 0)>();
+  }
+  /// Joint or link I in its present position, without rates.
+  template <std::size_t I>
+  KTE_INLINE constexpr auto joint_pose() const {
+    if constexpr (coordinates_of<typename types::template core<I>> == 0) {
+      return chain_.template core<I>().relative();
+    } else {
+      return chain_.template core<I>().relative(position_only(joint_coordinate<I>()));
+    }
+  }
+  /// Axis N of joint I, in axes of its end.
+  template <std::size_t I, int N>
+  KTE_INLINE constexpr auto joint_axis() const {
+    return axis_of<N>(chain_.template core<I>(), joint_coordinate<I>());
   }
 
  protected:

@@ -101,21 +101,13 @@ class local_regressor {
   KTE_INLINE void place() {
     if constexpr (is_transmission<core_t<I>>) {
       constexpr std::size_t base = coordinates_of<core_t<I>>;
-      const auto& core = chain_.template core<I>();
-      const auto step = [&](const auto& relative) KTE_INLINE_LAMBDA {
-        step_[I] = as<S>(this->template at_port<I, base>().rotation * relative.position);
-      };
-      if constexpr (base == 0) {
-        step(core.relative());
-      } else {
-        const auto& x = at_port<I, 0>();
-        step(core.relative(position_only(x)));
+      step_[I] = as<S>(at_port<I, base>().rotation * motion_.template joint_pose<I>().position);
+      if constexpr (base > 0)
         for_each_number<joint_dofs<core_t<I>>>([&]<int N>() KTE_INLINE_LAMBDA {
-          const auto s = axis_of<N>(core, x);
+          const auto s = motion_.template joint_axis<I, N>();
           const auto& r = this->template at_port<I, base + 1>().rotation;
           axes_[steps[I].first + N] = {as<S>(r * s.velocity), as<S>(r * s.ang_velocity)};
         });
-      }
     } else {
       static_assert(!has_output<core_t<I>> || !is_frame(core_t<I>::ports.back().what),
                     "kte: the regressor needs elements that move frames to be a kte::transmission");

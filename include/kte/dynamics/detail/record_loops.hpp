@@ -5,6 +5,7 @@
 #include <kte/tree/articulated.hpp>
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/composite.hpp>
+#include <kte/tree/frame_motion.hpp>
 #include <kte/tree/loop_memory.hpp>
 #include <kte/tree/newton_euler.hpp>
 
@@ -220,10 +221,9 @@ void place_touched_frames(State& s, bool accelerated) {
         continue;
       }
     }
-    const auto m =
-        compose(motion{place.position, place.rotation, b.velocity, b.ang_velocity,
-                       accelerated ? b.acceleration : vec3<S>{}, accelerated ? b.ang_acceleration : vec3<S>{}},
-                at_rest(at.at.rotation, at.at.position));
+    tree::body_motion<S> moves = b;
+    if (!accelerated) moves.acceleration = moves.ang_acceleration = {};
+    const auto m = motion_of_frame(place, moves, at.at);
     if (k == kind::frame_2D) {
       auto& x = s.template get<kind::frame_2D>(index);
       const auto flat = [](const vec3<S>& u) { return vec3{u.x, u.y, zero}; };
@@ -261,6 +261,22 @@ void for_each_frame_load(State& s, const F& f) {
 
 /// Which elements count.
 enum class acting { all, bodies };
+
+/// What acts on coordinates, and followers, which hand on what is on them: from the last.
+template <class Elements, class State>
+void push_on_coordinates(const Elements& c, State& s, acting who) {
+  const auto& t = s.tree();
+  auto f = t.followers.rbegin();
+  const auto pass_on = [&](int until) {
+    for (; f != t.followers.rend() && *f > until; ++f) c.push(*f, s);
+  };
+  if (who == acting::all)
+    for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) {
+      pass_on(*e);
+      c.push(*e, s);
+    }
+  pass_on(-1);
+}
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
 /// of the state; of bodies alone, with bases that are accelerated or not.
@@ -309,17 +325,7 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   tree::take_needs(t.forest, w);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
-  // What acts on coordinates, and followers, which hand on what is on them: from the last.
-  auto f = t.followers.rbegin();
-  const auto pass_on = [&](int until) {
-    for (; f != t.followers.rend() && *f > until; ++f) c.push(*f, s);
-  };
-  if (who == acting::all)
-    for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) {
-      pass_on(*e);
-      c.push(*e, s);
-    }
-  pass_on(-1);
+  push_on_coordinates(c, s, who);
 }
 
 /// After that, what must be applied for the motion to happen, into `forces` of the working memory.

@@ -2,63 +2,119 @@
 
 #include <kte/dynamics/detail/dual_derivatives.hpp>
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/runtime_chain/derivative_state.hpp>
 
 /// Derivatives of inverse dynamics of runtime chains by dual numbers, where forces act between frames or coordinates
-/// follow others. Templates, though of double alone: who does not call them does not compile loops over dual numbers.
+/// follow others. Templates, though of double alone: who does not call them does not compile them.
 namespace kte::detail {
 
 /// A state with derivatives of the same chain.
-template <std::same_as<double> S>
-derivative_state& state_with_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  auto& d = s.with_derivatives.template get<derivative_state>([&c] { return c.make_state<derivative_number>(); });
-  if (d.made_for()->layout != s.made_for()->layout) d = c.make_state<derivative_number>();
+template <std::same_as<double> S, class State = basic_derivative_state<dual<S, derivative_number::variables>>>
+State& state_with_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  const topology& t = c.wiring();
+  const auto make = [&] { return State(t, s.shared_tree()); };
+  auto& d = s.with_derivatives.template get<State>(make);
+  if (d.layout() != t.layout) d = make();
   return d;
 }
-/// All that is given from outside but coordinates that are free, as constants.
-template <std::same_as<double> S>
-void take_given(basic_runtime_state<S>& s, derivative_state& d) {
+/// All that is given from outside, and accelerations, as constants.
+template <std::same_as<double> S, class D>
+void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   const auto take = [](auto& to, const auto& x) {
     set_motion(to, motion{x.position, x.rotation, x.velocity, x.ang_velocity, x.acceleration, x.ang_acceleration});
   };
   for (const auto& [k, i] : s.tree().plan.bases) {
     if (k == kind::frame_2D)
-      take(d.get<kind::frame_2D>(i), spatial(s.template get<kind::frame_2D>(i)));
+      take(d.template get<kind::frame_2D>(i), spatial(s.template get<kind::frame_2D>(i)));
     else
-      take(d.get<kind::frame_3D>(i), s.template get<kind::frame_3D>(i));
+      take(d.template get<kind::frame_3D>(i), s.template get<kind::frame_3D>(i));
   }
   const auto& row = s.tree().plan.row_of_gen;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (row[i] < s.dofs()) continue;
     const auto& from = s.template get<kind::gen>(static_cast<int>(i));
-    auto& to = d.get<kind::gen>(static_cast<int>(i));
+    auto& to = d.template get<kind::gen>(static_cast<int>(i));
     to.q = from.q, to.q_dot = from.q_dot, to.q_ddot = from.q_ddot;
   }
   const auto& names = s.made_for()->names;
   for (int i = 0; i < static_cast<int>(names[static_cast<std::size_t>(kind::input)].size()); ++i)
-    d.get<kind::input>(i) = s.template get<kind::input>(i);
+    d.template get<kind::input>(i) = s.template get<kind::input>(i);
   for (int i = 0; i < static_cast<int>(names[static_cast<std::size_t>(kind::internal)].size()); ++i)
-    d.get<kind::internal>(i).z = s.template get<kind::internal>(i).z;
+    d.template get<kind::internal>(i).z = s.template get<kind::internal>(i).z;
+  auto& a = d.forces;
+  read_listed_numbers<vector_of::a>(s, a);
+  for_each_listed_freedom(d, [&a](auto& x, const freedom& at) { put<vector_of::a>(x, at, a); });
+  read_listed_numbers<vector_of::q>(s, d.q), read_listed_numbers<vector_of::v>(s, d.v);
 }
 
-/// By q and v at what the state has, into `of_forces`; by_a is the mass matrix.
+/// How far the coordinates of joints move them along their axes, in axes of the body, and their rates. Rotations and
+/// poses, which are always free, move along `moving`.
+template <class D>
+void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
+  auto& w = d.work;
+  const auto& f = d.tree().forest;
+  for (const auto& r : f.records) {
+    const auto first = static_cast<std::size_t>(r.first);
+    if (r.what == kind::gen)
+      w.shift[first] = {0.0, d.template get<kind::gen>(r.slot).q.derivative};
+    else
+      for (auto k = first; k < first + static_cast<std::size_t>(r.axes); ++k) {
+        w.shift[k] = D(0);
+        if (const int lane = f.row[k] - moving.first; !moving.by_v && lane >= 0 && lane < D::variables)
+          w.shift[k].derivative[static_cast<std::size_t>(lane)] = 1;
+      }
+    each_axis<vector_of::v>(d, r, [&w](const D& x, std::size_t k) { w.rate[k] = x; });
+    each_axis<vector_of::a>(d, r, [&w](const D& x, std::size_t k) { w.acceleration[k] = x; });
+  }
+}
+/// Inverse dynamics at q, v of the state with derivatives: what must be applied, into its `forces`.
+template <std::same_as<double> S, class D>
+void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
+                            const directions& moving) {
+  const runtime_elements elements{c};
+  const auto& t = s.tree();
+  for_each_listed_freedom(
+      d, [&d](auto& x, const freedom& at) { put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v); });
+  bring_up_to_date(elements, d);
+  take_shifts(d, moving);
+  clear_coordinates(d);
+  for (const auto& [coordinate, mass] : t.rotors) {
+    auto& x = d.template get<kind::gen>(coordinate);
+    x.f -= mass * x.q_ddot;
+  }
+  tree::move_in_duals(t.forest, s.work, d.work);
+  if (!t.on_frames.empty()) {
+    place_touched_frames(d, true);
+    for (const int e : t.on_frames) elements.push(e, d);
+    for_each_frame_load(d, [&d](std::size_t slot, const tree::dense_wrench<D>& x) {
+      auto& needs = d.work.bodies[slot].needs;
+      needs = {needs.force - x.force, needs.torque - x.torque};
+    });
+  }
+  tree::take_needs_in_duals(t.forest, s.work, d.work);
+  for (const auto& r : t.forest.records)
+    each_axis<vector_of::f>(d, r, [&d](auto& f, std::size_t k) { f -= d.work.force[k]; });
+  push_on_coordinates(elements, d, acting::all);
+  read_listed_numbers<vector_of::f>(d, d.forces);
+  for (auto& f : d.forces) f = -f;
+}
+
+/// By q and v at what the state has, into `of_forces`; by_a is the mass matrix. After inverse dynamics.
 template <std::same_as<double> S>
 void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  using numbers = std::vector<derivative_number>;
   auto& r = s.work.of_forces;
   const Eigen::Index n = s.dofs();
-  r.by_q.setZero(n, n), r.by_v.setZero(n, n);
-  derivative_state& d = state_with_derivatives(c, s);
+  r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n);
+  auto& d = state_with_derivatives(c, s);
   take_given(s, d);
-  const auto constants = [](const Eigen::VectorXd& x) { return numbers(x.begin(), x.end()); };
-  numbers q = constants(positions(s)), v = constants(velocities(s));
-  const numbers a = constants(accelerations(s));
-  const auto evaluate = [&]() -> const auto& {
-    take(c, d, q, v, a);
-    forces_on_coordinates(runtime_elements{c}, d, acting::all);
-    take_needed_forces(d);
-    return d.work.forces;
-  };
-  derive_by_duals(d.freedoms(), std::span(q), std::span(v), evaluate, r);
+  place_in_world(s);
+  derive_by_duals(
+      s.freedoms(), std::span(d.q), std::span(d.v),
+      [&](const directions& moving) -> const auto& {
+        needed_forces_in_duals(c, s, d, moving);
+        return d.forces;
+      },
+      r);
   mass_of_coordinates(runtime_elements{c}, s);
   r.by_a = s.work.mass;
 }

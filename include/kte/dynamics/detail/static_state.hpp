@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/thing_lists.hpp>
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/detail/static_plan.hpp>
 #include <kte/math/plain_scalar.hpp>
@@ -60,9 +61,7 @@ class static_state {
   explicit static_state(const Chain& c)
       : tree_(static_connections<Chain>{}, static_plan<Chain>,
               [&c](const auto& each) { each_element(c, each, std::make_index_sequence<Chain::size>{}); }),
-        work(tree_, dofs(), Chain::size) {
-    resize(std::make_index_sequence<kinds>{});
-  }
+        work(tree_, dofs(), Chain::size) {}
 
   /// Takes all that comes from outside (dynamics/detail/given.hpp).
   template <class Given>
@@ -76,11 +75,11 @@ class static_state {
 
   template <kind K>
   auto& get(int i) {
-    return of_kind<K>(things_)[static_cast<std::size_t>(i)];
+    return things_.template get<K>(i);
   }
   template <kind K>
   const auto& get(int i) const {
-    return of_kind<K>(things_)[static_cast<std::size_t>(i)];
+    return things_.template get<K>(i);
   }
   static constexpr int dofs() { return wiring::dofs; }
   static std::span<const freedom> freedoms() { return {wiring::table.free.data(), wiring::freedoms}; }
@@ -96,13 +95,6 @@ class static_state {
     const int done[]{(each(I, numbers_of<parameter>(c.template core<I>())), 0)..., 0};
     (void)done;
   }
-  template <std::size_t... K>
-  void resize(std::index_sequence<K...>) {
-    const int done[]{
-        (std::get<K>(things_).resize(static_cast<std::size_t>(wiring::count(static_cast<kind>(K)))), 0)...};
-    (void)done;
-  }
-
   /// Numbers that nobody asked for are zero.
   template <class To, class From>
   static void take_number(To& to, const From& from) {
@@ -180,13 +172,7 @@ class static_state {
                           known(m.ang_velocity, none), known(m.acceleration, none), known(m.ang_acceleration, none)});
   }
 
-  template <class Kinds>
-  struct lists;
-  template <std::size_t... K>
-  struct lists<std::index_sequence<K...>> {
-    using type = std::tuple<std::vector<thing_of<static_cast<kind>(K), S>>...>;
-  };
-  typename lists<std::make_index_sequence<kinds>>::type things_;
+  thing_lists<S> things_{[](kind k) { return wiring::count(k); }};
   tree_type tree_;
 
  public:
