@@ -21,11 +21,11 @@ class thing_lists<S, std::index_sequence<K...>> {
   }
 
   template <kind What>
-  auto& get(int i) {
+  KTE_INLINE auto& get(int i) {
     return of_kind<What>(of_)[static_cast<std::size_t>(i)];
   }
   template <kind What>
-  const auto& get(int i) const {
+  KTE_INLINE const auto& get(int i) const {
     return of_kind<What>(of_)[static_cast<std::size_t>(i)];
   }
 

@@ -22,21 +22,20 @@ KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
 }
 /// The same in a loop, for states that list their `freedoms()`.
 template <class State, class Visit>
-KTE_INLINE void visit_listed_freedom(State& s, const freedom& f, const Visit& visit) {
-  switch (f.what) {
-    case kind::gen:
-      return visit(s.template get<kind::gen>(f.slot), f);
-    case kind::rotation_3D:
-      return visit(s.template get<kind::rotation_3D>(f.slot), f);
-    case kind::pose_2D:
-      return visit(s.template get<kind::pose_2D>(f.slot), f);
-    default:
-      return visit(s.template get<kind::pose_3D>(f.slot), f);
-  }
-}
-template <class State, class Visit>
 void for_each_listed_freedom(State& s, const Visit& visit) {
-  for (const freedom& f : s.freedoms()) visit_listed_freedom(s, f, visit);
+  for (const freedom& f : s.freedoms()) switch (f.what) {
+      case kind::gen:
+        visit(s.template get<kind::gen>(f.slot), f);
+        break;
+      case kind::rotation_3D:
+        visit(s.template get<kind::rotation_3D>(f.slot), f);
+        break;
+      case kind::pose_2D:
+        visit(s.template get<kind::pose_2D>(f.slot), f);
+        break;
+      default:
+        visit(s.template get<kind::pose_3D>(f.slot), f);
+    }
 }
 /// q has as many numbers as a configuration: one a degree of freedom, but for rotations in space.
 template <indexable Q>

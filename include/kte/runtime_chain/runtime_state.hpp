@@ -61,11 +61,11 @@ class basic_runtime_state {
 
   /// Thing i of kind K, for the passes.
   template <kind K>
-  auto& get(int i) {
+  KTE_INLINE auto& get(int i) {
     return things_.template get<K>(i);
   }
   template <kind K>
-  const auto& get(int i) const {
+  KTE_INLINE const auto& get(int i) const {
     return things_.template get<K>(i);
   }
 

@@ -66,14 +66,14 @@ template <class S, indexable Q>
 KTE_INLINE void check_positions(const basic_runtime_state<S>& s, const Q& q) {
   check_configuration(s.nq(), s.dofs(), q);
   position_check all;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<S>(q[i]));
-  if (s.nq() != s.dofs())
-    for (const freedom& at : s.freedoms())
-      if (nq_of(at.what) != nv_of(at.what)) [[unlikely]]
-        visit_listed_freedom(s, at, [&](auto c, const freedom&) {
-          put<vector_of::q>(c, at, q);
-          all.coordinate(c);
-        });
+  if (s.nq() == s.dofs()) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<S>(q[i]));
+  } else {
+    for_each_listed_freedom(s, [&](auto c, const freedom& at) {
+      put<vector_of::q>(c, at, q);
+      all.coordinate(c);
+    });
+  }
   for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
     blame_argument("a coordinate", s, q, "q", s.nq(), true);
