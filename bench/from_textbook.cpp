@@ -70,7 +70,7 @@ std::vector<block> from_textbook(operation o, const std::string& model,
   const auto robot = robot_of(model);
   const auto x = vectors(numbers);
   const textbook<real> t(robot);
-  const auto& [q, v, a] = x;
+  const auto &q = x[0], &v = x[1], &a = x[2];
   const auto n = t.dofs();
   const vector none = vector::Zero(n);
   const auto unit = [&](Eigen::Index j) { return vector::Unit(n, j); };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "straightline/traced.hpp"
 
 namespace straightline {
@@ -39,7 +41,7 @@ class printer {
   }
   static void value(std::size_t i) {
     if (const node& n = current()[i]; n.by == op::number) {
-      std::printf("%.17g%s", n.number, n.number == static_cast<long long>(n.number) ? ".0" : "");
+      std::printf("%.17g%s", n.number, n.number == std::trunc(n.number) ? ".0" : "");
     } else {
       std::printf("t%zu", i);
     }

@@ -56,7 +56,7 @@ TEST_CASE("The heavy top reaches its references", "[long]") {
   CHECK(problem::energy(problem::start()) == within_relative(5435.696790865546875, 1e-15));
   CHECK(problem::angular_momentum(problem::start())[2] == within_relative(-70.3124296875, 1e-15));
 }
-TEST_CASE("The robot swings freely to its reference") {
+TEST_CASE("The robot swings freely to its reference", "[long]") {
   check_references<iiwa14_free_swing>(5e-10, {5e-9});  // [1600, 3e4, 1e-9], with rates up to 78 rad/s
 }
 TEST_CASE("The governor reaches its references by explicit steps, both rods alike", "[long]") {

@@ -72,7 +72,7 @@ TEST_CASE("Bristles are part of the state") {
   CHECK(r[2] == within_relative(z_dot, 1e-14));
 }
 
-TEST_CASE("A free body integrates on its group", "[long]") {
+TEST_CASE("A free body integrates on its group") {
   manipulator_dynamics_model model(free_body);
   static_assert(moves_on_group<decltype(model), decltype(model)::state>);
   const std::array<double, 7> q0{0, 0, 0, 1, 0, 0, 0};

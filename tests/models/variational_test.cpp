@@ -103,7 +103,7 @@ TEST_CASE("Variational integrators let energy oscillate and not drift", "[long]"
   CHECK(halves[1] <= halves[0] * (1 + 1e-3));
 }
 
-TEST_CASE("The attitude of a free body after 100 s, by Kutta's method on the group") {
+TEST_CASE("The attitude of a free body after 100 s, by Kutta's method on the group", "[long]") {
   // About the unstable axis a rounding of the rates costs 1e6 times as much in the time of a flip. Compensated
   // summation keeps that of 5e5 steps, not compensated it is 3e-8.
   auto solver = start<runge_kutta4, dzhanibekov>(2e-4);
@@ -114,7 +114,7 @@ TEST_CASE("The attitude of a free body after 100 s, by Kutta's method on the gro
   CHECK(std::abs(solver.state().head<4>().norm() - 1) < 1e-15);
 }
 
-TEST_CASE("The dense output of variational integrators meets the ends and is of order 3") {
+TEST_CASE("The dense output of variational integrators meets the ends and is of order 3", "[long]") {
   const auto between = [](double h) {
     auto solver = start<variational4, dzhanibekov>(h);
     auto exact = start<variational4, dzhanibekov>(h / 8);
