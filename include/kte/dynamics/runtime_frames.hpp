@@ -130,8 +130,8 @@ basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_stat
   tree::dense_pose<S> seen;
   const int base =
       tree::jacobian_columns(t.forest, s.work, place, seen, [&](int k, const vec3<S>& v, const vec3<S>& w) {
-        S* const x = column(k);
-        x[0] += v.x, x[1] += v.y, x[2] += v.z, x[3] += w.x, x[4] += w.y, x[5] += w.z;
+        S* const to = column(k);
+        to[0] += v.x, to[1] += v.y, to[2] += v.z, to[3] += w.x, to[4] += w.y, to[5] += w.z;
       });
   if (world) {
     mat3<vec3<S>> axes = seen.rotation;
@@ -139,9 +139,9 @@ basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_stat
       if (static_cast<int>(slot) == base) axes = as<S>(matrix(m.rotation) * seen.rotation);
     });
     for (int k = 0; k < static_cast<int>(j.cols()); ++k) {
-      S* const x = j.data() + 6 * k;
-      const vec3<S> v = axes * vec3<S>{x[0], x[1], x[2]}, w = axes * vec3<S>{x[3], x[4], x[5]};
-      x[0] = v.x, x[1] = v.y, x[2] = v.z, x[3] = w.x, x[4] = w.y, x[5] = w.z;
+      S* const to = j.data() + 6 * k;
+      const vec3<S> v = axes * vec3<S>{to[0], to[1], to[2]}, w = axes * vec3<S>{to[3], to[4], to[5]};
+      to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = w.x, to[4] = w.y, to[5] = w.z;
     }
   }
   if (j.cols() == s.dofs()) return j;
