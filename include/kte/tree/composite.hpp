@@ -61,7 +61,7 @@ void carry_bodies(const forest<P>& f, memory<P, S>& m, bool with_bases) {
   for (std::size_t b = 0; b < bases; ++b) m.carried[b] = converted(f.base_weight[b]);
   for (std::size_t i = 0; i < f.records.size(); ++i)
     if (f.records[i].branches) m.carried[bases + i] = {};
-  dense_composite<S> hand;  // what the body before carries of this one, in registers
+  dense_composite<S> hand{};  // what the body before carries of this one, in registers
   bool at_hand = false;
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
