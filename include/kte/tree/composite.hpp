@@ -132,9 +132,9 @@ void masses(const forest<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_r
       S* const to = rows[r.first];
       w.change(r.first, r.last, [&](wrench_lanes<S>& x, int k) KTE_INLINE_LAMBDA {
         if (k == r.first) x.put_first(own);
-        lanes<S> mass;
-        x.power_on(r, mass);  // (1)
-        store<S>(mass, to + k);
+        lanes<S> along;
+        x.power_on(r, along);  // (1)
+        store<S>(along, to + k);
         if (!on_base) x.go_in(r, at);
       });
       continue;
