@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint.hpp>
+#include <kte/math/dual_number.hpp>
 #include <kte/static_chain/static_chain.hpp>
 #include <kte/tree/plan.hpp>
 
@@ -46,11 +47,14 @@ inline constexpr auto static_plan = arrange<static_lists<Chain>::template list>(
 
 /// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over records
 /// (dynamics/detail/static_loops.hpp) are as fast and compile in a tenth of the time
-/// (docs/decisions/02-compile-time.md).
+/// (docs/decisions/02-compile-time.md). Of dual numbers of those that are a few instructions: a small chain in dual
+/// numbers, as variational integrators evaluate it, would else spend nine tenths of its time on making records.
 template <class S>
 inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || requires {
   S::lanes;
 };  // packs
+template <class T, int N>
+inline constexpr bool is_a_few_instructions<dual<T, N>> = is_a_few_instructions<T>;
 template <class Chain, class S>
 inline constexpr bool is_unrolled = unrolls_all<Chain::size>&& is_a_few_instructions<S>;
 template <class Chain, class S>
