@@ -348,3 +348,18 @@ TEST_CASE("Late times cost methods that need df/dt no more than early ones") {
   SECTION("rodas") { check_late<rodas>(); }
   SECTION("rosenbrock23") { check_late<rosenbrock23>(); }
 }
+
+TEST_CASE("Differences by time never ask for what was before a start") {
+  double first = 1000;
+  const auto shake = [&first](double t, const state& x) -> state {
+    first = std::min(first, t);
+    return {x[1], -100 * x[0] + 5 * std::sin(50 * t)};
+  };
+  rodas<decltype(shake), state> solver(shake, 1000.0, released, {.absolute = 1e-13, .relative = 1e-13});
+  solver.integrate(1000.02);
+  CHECK(first == 1000.0);
+  first = 2000;
+  solver.restart(1000.02, released);
+  solver.integrate(1000.04);
+  CHECK(first == 1000.02);
+}

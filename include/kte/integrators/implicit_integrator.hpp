@@ -85,7 +85,8 @@ class implicit_integrator : public integrator<Method, F, X> {
   ///   sqrt(eps (h + |t|) / h),   d = sqrt(eps h (h + |t|))                                             (2)
   ///
   /// Where that part of h^2 df/dt matters to the tolerances, by the last df/dt, which is in `out`, one more evaluation
-  /// is worth it: the difference from t - d to t + d, d = cbrt(eps) sqrt(h (h + |t|)). Overwrites `next_`.
+  /// is worth it: the difference from t - d to t + d, d = cbrt(eps) sqrt(h (h + |t|)), unless t - d is before the last
+  /// step, as f may be another before a start or an event. Overwrites `next_`.
   void differentiate_in_time(const rate& slope, const S& h, rate& out) {
     if constexpr (requires { this->system().time_derivative(this->time_, this->x_, out); }) {
       this->ask([&] { this->system().time_derivative(this->time_, this->x_, out); });
@@ -96,8 +97,10 @@ class implicit_integrator : public integrator<Method, F, X> {
       const S eps = std::numeric_limits<S>::epsilon(), length = abs(h), reach = length + abs(this->time_);
       const S mean = sqrt(length * reach), part = root_of_epsilon() * mean / length;
       const auto& sizes = this->magnitudes(this->x_);
-      const bool both = detail::error_norm(tolerances_, (h * h * part) * out, sizes, sizes) > S(0.1);
-      const S d = (both ? S(cbrt(eps)) : root_of_epsilon()) * (h < S(0) ? -mean : mean);
+      const S signed_mean = h < S(0) ? S(-mean) : mean, wide = S(cbrt(eps)) * signed_mean;
+      const bool both = this->in_last_step(S(this->time_ - wide)) &&
+                        detail::error_norm(tolerances_, (h * h * part) * out, sizes, sizes) > S(0.1);
+      const S d = both ? wide : S(root_of_epsilon() * signed_mean);
       const S after = this->time_ + d, before = both ? S(this->time_ - d) : this->time_;
       this->evaluate_if_possible(after, this->x_, shifted_);
       if (both) this->evaluate_if_possible(before, this->x_, out);

@@ -244,6 +244,10 @@ class integrator : public moving_state<F, X> {
   using base::x_;
   S time_{}, previous_time_{};
   bool is_new_ = true;
+  /// Whether t is between the ends of the last step: after a start, only where it began.
+  bool in_last_step(const S& t) const {
+    return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
+  }
 
  private:
   Method& method() { return static_cast<Method&>(*this); }
@@ -279,10 +283,6 @@ class integrator : public moving_state<F, X> {
       return stop_reason::observer;
     }
     return stop_reason::end_time;
-  }
-
-  bool in_last_step(const S& t) const {
-    return previous_time_ < time_ ? previous_time_ <= t && t <= time_ : time_ <= t && t <= previous_time_;
   }
 
   bool in_step_ = false;  ///< also after a step that has failed
