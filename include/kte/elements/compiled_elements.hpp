@@ -17,9 +17,11 @@
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 
-/// The elements of this library in runtime chains, of plain numbers and of unit axes: those that files have.
-#ifdef KTE_EXTERN
+/// The list of the elements of this library: those that files have, and as runtime chains have them, of plain numbers
+/// and of unit axes, which kte::compiled has compiled. A new element is a line or two here.
 namespace kte {
+
+#ifdef KTE_EXTERN
 
 #  define KTE_ELEMENT(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>
 KTE_ELEMENT(base<kind::gen>);
@@ -59,6 +61,16 @@ KTE_ELEMENT(driving_actuator_gen);
 KTE_ELEMENT(joint_lugre_gen);
 KTE_ELEMENT(joint_backlash_gen<double>);
 #  undef KTE_ELEMENT
+#endif
+
+namespace detail {
+template <class... Family>
+struct families {};
+/// What model files know (elements/registry.hpp).
+using all_families =
+    families<base_family, damper_family, driving_actuator_family, free_joint_family, inertia_family,
+             joint_backlash_family, joint_lugre_family, prismatic_joint_family, revolute_joint_family,
+             rigid_link_family, spherical_joint_family, spring_family, torsion_damper_family, torsion_spring_family>;
+}  // namespace detail
 
 }  // namespace kte
-#endif

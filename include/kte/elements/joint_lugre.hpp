@@ -95,4 +95,18 @@ constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lug
 
 KTE_CALL(joint_lugre_gen, "(coordinate, bristles, parameters)")
 
+namespace detail {
+/// How model files make them.
+struct joint_lugre_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("joint_lugre_gen", [](const auto& x) {
+      return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
+                             {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
+                              x.number("stiction"), x.number("stribeck_velocity")});
+    });
+  }
+};
+}  // namespace detail
+
 }  // namespace kte

@@ -96,6 +96,11 @@ class record_reader {
     if (v == as<double>(axis::z)) return f(axis::z);
     return f(v);
   }
+  /// What a function returns that makes elements of several types.
+  template <class Core>
+  static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
+    return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+  }
   [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
 
  private:
@@ -115,7 +120,7 @@ class record_reader {
   const element_record& record_;
 };
 
-/// Makes elements from records by the name of their type. A new element is one line here, or in a program
+/// Makes elements from records by the name of their type. A program adds its own by
 ///
 ///   registry.add("my_element", [](const record_reader& r) { return my_element(r.name("frame"), r.number("c")); });
 class element_registry {
@@ -164,7 +169,7 @@ class element_registry {
   }
   template <class Core>
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
-    return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+    return record_reader::adapt(std::move(e));
   }
   static std::unique_ptr<kte_map> adapt(std::unique_ptr<kte_map> e) { return e; }
   /// What was not understood is an error, not ignored.
@@ -201,77 +206,8 @@ kte_map_chain to_chain(const model_record& m) {
 template <class>
 element_registry element_registry::standard() {
   element_registry r;
-  using in = const record_reader&;
-  r.add("base_gen", [](in x) { return base_gen(x.name("base")); });
-  r.add("base_2D", [](in x) { return base_2D(x.name("base")); });
-  r.add("base_3D", [](in x) { return base_3D(x.name("base")); });
-  r.add("damper_gen", [](in x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("damper_2D", [](in x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("damper_3D", [](in x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
-  r.add("free_joint_2D", [](in x) { return free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")); });
-  r.add("free_joint_3D", [](in x) { return free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
-  r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
-  r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
-  r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
-  r.add("joint_backlash_gen", [](in x) {
-    return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
-                              x.number("damping"));
-  });
-  r.add("joint_lugre_gen", [](in x) {
-    return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
-                           {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
-                            x.number("stiction"), x.number("stribeck_velocity")});
-  });
-  r.add("prismatic_joint_2D", [](in x) {
-    return prismatic_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"), x.planar_vector("axis"));
-  });
-  r.add("prismatic_joint_3D", [](in x) {
-    return x.with_axis("axis", [&](const auto& n) {
-      return adapt(prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
-    });
-  });
-  r.add("revolute_joint_2D", [](in x) {
-    if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-    return revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"));
-  });
-  r.add("revolute_joint_3D", [](in x) {
-    return x.with_axis("axis", [&](const auto& n) {
-      return adapt(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
-    });
-  });
-  r.add("rigid_link_gen", [](in x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
-  r.add("rigid_link_2D", [](in x) {
-    return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
-  });
-  r.add("rigid_link_3D", [](in x) {
-    return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
-  });
-  r.add("spherical_joint_3D",
-        [](in x) { return spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
-  r.add("spring_gen", [](in x) {
-    return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                      x.number("saturation"));
-  });
-  r.add("spring_2D", [](in x) {
-    return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                     x.number("saturation"));
-  });
-  r.add("spring_3D", [](in x) {
-    return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                     x.number("saturation"));
-  });
-  r.add("torsion_damper_2D",
-        [](in x) { return torsion_damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("torsion_damper_3D",
-        [](in x) { return torsion_damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("torsion_spring_2D", [](in x) {
-    return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
-                             x.number("rest_angle"));
-  });
-  r.add("torsion_spring_3D", [](in x) {
-    return torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"));
-  });
+  const auto add = [&r](const char* type, const auto& make) { r.add(type, make); };
+  [&]<class... Family>(detail::families<Family...>) { (Family::add_to(add), ...); }(detail::all_families{});
   return r;
 }
 #ifdef KTE_EXTERN

@@ -143,4 +143,20 @@ constexpr auto torsion_spring_3D(const F1& anchor1, const F2& anchor2, const Sti
 KTE_CALL(torsion_spring_2D, "(anchor1, anchor2, stiffness[, saturation[, rest_angle]])")
 KTE_CALL(torsion_spring_3D, "(anchor1, anchor2, stiffness[, saturation])")
 
+namespace detail {
+/// How model files make them.
+struct torsion_spring_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("torsion_spring_2D", [](const auto& x) {
+      return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
+                               x.number("rest_angle"));
+    });
+    add("torsion_spring_3D", [](const auto& x) {
+      return torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"));
+    });
+  }
+};
+}  // namespace detail
+
 }  // namespace kte
