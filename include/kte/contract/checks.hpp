@@ -31,6 +31,8 @@ struct check_kind {
                 "kte: this port of the element takes a pose in the plane (pose_2D_key)");
   static_assert(rule < Core, Key, fits || Wanted != kind::pose_3D >,
                 "kte: this port of the element takes a pose in space (pose_3D_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::vector >,
+                "kte: this port of the element takes a signal of three numbers (vector_key)");
   static_assert(rule < Core, Key, fits || Wanted != kind::internal >,
                 "kte: this port of the element takes an internal state (internal_key)");
 };
@@ -62,6 +64,14 @@ struct check_need {
   static_assert(Declared,
                 "kte: this element's force depends on a position, rotation or linear velocity, which this algorithm "
                 "leaves out unless the element core says: static constexpr bool reads_positions = true;");
+};
+
+/// An element core that writes a signal, from what it sees of accelerations or not.
+template <class Core, bool Accelerations>
+struct check_signal {
+  static_assert(rule<Core, void, !Accelerations>,
+                "kte: what this element writes depends on accelerations: its core must say so by static constexpr bool "
+                "reads_accelerations = true;, and no force may depend on it");
 };
 
 /// A joint or link in an algorithm that asks it for its `relative` alone.

@@ -17,6 +17,12 @@ KTE_INLINE constexpr auto make_loads(const L&... l) {
   return boost::hana::tuple<L...>{l...};
 }
 
+/// The rates that `z_dot` of an element with several internal states gives, in their order.
+template <class... R>
+KTE_INLINE constexpr auto make_rates(const R&... r) {
+  return boost::hana::tuple<R...>{r...};
+}
+
 namespace detail {
 /// A type that no pass is called with.
 struct no_pass;

@@ -12,7 +12,7 @@ namespace kte {
 namespace detail {
 /// Whether the derivatives of a chain are known element by element.
 template <class Chain>
-inline constexpr bool is_analytical = is_tree_of_joints<Chain>&&[]<std::size_t... I>(std::index_sequence<I...>) {
+inline constexpr bool is_analytical = is_tree_of_joints<Chain> && Chain::common && []<std::size_t... I>(std::index_sequence<I...>) {
   const bool all_known[]{has_derivatives<typename Chain::template core_type<I>>..., true};
   for (const bool k : all_known)
     if (!k) return false;

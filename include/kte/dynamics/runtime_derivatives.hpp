@@ -17,7 +17,8 @@ namespace detail {
 /// Whether the derivatives of the forces of a chain are known element by element.
 template <class S>
 bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
-  return s.tree().plan.tree && s.tree().weights.empty() && c.wiring().has_derivatives;
+  const auto& t = s.tree();
+  return t.plan.tree && t.weights.empty() && t.followers.empty() && t.late.empty() && c.wiring().has_derivatives;
 }
 
 template <class S>

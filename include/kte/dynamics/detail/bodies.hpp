@@ -53,7 +53,7 @@ struct with_loads {
   using wiring = typename Chain::wiring;
   static constexpr std::size_t size = Chain::size;
   static constexpr int dofs = Chain::dofs, nq = Chain::nq;
-  static constexpr bool reads_positions = false;
+  static constexpr bool reads_positions = false, unrolled = Chain::unrolled;
 
   static_assert(sizeof(check_loads_of<Chain>) > 0);
 

@@ -31,6 +31,7 @@ void hand_on(const Elements& c, State& s, const Add& add) {
   const auto& t = s.tree();
   for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
     const auto ports = c.ports(*f);
+    if (ports.back().what != kind::gen) continue;
     const int end = t.plan.row_of_gen[static_cast<std::size_t>(c.written(*f))];
     for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
       if (ports[p].what != kind::gen) continue;
@@ -78,12 +79,13 @@ void push_by_rates(const Elements& c, State& s) {
       for_each_listed_freedom(s, [row](auto& x, const freedom& at) {
         if (at.v == row) visit_a(x, [](S& a) { a = S(0); });
       });
-  if (!t.on_frames.empty()) {
+  if (!t.on_frames.empty() || !t.late.empty()) {
     std::fill(w.acceleration.begin(), w.acceleration.end(), S(0));
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, false);
-    for (const int e : t.on_frames) c.push(e, s);
+    move_late(c, s);
+    for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) c.push(*e, s);
     for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
       auto& load = w.articulated[slot].load;
       load = {load.force + x.force, load.torque + x.torque};
@@ -134,7 +136,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : S(0);
   if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
     blame_axis(c, s, bad);
-  if (!t.on_frames.empty()) take_rates(s);  // accelerations of what does not yield
+  if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of what does not yield
   tree::accelerate(t.forest, w);
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];

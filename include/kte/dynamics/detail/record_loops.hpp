@@ -45,12 +45,13 @@ KTE_INLINE void each_axis(State& s, const tree::record<P>& r, const Number& numb
   });
 }
 
-/// Coordinates that follow others, and sines and matrices of coordinates that elements read beside those of joints.
+/// What is written before bodies can be placed, and sines and matrices of coordinates that elements read beside those
+/// of joints.
 template <class Elements, class State>
 void bring_up_to_date(const Elements& c, State& s) {
   for (const int e : s.tree().followers) {
     c.move(e, s);
-    update_angle(s.template get<kind::gen>(c.written(e)));
+    if (c.ports(e).back().what == kind::gen) update_angle(s.template get<kind::gen>(c.written(e)));
   }
   for (const auto& [k, slot] : s.tree().turned) with_coordinate(s, k, slot, [](auto& x) { update_angle(x); });
 }
@@ -238,6 +239,17 @@ void place_touched_frames(State& s, bool accelerated) {
     }
   }
 }
+/// Frames and signals that elements write when bodies are in place.
+template <class Elements, class State>
+void move_late(const Elements& c, State& s) {
+  for (const int e : s.tree().late) c.move(e, s);
+  for (const auto& [k, index] : s.tree().written) {
+    if (k == kind::frame_2D)
+      clear_load(s.template get<kind::frame_2D>(index));
+    else
+      clear_load(s.template get<kind::frame_3D>(index));
+  }
+}
 /// f(slot, wrench at the origin of its body) for what elements put on frames.
 template <class State, class F>
 void for_each_frame_load(State& s, const F& f) {
@@ -310,13 +322,14 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
     x.f -= mass * x.q_ddot;
   }
   const auto& others = who == acting::all ? t.on_frames : t.weights;
-  if (others.empty()) {
+  if (others.empty() && (who == acting::bodies || t.late.empty())) {
     tree::move_bodies<false>(t.forest, w);
   } else {
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, true);
-    for (const int e : others) c.push(e, s);
+    if (who == acting::all) move_late(c, s);
+    for (auto e = others.rbegin(); e != others.rend(); ++e) c.push(*e, s);
     for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
       auto& needs = w.bodies[slot].needs;
       needs = {needs.force - x.force, needs.torque - x.torque};

@@ -79,7 +79,7 @@ void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
     if (!at(wanted, e)) continue;
     const auto& c = at(t.elements, e);
     for (std::size_t p = 0; p < c.ports.size(); ++p) {
-      if (c.ports[p].writes() || is_signal(c.ports[p].what)) continue;
+      if (c.ports[p].writes()) continue;
       const int writer = at(t.writers[static_cast<std::size_t>(c.ports[p].what)], c.index[p]);
       if (writer >= 0) at(wanted, writer) = 1, first = std::min(first, writer);
     }

@@ -87,26 +87,18 @@ struct static_elements {
 template <class Chain, class Given>
 static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
 
-template <class Core>
-constexpr std::string_view name_of_joint() {
-  if constexpr (is_transmission<Core>) {
-    return Core::type;
-  } else {
-    return {};
-  }
-}
-/// Whether only passes know a chain: some element moves a frame and is no joint or link, or has loads of its own.
+/// Whether it may be that only passes know a chain.
 template <class Chain>
-inline constexpr bool needs_passes =
-    !moves_frames_stiffly<Chain> || !std::is_void_v<typename decltype(find_own_loads<Chain>())::type>;
+inline constexpr bool may_need_passes =
+    !Chain::common || !std::is_void_v<typename decltype(find_own_loads<Chain>())::type>;
 
-/// Throws `bad_argument` where a joint turns out to be more than records say.
+/// Throws `bad_argument` where an element turns out to be more than records say.
 template <class Chain, class State>
 void check_regular(const Chain&, const State& s) {
   if (s.tree().irregular < 0) [[likely]]
     return;
   const auto name = []<std::size_t... I>(std::size_t i, std::index_sequence<I...>) {
-    const std::string_view names[]{name_of_joint<core_of<Chain, I>>()...};
+    const std::string_view names[]{std::string_view(core_of<Chain, I>::type)...};
     return names[i];
   }
   (static_cast<std::size_t>(s.tree().irregular), std::make_index_sequence<Chain::size>{});
@@ -117,9 +109,10 @@ void check_regular(const Chain&, const State& s) {
 template <class Chain, class Given, class State, class Sign>
 auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
   s.take(g);
-  if constexpr (needs_passes<Chain>) {
-    c.doMotion(s), c.clearForce(s), c.doForce(s);
-  } else {
+  const bool by_passes = may_need_passes<Chain> && s.tree().irregular >= 0;
+  if constexpr (may_need_passes<Chain>)
+    if (by_passes) c.doMotion(s), c.clearForce(s), c.doForce(s);
+  if (!by_passes) {
     check_regular(c, s);
     forces_on_coordinates(static_elements{c, g}, s, acting::all);
   }

@@ -12,15 +12,6 @@ namespace kte::detail {
 template <class Chain>
 inline constexpr bool is_tree_of_joints = static_plan<Chain>.tree;
 
-/// Whether all elements that move frames are links and joints.
-template <class Chain>
-inline constexpr bool moves_frames_stiffly = [] {
-  const static_connections<Chain> c;
-  for (const auto& e : c.all)
-    if (!e.stiff && e.ports.back().how == access::out && is_frame(e.ports.back().what)) return false;
-  return true;
-}();
-
 /// Whether element I is a joint whose coordinate is a degree of freedom.
 template <class Chain, std::size_t I, class Core = typename Chain::template core_type<I>>
 inline constexpr bool gives_way = [] {
