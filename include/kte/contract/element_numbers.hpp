@@ -26,6 +26,8 @@ struct element_numbers {
   part is = part::force;
   bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
   bool measures_accelerations = false;
+  bool reads_reaction = false;  ///< of a joint: whether its friction depends on what it carries
+  bool spreads_mass = false;    ///< whether it has a mass between several ports
   stiff_numbers<P> stiff{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
   composite<P, vec3<P>, sym3<P>> weight{};
@@ -85,6 +87,7 @@ element_numbers<P> as_numbers(const element_numbers<double>& n) {
   const auto placed = [](const auto& x) { return pose<mat3<vec3<P>>, vec3<P>>{as<P>(x.rotation), as<P>(x.position)}; };
   element_numbers<P> x;
   x.is = n.is, x.plain_loads = n.plain_loads, x.measures_accelerations = n.measures_accelerations;
+  x.reads_reaction = n.reads_reaction, x.spreads_mass = n.spreads_mass;
   x.stiff.at_zero = placed(n.stiff.at_zero), x.stiff.tried = placed(n.stiff.tried);
   for (std::size_t k = 0; k < n.stiff.linear.size(); ++k)
     x.stiff.linear[k] = as<P>(n.stiff.linear[k]), x.stiff.angular[k] = as<P>(n.stiff.angular[k]);
@@ -97,6 +100,7 @@ template <class P, class Core>
 element_numbers<P> numbers_of(const Core& core) {
   element_numbers<P> n;
   constexpr port last = Core::ports.back();
+  n.reads_reaction = reads_reaction<Core>, n.spreads_mass = spreads_mass<Core>;
   if constexpr (is_transmission<Core>) {
     n.is = part::stiff;
     n.plain_loads = loads_by_relative<Core>;

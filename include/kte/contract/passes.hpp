@@ -128,7 +128,8 @@ struct stored_element {
   template <std::size_t... P>
   KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
-    if constexpr (kept_count<Core> > 0) write_rates(core.z_dot(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
+    if constexpr (kept_count < Core >> 0)
+      write_rates(core.z_dot(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
   }
   /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>
@@ -146,6 +147,20 @@ struct stored_element {
       spread<P...>(core.doForce(input<P>()...));
     }
   }
+  /// The loads of a mass between several ports, for accelerations alone.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void mass_force(std::index_sequence<P...>) const {
+    if constexpr (spreads_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
+  }
+  /// The friction of a joint that carries a wrench at its end.
+  template <class Wrench>
+  KTE_INLINE constexpr auto friction(const Wrench& end) const {
+    if constexpr (reads_reaction<Core>) {
+      return core.friction(input<0>(), end);
+    } else {
+      return zero;
+    }
+  }
   /// Energies, where the element has one; J.
   template <std::size_t... P>
   KTE_INLINE constexpr auto kinetic_energy(std::index_sequence<P...>) const {
@@ -161,6 +176,15 @@ struct stored_element {
       return core.potential_energy(input<P>()...);
     } else {
       return zero;
+    }
+  }
+  /// Of a mass between several ports, m c in axes of the base, kg m.
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
+    if constexpr (requires { core.first_moment(input<P>()...); }) {
+      return core.first_moment(input<P>()...);
+    } else {
+      return zero3{};
     }
   }
   /// What goes through zero where the law of the element changes; one where it does not.

@@ -118,7 +118,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     for (int i = 0; i < wiring::table.signals; ++i) {
       const auto& signal = wiring::table.signal[static_cast<std::size_t>(i)];
       if (signal.what == kind::vector)
-        s.template get<kind::vector>(signal.slot) = {this->u_[signal.u], this->u_[signal.u + 1], this->u_[signal.u + 2]};
+        s.template get<kind::vector>(signal.slot) = {this->u_[signal.u], this->u_[signal.u + 1],
+                                                     this->u_[signal.u + 2]};
       else if (signal.u >= 0)
         s.template get<kind::input>(signal.slot) = this->u_[signal.u];
     }

@@ -51,7 +51,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double t, const state& x, jacobian_matrix& j) const {
-    if (internals() > 0 || s_.tree().irregular >= 0) return false;
+    if (internals() > 0 || s_.tree().irregular >= 0 || !s_.tree().readers.empty()) return false;
     setJointStates(t, x, s_);
     const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
     j.resize(rates(), rates());
@@ -73,7 +73,9 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// The value of an input; throws `unknown_name`, `bad_argument` where an element writes it, or time does.
   double& input(std::string_view name) { return u_[place_of_input(name, kind::input)]; }
   /// An input of three numbers.
-  Eigen::Ref<Eigen::Vector3d> vector(std::string_view name) { return u_.segment<3>(place_of_input(name, kind::vector)); }
+  Eigen::Ref<Eigen::Vector3d> vector(std::string_view name) {
+    return u_.segment<3>(place_of_input(name, kind::vector));
+  }
 
   /// x of a state of the chain.
   state getJointStates(const runtime_state& s) const {
@@ -132,7 +134,8 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     const int slot = wiring().find(name, k);
     for (const auto& signal : wiring().signals)
       if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
-    throw bad_argument("kte: '" + std::string(name) + "' is no input from outside: an element writes it, or it is the time");
+    throw bad_argument("kte: '" + std::string(name) +
+                       "' is no input from outside: an element writes it, or it is the time");
   }
   void check_state(const state& x) const {
     check_size(static_cast<std::size_t>(nq() + dofs() + internals()), x, "x", "numbers of a state");

@@ -34,6 +34,7 @@ class topology {
     std::vector<int> index;        ///< of what each port is connected to
     std::span<const port> ports;   ///< of the element
     bool stiff = false;            ///< whether it is a joint or a link
+    bool spreads = false;          ///< whether it has a mass between several ports
     bool has_derivatives = false;  ///< whether the derivatives of its forces are known (kernels/variation.hpp)
   };
 

@@ -18,15 +18,16 @@ template <class Wiring, class... Core>
 struct connections_of {
   struct element {
     std::span<const port> ports;
-    bool stiff;
+    bool stiff, spreads;
   };
   static constexpr std::size_t size = sizeof...(Core);
-  std::array<element, size> all{{{std::span<const port>(Core::ports), is_transmission<Core>}...}};
+  std::array<element, size> all{{{std::span<const port>(Core::ports), is_transmission<Core>, spreads_mass<Core>}...}};
 
   constexpr std::size_t elements() const { return size; }
   constexpr std::span<const port> ports(std::size_t e) const { return all[e].ports; }
   constexpr int index(std::size_t e, std::size_t p) const { return Wiring::slot(e, p); }
   constexpr bool stiff(std::size_t e) const { return all[e].stiff; }
+  constexpr bool spreads(std::size_t e) const { return all[e].spreads; }
   constexpr int count(kind k) const { return Wiring::count(k); }
   constexpr int writer(kind k, int i) const { return Wiring::writer(k, i); }
   constexpr std::size_t freedoms() const { return Wiring::freedoms; }
@@ -50,12 +51,12 @@ struct static_lists {
 
 /// Whether an element writes a signal, or a frame without being a joint or link.
 template <class Core>
-inline constexpr bool writes_freely =
-    Core::ports.back().how == access::out && !is_transmission<Core> && !is_coordinate(Core::ports.back().what);
+inline constexpr bool writes_freely = Core::ports.back().how == access::out && !is_transmission<Core> &&
+                                      !is_coordinate(Core::ports.back().what);
 /// Whether an element writes a coordinate in another way than from one other.
 template <class Core>
 inline constexpr bool follows_freely = Core::ports.back().how == access::out&& is_coordinate(Core::ports.back().what) &&
-    (port_count<Core> != 2 || Core::ports[0].what != kind::gen);
+                                       (port_count<Core> != 2 || Core::ports[0].what != kind::gen);
 
 /// Of the elements of a chain.
 template <class Wiring, class... Core>
@@ -64,8 +65,7 @@ struct shapes_of {
   static constexpr auto acts_freely = [] {
     std::array<bool, sizeof...(Core) + 1> x{};
     if constexpr ((writes_freely<Core> || ...)) {
-      constexpr auto d =
-          dependencies_of<static_lists<Wiring>::template list>(connections_of<Wiring, Core...>{});
+      constexpr auto d = dependencies_of<static_lists<Wiring>::template list>(connections_of<Wiring, Core...>{});
       const bool freely[]{writes_freely<Core>...};
       for (std::size_t e = 0; e < sizeof...(Core); ++e) x[e] = freely[e] && d.matters[e];
     }
@@ -80,7 +80,7 @@ struct shapes_of {
   }();
   /// Whether there is nothing in the chain that only the loops over records know.
   static constexpr bool common = [] {
-    const bool rare[]{(follows_freely<Core> || spreads_mass<Core>)..., false};
+    const bool rare[]{(follows_freely<Core> || spreads_mass<Core> || reads_reaction<Core>)..., false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;
     return true;

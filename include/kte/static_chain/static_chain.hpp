@@ -51,7 +51,7 @@ class static_chain {
   static constexpr bool reads_positions = shapes::reads_positions;
   /// Whether it has nothing that only the loops over records know; whether all algorithms are unrolled for it.
   static constexpr bool common = shapes::common;
-  static constexpr bool unrolled = detail::unrolls_all<size>&& common;
+  static constexpr bool unrolled = detail::unrolls_all<size> && common;
 
   constexpr static_chain(const boost::hana::tuple<E...>& elements, const Gravity& g)
       : elements_(elements), gravity_(g) {}

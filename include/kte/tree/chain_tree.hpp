@@ -23,14 +23,16 @@ class chain_tree {
   std::vector<rotor> rotors;  ///< masses on generalized coordinates, and nothing more
   std::vector<P> own_mass;    ///< of all elements on coordinates, by row
   bool has_own_mass = false;
-  bool only_bodies = false;                   ///< a tree of degrees of freedom with nothing but bodies on it
-  std::vector<int> angles;                    ///< records of which sine and cosine are wanted
+  bool only_bodies = false;  ///< a tree of degrees of freedom with nothing but bodies on it
+  std::vector<int> angles;   ///< records of which sine and cosine are wanted
   /// Elements that write coordinates, signals and frames before bodies can be placed; signals and frames after that:
   /// those on which forces depend, in order.
   std::vector<int> followers, late;
   std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
   std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies; `late` movers
   std::vector<int> weights;                   ///< those of them that have a mass
+  std::vector<int> spread;                    ///< those that have a mass between several ports
+  std::vector<int> readers;                   ///< joints whose friction depends on what they carry
   std::vector<std::pair<kind, int>> written;  ///< frames that `late` elements write
   std::vector<std::pair<kind, int>> touched;  ///< the frames that these act on
   std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
@@ -63,9 +65,10 @@ class chain_tree {
     }
     for (const P& m : own_mass) has_own_mass |= m != P(0);
     only_bodies = irregular < 0 && plan.tree && plan.coordinates == dofs_ && plan.lone_rows.empty() &&
-                  on_coordinates.empty() && on_frames.empty() && followers.empty() && late.empty();
+                  on_coordinates.empty() && on_frames.empty() && followers.empty() && late.empty() && readers.empty();
     std::erase_if(touched, [this](const auto& x) { return is_late(x.first, x.second); });
-    for (const auto& [k, i] : written) forest.frames[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)].slot = -1;
+    for (const auto& [k, i] : written)
+      forest.frames[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)].slot = -1;
     depends_ = {};
     for (auto* list : {&touched, &turned}) {
       std::sort(list->begin(), list->end());
@@ -82,7 +85,9 @@ class chain_tree {
   place& frame(kind k, int i) { return frames_[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)]; }
 
   /// Whether a frame is written by an element that is no joint or link, from others.
-  bool is_late(kind k, int i) const { return std::find(written.begin(), written.end(), std::pair{k, i}) != written.end(); }
+  bool is_late(kind k, int i) const {
+    return std::find(written.begin(), written.end(), std::pair{k, i}) != written.end();
+  }
 
   template <class Index>
   void add(int number, std::span<const port> ports, const Index& index, const element_numbers<P>& n, builder& b) {
@@ -111,6 +116,10 @@ class chain_tree {
         at(2) = b.add_joint(at(1), n.stiff, ports[0].what, index(0), row, row < dofs_);
         if (!b.moves_by_axes(n.stiff, at(2)))
           exclude(number, " does not move along axes that are constant in its end, as joints must");
+        if (n.reads_reaction) {
+          readers.push_back(number);
+          turned.emplace_back(ports[0].what, index(0));
+        }
         break;
       }
       case part::body:
@@ -151,6 +160,12 @@ class chain_tree {
         break;
       }
       case part::force: {
+        if (n.spreads_mass) {
+          spread.push_back(number);
+          for (std::size_t p = 0; p <= last; ++p)
+            if (is_frame(ports[p].what) && is_late(ports[p].what, index(p)))
+              exclude(number, " has a mass on a frame that follows others");
+        }
         if (n.mass != P(0)) add_mass(index(0), n.mass);
         bool frames = false;
         for (const auto& p : ports) frames |= is_frame(p.what);

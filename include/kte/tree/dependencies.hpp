@@ -36,7 +36,8 @@ constexpr dependencies<List> dependencies_of(const Chain& c) {
     d.of[k].resize(n), wanted[k].resize(n);
     for (std::size_t i = 0; i < n; ++i) d.of[k][i] = level::given, wanted[k][i] = 0;
   }
-  for (std::size_t f = 0; f < c.freedoms(); ++f) slot(d.of, c.freedom_at(f).what, c.freedom_at(f).slot) = level::coordinates;
+  for (std::size_t f = 0; f < c.freedoms(); ++f)
+    slot(d.of, c.freedom_at(f).what, c.freedom_at(f).slot) = level::coordinates;
   for (std::size_t e = 0; e < c.elements(); ++e) {
     const auto ports = c.ports(e);
     const std::size_t last = ports.size() - 1;

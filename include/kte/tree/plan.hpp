@@ -19,11 +19,12 @@ struct plan {
   List<int> row_of_gen;  ///< of generalized coordinates, among all coordinates: free ones first, then the others
   List<int> lone_rows;   ///< of degrees of freedom that move no joint
   int coordinates = 0;   ///< all of them
-  bool tree = true;      ///< no coordinate follows another or moves two joints
+  bool tree = true;      ///< no coordinate follows another or moves two joints, no mass is between two things
 };
 
 /// Works out the plan of a chain: `Chain` says
 ///   elements(), ports(e), index(e, p), stiff(e)   its elements, what their ports are connected to, joints and links
+///   spreads(e)                                    whether it has a mass between several ports
 ///   count(k), writer(k, i)                        the things of kind k, and the element that writes one, or -1
 ///   freedoms(), freedom_at(f), dofs()             its degrees of freedom
 template <template <class> class List, class Chain>
@@ -57,6 +58,7 @@ constexpr plan<List> arrange(const Chain& c) {
   for (std::size_t e = 0; e < c.elements(); ++e) {
     const auto ports = c.ports(e);
     p.joint_row[e] = -1;
+    p.tree &= !c.spreads(e);
     if (!c.stiff(e)) {
       const port& last = ports.back();
       p.tree &= last.how != access::out || last.what != kind::gen ||

@@ -68,7 +68,7 @@ class internal_rates_of {
   template <std::size_t I>
   void one() const {
     using core = typename Chain::template core_type<I>;
-    if constexpr (kept_count<core> > 0) {
+    if constexpr (kept_count < core >> 0) {
       static_assert(sees_coordinates_only<Chain, I>,
                     "kte: an element with an internal state must be on degrees of freedom for this; others move by "
                     "doMotion on a state of the chain");

@@ -135,8 +135,8 @@ struct local_types {
   }
   /// How element I sees a thing of kind K.
   template <std::size_t I, kind K>
-  static constexpr bool as_it_is =
-      is_signal(K) || (!rates_only_of<K> && (!writes_signal<core<I>> || reads_accelerations<core<I>>));
+  static constexpr bool as_it_is = is_signal(K) ||
+                                   (!rates_only_of<K> && (!writes_signal<core<I>> || reads_accelerations<core<I>>));
   template <std::size_t I, kind K, class M>
   KTE_INLINE static constexpr auto shown(const M& m) {
     if constexpr (writes_signal<core<I>> && !reads_accelerations<core<I>>) {
@@ -176,8 +176,8 @@ struct local_types {
   }
   template <std::size_t I, std::size_t... P>
   requires(writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
-    using type =
-        decltype(local_types::template written_freely<I>(std::declval<const core<I>&>(), std::declval<const seen<I, P>&>()...));
+    using type = decltype(local_types::template written_freely<I>(std::declval<const core<I>&>(),
+                                                                  std::declval<const seen<I, P>&>()...));
   };
   /// The sum of the loads on a thing, and what doForce of element I gives.
   template <kind K, int Slot>

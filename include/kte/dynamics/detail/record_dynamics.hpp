@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_loops.hpp>
+#include <kte/dynamics/detail/rare_shapes.hpp>
 #include <kte/kernels/solve.hpp>
 #include <kte/tree/fill_symmetric.hpp>
 
@@ -56,12 +56,14 @@ void mass_of_coordinates(const Elements& c, State& s) {
   tree::fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
-  if (!others) return;
-  hand_on(c, s, [&m](int to, int from, const S& ratio) {
-    m.row(to) += ratio * m.row(from);
-    m.col(to) += ratio * m.col(from);
-  });
-  w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+  if (others) {
+    hand_on(c, s, [&m](int to, int from, const S& ratio) {
+      m.row(to) += ratio * m.row(from);
+      m.col(to) += ratio * m.col(from);
+    });
+    w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+  }
+  if (!t.spread.empty()) add_spread_masses(c, s, w.mass);
 }
 
 /// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
@@ -151,6 +153,59 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
       if (at.v == row) visit_a(x, [&](const auto& a) { w.forces[row] = a; });
     });
   }
+}
+
+/// The same of any chain by its mass matrix, factorised.
+template <class Elements, class State, class Tau>
+void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  using S = typename State::scalar;
+  using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  const int n = s.dofs();
+  vector given(n);
+  read_listed_numbers<vector_of::a>(s, given);
+  const vector at_rest = vector::Zero(n);
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, at_rest); });
+  forces_on_coordinates(c, s, acting::all_but_friction);
+  auto& a = s.work.forces;
+  read_listed_numbers<vector_of::f>(s, a);
+  for (int i = 0; i < n; ++i) a[i] += tau(i);
+  mass_of_coordinates(c, s);
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
+  const auto fail = [&](int row) { c.blame_mass(s, row, true); };
+  if (std::none_of(prescribed.begin(), prescribed.end(), [](char known) { return known; })) {
+    solve_in_place(s.work.mass, a, fail);
+    return;
+  }
+  for (int i = 0; i < n; ++i)
+    if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
+  solve_partly_known(s.work.mass, a, prescribed, fail);
+}
+/// By articulated bodies in trees, else by the mass matrix; with friction by what joints carry.
+template <class Elements, class State, class Tau>
+void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  using S = typename State::scalar;
+  const auto accelerate = [&](const auto& applied) {
+    if (s.tree().plan.tree)
+      accelerate_articulated(c, s, applied, prescribed);
+    else
+      accelerate_by_mass(c, s, applied, prescribed);
+  };
+  if (s.tree().readers.empty()) [[likely]]
+    return accelerate(tau);
+  Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
+  read_listed_numbers<vector_of::a>(s, given);
+  iterate_friction(c, s, [&](const auto& friction) {
+    for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
+    Eigen::Index k = 0;
+    for (const int e : s.tree().readers) {
+      const int row = s.tree().plan.joint_row[static_cast<std::size_t>(e)];
+      if (row < s.dofs()) all[row] += friction[k];
+      ++k;
+    }
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
+    accelerate([&all](int i) { return all[i]; });
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, s.work.forces); });
+  });
 }
 
 /// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.

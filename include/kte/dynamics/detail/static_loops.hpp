@@ -44,6 +44,31 @@ struct static_elements {
     run(steps, e, s);
   }
   template <class State>
+  void mass_loads(int e, State& s) const {
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      passes_of(core, state, index).mass_force(inputs_of<Core>{});
+    });
+    run(steps, e, s);
+  }
+  template <class State, class Wrench>
+  auto friction(int e, State& s, const Wrench& end) const {
+    using S = typename State::scalar;
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      S f(0);
+      const auto of = [&]<std::size_t J>() {
+        const auto& core = chain.template core<J>();
+        if constexpr (reads_reaction<core_of<Chain, J>>)
+          if (e == static_cast<int>(J))
+            f = as<S>(passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).friction(end));
+        return 0;
+      };
+      const int done[]{of.template operator()<I>()...};
+      (void)done;
+      return f;
+    }
+    (std::make_index_sequence<Chain::size>{});
+  }
+  template <class State>
   [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
     detail::blame_mass<wiring>(row, finite, given.at.q);
   }
@@ -90,7 +115,7 @@ static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
 /// Whether it may be that only passes know a chain.
 template <class Chain>
 inline constexpr bool may_need_passes =
-    !Chain::common || !std::is_void_v<typename decltype(find_own_loads<Chain>())::type>;
+    !Chain::common || !std::is_void_v<first_element<Chain, has_own_loads>>;
 
 /// Throws `bad_argument` where an element turns out to be more than records say.
 template <class Chain, class State>
@@ -147,7 +172,7 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
   }
   (std::make_integer_sequence<int, Chain::dofs>{});
   s.take(g), check_regular(c, s);
-  accelerate_articulated(
+  accelerate_by_records(
       static_elements{c, g}, s, [&tau](int i) { return tau[i]; }, prescribed);
   check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
 }

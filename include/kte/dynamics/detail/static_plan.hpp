@@ -10,7 +10,8 @@
 namespace kte::detail {
 
 template <class Chain>
-inline constexpr auto static_plan = arrange<static_lists<typename Chain::wiring>::template list>(static_connections<Chain>{});
+inline constexpr auto static_plan =
+    arrange<static_lists<typename Chain::wiring>::template list>(static_connections<Chain>{});
 
 /// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over records
 /// (dynamics/detail/static_loops.hpp) are as fast and compile in a tenth of the time
