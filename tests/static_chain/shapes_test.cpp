@@ -83,8 +83,8 @@ auto static_one(bool dry) {
 }
 kte_map_chain runtime_one(bool dry) {
   kte_map_chain c;
-  all_shapes([](const auto& key) { return std::string(key.name); }, [&c](const auto&... e) { return (c << ... << e), 0; },
-             dry);
+  all_shapes([](const auto& key) { return std::string(key.name); },
+             [&c](const auto&... e) { return (c << ... << e), 0; }, dry);
   return c.gravity(vec3{0.3, -0.4, -9.81});
 }
 template <class A, class B>
