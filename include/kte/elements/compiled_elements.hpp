@@ -23,6 +23,13 @@ namespace kte {
 
 #ifdef KTE_EXTERN
 
+namespace core {
+template <class Joint>
+using placed_2D = seated<Joint, rotation_2D<>, vec3<double, double, zero_t>>;
+template <class Joint>
+using placed_3D = seated<Joint, mat3<vec3<>>, vec3<>>;
+}  // namespace core
+
 #  define KTE_ELEMENT(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>
 KTE_ELEMENT(base<kind::gen>);
 KTE_ELEMENT(base<kind::frame_2D>);
@@ -43,6 +50,16 @@ KTE_ELEMENT(prismatic_joint<kind::frame_3D, vec3<>>);
 KTE_ELEMENT(spherical_joint);
 KTE_ELEMENT(free_joint<kind::frame_2D>);
 KTE_ELEMENT(free_joint<kind::frame_3D>);
+KTE_ELEMENT(placed_2D<revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(placed_2D<prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>);
+KTE_ELEMENT(placed_2D<free_joint<kind::frame_2D>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<one_t, zero_t, zero_t>>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<prismatic_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<spherical_joint>);
+KTE_ELEMENT(placed_3D<free_joint<kind::frame_3D>>);
 KTE_ELEMENT(inertia_gen<double>);
 KTE_ELEMENT(inertia<kind::frame_2D, double, vec3<double, double, zero_t>,
                     sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);
@@ -67,10 +84,10 @@ namespace detail {
 template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
-using all_families =
-    families<base_family, damper_family, driving_actuator_family, free_joint_family, inertia_family,
-             joint_backlash_family, joint_lugre_family, prismatic_joint_family, revolute_joint_family,
-             rigid_link_family, spherical_joint_family, spring_family, torsion_damper_family, torsion_spring_family>;
+using all_families = families<base_family, damper_family, driving_actuator_family, free_joint_family, inertia_family,
+                              joint_backlash_family, joint_lugre_family, prismatic_joint_family,
+                              revolute_joint_family, rigid_link_family, spherical_joint_family,
+                              spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte
