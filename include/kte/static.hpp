@@ -21,6 +21,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/planar_joint.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>

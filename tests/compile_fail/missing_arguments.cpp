@@ -1,4 +1,4 @@
-// mistakes: 29
+// mistakes: 30
 // The factories of all elements, each without its last argument.
 // expect: error: .*kte: call it as base_gen.coordinate
 // expect: error: .*kte: call it as base_2D.frame
@@ -14,6 +14,7 @@
 // expect: error: .*kte: call it as inertia_3D.frame, body
 // expect: error: .*kte: call it as joint_backlash_gen.anchor1, anchor2, gap, stiffness, damping
 // expect: error: .*kte: call it as joint_lugre_gen.coordinate, bristles, parameters
+// expect: error: .*kte: call it as planar_joint_3D.coordinate, base, end
 // expect: error: .*kte: call it as prismatic_joint_2D.coordinate, base, end, axis
 // expect: error: .*kte: call it as prismatic_joint_3D.coordinate, base, end, axis
 // expect: error: .*kte: call it as revolute_joint_2D.coordinate, base, end
@@ -36,6 +37,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/planar_joint.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
@@ -60,6 +62,7 @@ void f() {
   inertia_3D("frame");
   joint_backlash_gen("anchor1", "anchor2", 1.0, 1.0);
   joint_lugre_gen("coordinate", "bristles");
+  planar_joint_3D("coordinate", "base");
   prismatic_joint_2D("coordinate", "base", "end");
   prismatic_joint_3D("coordinate", "base", "end");
   revolute_joint_2D("coordinate", "base");

@@ -48,6 +48,7 @@ void check_laws() {
   check(prismatic_joint_3D("q", "base", "end", axis::z).at(r, turn));
   check(spherical_joint_3D("X", "base", "end").at(r, matrix(turn)));
   check(free_joint_3D("X", "base", "end").at(r, turn));
+  check(planar_joint_3D("X", "base", "end").at(r, turn));
 }
 
 }  // namespace
@@ -76,6 +77,7 @@ TEST_CASE("a joint with a place is a link and the joint", "[contract][seat]") {
   check([](auto base) { return prismatic_joint_3D("q", base, "arm", axis::y); }, zero3{}, quarter_turn_x);
   check([](auto base) { return spherical_joint_3D("q", base, "arm"); }, position, turn);
   check([](auto base) { return free_joint_3D("q", base, "arm"); }, position, rotation);
+  check([](auto base) { return planar_joint_3D("q", base, "arm"); }, position, rotation);
 }
 
 TEST_CASE("static chains of joints with a place", "[contract][seat]") {

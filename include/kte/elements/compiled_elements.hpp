@@ -8,6 +8,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/planar_joint.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
@@ -50,6 +51,7 @@ KTE_ELEMENT(prismatic_joint<kind::frame_3D, vec3<>>);
 KTE_ELEMENT(spherical_joint);
 KTE_ELEMENT(free_joint<kind::frame_2D>);
 KTE_ELEMENT(free_joint<kind::frame_3D>);
+KTE_ELEMENT(planar_joint);
 KTE_ELEMENT(placed_2D<revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
 KTE_ELEMENT(placed_2D<prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>);
 KTE_ELEMENT(placed_2D<free_joint<kind::frame_2D>>);
@@ -60,6 +62,7 @@ KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<>>>);
 KTE_ELEMENT(placed_3D<prismatic_joint<kind::frame_3D, vec3<>>>);
 KTE_ELEMENT(placed_3D<spherical_joint>);
 KTE_ELEMENT(placed_3D<free_joint<kind::frame_3D>>);
+KTE_ELEMENT(placed_3D<planar_joint>);
 KTE_ELEMENT(inertia_gen<double>);
 KTE_ELEMENT(inertia<kind::frame_2D, double, vec3<double, double, zero_t>,
                     sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);
@@ -85,7 +88,7 @@ template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families = families<base_family, damper_family, driving_actuator_family, free_joint_family, inertia_family,
-                              joint_backlash_family, joint_lugre_family, prismatic_joint_family,
+                              joint_backlash_family, joint_lugre_family, planar_joint_family, prismatic_joint_family,
                               revolute_joint_family, rigid_link_family, spherical_joint_family,
                               spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
