@@ -25,6 +25,7 @@
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/torsion_damper.hpp>

@@ -1,4 +1,4 @@
-// mistakes: 30
+// mistakes: 31
 // The factories of all elements, each without its last argument.
 // expect: error: .*kte: call it as base_gen.coordinate
 // expect: error: .*kte: call it as base_2D.frame
@@ -22,6 +22,7 @@
 // expect: error: .*kte: call it as rigid_link_gen.base, end, offset
 // expect: error: .*kte: call it as rigid_link_2D.base, end, position
 // expect: error: .*kte: call it as rigid_link_3D.base, end, position
+// expect: error: .*kte: call it as screw_joint_3D.coordinate, base, end, axis, pitch
 // expect: error: .*kte: call it as spherical_joint_3D.coordinate, base, end
 // expect: error: .*kte: call it as spring_gen.anchor1, anchor2, rest_length, stiffness
 // expect: error: .*kte: call it as spring_2D.anchor1, anchor2, rest_length, stiffness
@@ -41,6 +42,7 @@
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
@@ -70,6 +72,7 @@ void f() {
   rigid_link_gen("base", "end");
   rigid_link_2D("base", "end");
   rigid_link_3D("base", "end");
+  screw_joint_3D("coordinate", "base", "end", axis::x);
   spherical_joint_3D("coordinate", "base");
   spring_gen("anchor1", "anchor2", 1.0);
   spring_2D("anchor1", "anchor2", 1.0);

@@ -49,6 +49,7 @@ void check_laws() {
   check(spherical_joint_3D("X", "base", "end").at(r, matrix(turn)));
   check(free_joint_3D("X", "base", "end").at(r, turn));
   check(planar_joint_3D("X", "base", "end").at(r, turn));
+  check(screw_joint_3D("q", "base", "end", axis::x, S(1) / 3).at(r, turn));
 }
 
 }  // namespace
@@ -78,6 +79,7 @@ TEST_CASE("a joint with a place is a link and the joint", "[contract][seat]") {
   check([](auto base) { return spherical_joint_3D("q", base, "arm"); }, position, turn);
   check([](auto base) { return free_joint_3D("q", base, "arm"); }, position, rotation);
   check([](auto base) { return planar_joint_3D("q", base, "arm"); }, position, rotation);
+  check([](auto base) { return screw_joint_3D("q", base, "arm", axis::x, 0.25); }, position, rotation);
 }
 
 TEST_CASE("static chains of joints with a place", "[contract][seat]") {

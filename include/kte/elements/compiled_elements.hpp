@@ -12,6 +12,7 @@
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
@@ -52,6 +53,10 @@ KTE_ELEMENT(spherical_joint);
 KTE_ELEMENT(free_joint<kind::frame_2D>);
 KTE_ELEMENT(free_joint<kind::frame_3D>);
 KTE_ELEMENT(planar_joint);
+KTE_ELEMENT(screw_joint<vec3<one_t, zero_t, zero_t>, double>);
+KTE_ELEMENT(screw_joint<vec3<zero_t, one_t, zero_t>, double>);
+KTE_ELEMENT(screw_joint<vec3<zero_t, zero_t, one_t>, double>);
+KTE_ELEMENT(screw_joint<vec3<>, double>);
 KTE_ELEMENT(placed_2D<revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
 KTE_ELEMENT(placed_2D<prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>);
 KTE_ELEMENT(placed_2D<free_joint<kind::frame_2D>>);
@@ -63,6 +68,7 @@ KTE_ELEMENT(placed_3D<prismatic_joint<kind::frame_3D, vec3<>>>);
 KTE_ELEMENT(placed_3D<spherical_joint>);
 KTE_ELEMENT(placed_3D<free_joint<kind::frame_3D>>);
 KTE_ELEMENT(placed_3D<planar_joint>);
+KTE_ELEMENT(placed_3D<screw_joint<vec3<>, double>>);
 KTE_ELEMENT(inertia_gen<double>);
 KTE_ELEMENT(inertia<kind::frame_2D, double, vec3<double, double, zero_t>,
                     sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);
@@ -89,7 +95,7 @@ struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families = families<base_family, damper_family, driving_actuator_family, free_joint_family, inertia_family,
                               joint_backlash_family, joint_lugre_family, planar_joint_family, prismatic_joint_family,
-                              revolute_joint_family, rigid_link_family, spherical_joint_family,
+                              revolute_joint_family, rigid_link_family, screw_joint_family, spherical_joint_family,
                               spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
