@@ -1,4 +1,4 @@
-// mistakes: 31
+// mistakes: 33
 // The factories of all elements, each without its last argument.
 // expect: error: .*kte: call it as base_gen.coordinate
 // expect: error: .*kte: call it as base_2D.frame
@@ -7,6 +7,8 @@
 // expect: error: .*kte: call it as damper_2D.anchor1, anchor2, damping
 // expect: error: .*kte: call it as damper_3D.anchor1, anchor2, damping
 // expect: error: .*kte: call it as driving_actuator_gen.coordinate, input
+// expect: error: .*kte: call it as fixed_joint_2D.base, end
+// expect: error: .*kte: call it as fixed_joint_3D.base, end
 // expect: error: .*kte: call it as free_joint_2D.coordinate, base, end
 // expect: error: .*kte: call it as free_joint_3D.coordinate, base, end
 // expect: error: .*kte: call it as inertia_gen.coordinate, mass
@@ -34,6 +36,7 @@
 #include <kte/elements/base.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/fixed_joint.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
@@ -57,6 +60,8 @@ void f() {
   damper_2D("anchor1", "anchor2");
   damper_3D("anchor1", "anchor2");
   driving_actuator_gen("coordinate");
+  fixed_joint_2D("base");
+  fixed_joint_3D("base");
   free_joint_2D("coordinate", "base");
   free_joint_3D("coordinate", "base");
   inertia_gen("coordinate");

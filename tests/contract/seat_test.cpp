@@ -68,6 +68,7 @@ TEST_CASE("a joint with a place is a link and the joint", "[contract][seat]") {
   const auto check = [&](const auto& joint, const auto&... place) {
     kte_map_chain placed, linked;
     placed << joint("ground").at(place...);
+    linked << fixed_joint_3D("ground", "seat", place...) << joint("seat");
     INFO(record_of(placed).elements[0].type);
     CHECK(difference(beyond(placed), beyond(linked), hand, ++seed) < few_ulps);
     CHECK(difference(placed, models::registered(record_of(placed)), hand, seed) < few_ulps);
