@@ -25,9 +25,9 @@ struct element_switching : described<Element> {
   const Model* model;
 
   template <class T, class X>
-  auto operator()(const T&, const X& x) const {
+  auto operator()(const T& t, const X& x) const {
     auto s = make_state<T>(model->chain());
-    model->setJointStates(x.head(Eigen::fix<Model::state::RowsAtCompileTime>), s);  // without those of a law
+    model->setJointStates(t, x.head(Eigen::fix<Model::state::RowsAtCompileTime>), s);  // without those of a law
     model->doMotion(s);
     return on(s).switching(inputs{});
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_loops.hpp>
+#include <kte/dynamics/detail/rare_shapes.hpp>
 #include <kte/kernels/solve.hpp>
 #include <kte/tree/fill_symmetric.hpp>
 
@@ -31,6 +31,7 @@ void hand_on(const Elements& c, State& s, const Add& add) {
   const auto& t = s.tree();
   for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
     const auto ports = c.ports(*f);
+    if (ports.back().what != kind::gen) continue;
     const int end = t.plan.row_of_gen[static_cast<std::size_t>(c.written(*f))];
     for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
       if (ports[p].what != kind::gen) continue;
@@ -55,12 +56,14 @@ void mass_of_coordinates(const Elements& c, State& s) {
   tree::fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
-  if (!others) return;
-  hand_on(c, s, [&m](int to, int from, const S& ratio) {
-    m.row(to) += ratio * m.row(from);
-    m.col(to) += ratio * m.col(from);
-  });
-  w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+  if (others) {
+    hand_on(c, s, [&m](int to, int from, const S& ratio) {
+      m.row(to) += ratio * m.row(from);
+      m.col(to) += ratio * m.col(from);
+    });
+    w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+  }
+  if (!t.spread.empty()) add_spread_masses(c, s, w.mass);
 }
 
 /// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
@@ -78,12 +81,13 @@ void push_by_rates(const Elements& c, State& s) {
       for_each_listed_freedom(s, [row](auto& x, const freedom& at) {
         if (at.v == row) visit_a(x, [](S& a) { a = S(0); });
       });
-  if (!t.on_frames.empty()) {
+  if (!t.on_frames.empty() || !t.late.empty()) {
     std::fill(w.acceleration.begin(), w.acceleration.end(), S(0));
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, false);
-    for (const int e : t.on_frames) c.push(e, s);
+    move_late(c, s);
+    for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) c.push(*e, s);
     for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
       auto& load = w.articulated[slot].load;
       load = {load.force + x.force, load.torque + x.torque};
@@ -134,7 +138,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : S(0);
   if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
     blame_axis(c, s, bad);
-  if (!t.on_frames.empty()) take_rates(s);  // accelerations of what does not yield
+  if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of what does not yield
   tree::accelerate(t.forest, w);
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];
@@ -149,6 +153,59 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
       if (at.v == row) visit_a(x, [&](const auto& a) { w.forces[row] = a; });
     });
   }
+}
+
+/// The same of any chain by its mass matrix, factorised.
+template <class Elements, class State, class Tau>
+void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  using S = typename State::scalar;
+  using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  const int n = s.dofs();
+  vector given(n);
+  read_listed_numbers<vector_of::a>(s, given);
+  const vector at_rest = vector::Zero(n);
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, at_rest); });
+  forces_on_coordinates(c, s, acting::all_but_friction);
+  auto& a = s.work.forces;
+  read_listed_numbers<vector_of::f>(s, a);
+  for (int i = 0; i < n; ++i) a[i] += tau(i);
+  mass_of_coordinates(c, s);
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
+  const auto fail = [&](int row) { c.blame_mass(s, row, true); };
+  if (std::none_of(prescribed.begin(), prescribed.end(), [](char known) { return known; })) {
+    solve_in_place(s.work.mass, a, fail);
+    return;
+  }
+  for (int i = 0; i < n; ++i)
+    if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
+  solve_partly_known(s.work.mass, a, prescribed, fail);
+}
+/// By articulated bodies in trees, else by the mass matrix; with friction by what joints carry.
+template <class Elements, class State, class Tau>
+void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  using S = typename State::scalar;
+  const auto accelerate = [&](const auto& applied) {
+    if (s.tree().plan.tree)
+      accelerate_articulated(c, s, applied, prescribed);
+    else
+      accelerate_by_mass(c, s, applied, prescribed);
+  };
+  if (s.tree().readers.empty()) [[likely]]
+    return accelerate(tau);
+  Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
+  read_listed_numbers<vector_of::a>(s, given);
+  iterate_friction(c, s, [&](const auto& friction) {
+    for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
+    Eigen::Index k = 0;
+    for (const int e : s.tree().readers) {
+      const int row = s.tree().plan.joint_row[static_cast<std::size_t>(e)];
+      if (row < s.dofs()) all[row] += friction[k];
+      ++k;
+    }
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
+    accelerate([&all](int i) { return all[i]; });
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, s.work.forces); });
+  });
 }
 
 /// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.

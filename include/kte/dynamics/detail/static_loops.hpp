@@ -44,6 +44,31 @@ struct static_elements {
     run(steps, e, s);
   }
   template <class State>
+  void mass_loads(int e, State& s) const {
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      passes_of(core, state, index).mass_force(inputs_of<Core>{});
+    });
+    run(steps, e, s);
+  }
+  template <class State, class Wrench>
+  auto friction(int e, State& s, const Wrench& end) const {
+    using S = typename State::scalar;
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      S f(0);
+      const auto of = [&]<std::size_t J>() {
+        const auto& core = chain.template core<J>();
+        if constexpr (reads_reaction<core_of<Chain, J>>)
+          if (e == static_cast<int>(J))
+            f = as<S>(passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).friction(end));
+        return 0;
+      };
+      const int done[]{of.template operator()<I>()...};
+      (void)done;
+      return f;
+    }
+    (std::make_index_sequence<Chain::size>{});
+  }
+  template <class State>
   [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
     detail::blame_mass<wiring>(row, finite, given.at.q);
   }
@@ -87,26 +112,18 @@ struct static_elements {
 template <class Chain, class Given>
 static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
 
-template <class Core>
-constexpr std::string_view name_of_joint() {
-  if constexpr (is_transmission<Core>) {
-    return Core::type;
-  } else {
-    return {};
-  }
-}
-/// Whether only passes know a chain: some element moves a frame and is no joint or link, or has loads of its own.
+/// Whether it may be that only passes know a chain.
 template <class Chain>
-inline constexpr bool needs_passes =
-    !moves_frames_stiffly<Chain> || !std::is_void_v<typename decltype(find_own_loads<Chain>())::type>;
+inline constexpr bool may_need_passes =
+    !Chain::common || !std::is_void_v<first_element<Chain, has_own_loads>>;
 
-/// Throws `bad_argument` where a joint turns out to be more than records say.
+/// Throws `bad_argument` where an element turns out to be more than records say.
 template <class Chain, class State>
 void check_regular(const Chain&, const State& s) {
   if (s.tree().irregular < 0) [[likely]]
     return;
   const auto name = []<std::size_t... I>(std::size_t i, std::index_sequence<I...>) {
-    const std::string_view names[]{name_of_joint<core_of<Chain, I>>()...};
+    const std::string_view names[]{std::string_view(core_of<Chain, I>::type)...};
     return names[i];
   }
   (static_cast<std::size_t>(s.tree().irregular), std::make_index_sequence<Chain::size>{});
@@ -117,9 +134,10 @@ void check_regular(const Chain&, const State& s) {
 template <class Chain, class Given, class State, class Sign>
 auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
   s.take(g);
-  if constexpr (needs_passes<Chain>) {
-    c.doMotion(s), c.clearForce(s), c.doForce(s);
-  } else {
+  const bool by_passes = may_need_passes<Chain> && s.tree().irregular >= 0;
+  if constexpr (may_need_passes<Chain>)
+    if (by_passes) c.doMotion(s), c.clearForce(s), c.doForce(s);
+  if (!by_passes) {
     check_regular(c, s);
     forces_on_coordinates(static_elements{c, g}, s, acting::all);
   }
@@ -154,7 +172,7 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
   }
   (std::make_integer_sequence<int, Chain::dofs>{});
   s.take(g), check_regular(c, s);
-  accelerate_articulated(
+  accelerate_by_records(
       static_elements{c, g}, s, [&tau](int i) { return tau[i]; }, prescribed);
   check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
 }
