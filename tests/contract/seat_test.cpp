@@ -99,8 +99,8 @@ TEST_CASE("static chains of joints with a place", "[contract][seat]") {
           .gravity(weight);
   check(placed, linked, hand);
   const auto in_plane = chain(revolute_joint_2D(q, floor_2D, tip).at(vec2{0.5, 0.25}, rotation_by(0.3)),
-                                  inertia_2D(tip, point_mass(2.0, along_x(0.5))))
-                                .gravity(along_y(-9.81));
+                              inertia_2D(tip, point_mass(2.0, along_x(0.5))))
+                            .gravity(along_y(-9.81));
   check(in_plane, models::registered(record_of(in_plane)), tip);
   const auto at = forward_kinematics(in_plane, std::array{0.4}, tip);
   CHECK(at.position.x == 0.5);
@@ -167,4 +167,43 @@ TEST_CASE("the place of a joint is finite, and a rotation", "[contract][seat]") 
           revolute_joint_2D("q", "b", "e").at(zero3{}, rotation_2D{0.9, 0.9});
         }).starts_with("kte: revolute_joint_2D (coordinate 'q', base 'b', end 'e'): rotation must be"));
   CHECK(what(position, rotation) == "");
+}
+
+namespace {
+/// A sliding joint with friction that grows with what it carries across.
+struct rubbing_joint : transmission<rubbing_joint> {
+  static constexpr type_name type{"rubbing_joint", kind::frame_3D};
+  static constexpr std::array<port, 3> ports{{{kind::gen, access::in, "coordinate"},
+                                              {kind::frame_3D, access::in, "base"},
+                                              {kind::frame_3D, access::out, "end"}}};
+  static constexpr bool reads_reaction = true;
+  double coefficient;
+  constexpr explicit rubbing_joint(double c) : coefficient(c) {}
+
+  template <class C>
+  constexpr auto relative(const C& c) const {
+    return motion{axis::x * c.q, no_rotation{}, axis::x * c.q_dot, zero3{}, axis::x * c.q_ddot, zero3{}};
+  }
+  template <class C, class Wrench>
+  constexpr auto friction(const C& c, const Wrench& end) const {
+    return -(coefficient * c.q_dot) * (end.force.z * end.force.z);
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("coefficient", self.coefficient);
+  }
+};
+}  // namespace
+
+TEST_CASE("a joint of one's own has a place, and keeps its friction", "[contract][seat]") {
+  const auto placed =
+      chain(connect(rubbing_joint(0.5), q, ground, arm).at(position, rotation), inertia_3D(arm, brick)).gravity(weight);
+  const auto linked = chain(fixed_joint_3D(ground, seat, position, rotation), connect(rubbing_joint(0.5), q, seat, arm),
+                            inertia_3D(arm, brick))
+                          .gravity(weight);
+  const std::array at{0.3}, v{2.0}, a{0.5};
+  const double tau = inverse_dynamics(linked, at, v, a)[0];
+  CHECK(inverse_dynamics(placed, at, v, a)[0] == within_relative(tau, few_ulps));
+  CHECK(tau > 100);  // most of it friction
 }

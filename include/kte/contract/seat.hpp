@@ -10,19 +10,17 @@ namespace core {
 ///
 ///   X_end = (r, R) X_joint,  which leaves all rates, in axes of the end, those of the joint          (1)
 template <class Joint, class Rotation, class Position>
-struct seated : transmission<seated<Joint, Rotation, Position>> {
-  static constexpr auto type = Joint::type;
-  static constexpr auto ports = Joint::ports;
+struct seated : Joint, transmission<seated<Joint, Rotation, Position>> {  // with whatever else a joint has
+  using transmission<seated>::doMotion, transmission<seated>::doForce;
 
-  Joint joint;
   Position position;
   Rotation rotation;
 
-  constexpr seated(const Joint& x, const Position& r, const Rotation& R) : joint(x), position(r), rotation(R) {}
+  constexpr seated(const Joint& x, const Position& r, const Rotation& R) : Joint(x), position(r), rotation(R) {}
 
   template <class C>
   KTE_INLINE constexpr auto relative(const C& c) const {
-    const auto x = joint.relative(c);
+    const auto x = Joint::relative(c);
     return motion{position + rotation * x.position,
                   rotation * x.rotation,
                   x.velocity,
@@ -31,13 +29,13 @@ struct seated : transmission<seated<Joint, Rotation, Position>> {
                   x.ang_acceleration};  // (1)
   }
   constexpr void check(const parameter_check& where) const {
-    joint.check(where);
+    Joint::check(where);
     where.finite(position, "position must be finite");
     where.rotation(rotation, "rotation must be orthonormal and right-handed");
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
-    Joint::parameters(self.joint, visit);
+    Joint::parameters(self, visit);
     visit("position", self.position);
     visit("rotation", self.rotation);
   }
@@ -78,7 +76,10 @@ requires(is_transmission<Core>&& port_count<Core> == 3 && !is_seated<Core>) stru
                   "kte: call it as .at(position[, rotation]), such as .at(kte::along_x(0.5), kte::rotation_by(0.3))");
     static_assert(rule < Core, Position, fits || dim != kind::frame_3D >,
                   "kte: call it as .at(position[, rotation]), such as .at(kte::along_z(0.5), kte::quarter_turn_x)");
-    if constexpr (!fits) {
+    static_assert(rule<Core, void, loads_by_relative<Core>>,
+                  "kte: a joint with a `doForce` of its own has no place: put that force into an element on the "
+                  "coordinate");
+    if constexpr (!fits || !loads_by_relative<Core>) {
       return refused{};
     } else if constexpr (dim == kind::frame_2D) {
       const auto r = planar(position);
