@@ -15,6 +15,7 @@
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/base.hpp>
+#include <kte/elements/cylindrical_joint.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/fixed_joint.hpp>
@@ -31,6 +32,7 @@
 #include <kte/elements/spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
+#include <kte/elements/universal_joint.hpp>
 #include <kte/frames/inverse.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>

@@ -1,8 +1,9 @@
-// mistakes: 33
+// mistakes: 36
 // The factories of all elements, each without its last argument.
 // expect: error: .*kte: call it as base_gen.coordinate
 // expect: error: .*kte: call it as base_2D.frame
 // expect: error: .*kte: call it as base_3D.frame
+// expect: error: .*kte: call it as cylindrical_joint_3D.turn, slide, base, end, axis
 // expect: error: .*kte: call it as damper_gen.anchor1, anchor2, damping
 // expect: error: .*kte: call it as damper_2D.anchor1, anchor2, damping
 // expect: error: .*kte: call it as damper_3D.anchor1, anchor2, damping
@@ -11,6 +12,7 @@
 // expect: error: .*kte: call it as fixed_joint_3D.base, end
 // expect: error: .*kte: call it as free_joint_2D.coordinate, base, end
 // expect: error: .*kte: call it as free_joint_3D.coordinate, base, end
+// expect: error: .*kte: call it as hooke_joint_3D.q1, q2, base, end, axis1, axis2, offset
 // expect: error: .*kte: call it as inertia_gen.coordinate, mass
 // expect: error: .*kte: call it as inertia_2D.frame, body
 // expect: error: .*kte: call it as inertia_3D.frame, body
@@ -33,7 +35,9 @@
 // expect: error: .*kte: call it as torsion_damper_3D.anchor1, anchor2, damping
 // expect: error: .*kte: call it as torsion_spring_2D.anchor1, anchor2, stiffness
 // expect: error: .*kte: call it as torsion_spring_3D.anchor1, anchor2, stiffness
+// expect: error: .*kte: call it as universal_joint_3D.q1, q2, base, end, axis1, axis2
 #include <kte/elements/base.hpp>
+#include <kte/elements/cylindrical_joint.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/fixed_joint.hpp>
@@ -50,12 +54,14 @@
 #include <kte/elements/spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
+#include <kte/elements/universal_joint.hpp>
 
 using namespace kte;
 void f() {
   base_gen();
   base_2D();
   base_3D();
+  cylindrical_joint_3D("turn", "slide", "base", "end");
   damper_gen("anchor1", "anchor2");
   damper_2D("anchor1", "anchor2");
   damper_3D("anchor1", "anchor2");
@@ -64,6 +70,7 @@ void f() {
   fixed_joint_3D("base");
   free_joint_2D("coordinate", "base");
   free_joint_3D("coordinate", "base");
+  hooke_joint_3D("q1", "q2", "base", "end", axis::x, axis::y);
   inertia_gen("coordinate");
   inertia_2D("frame");
   inertia_3D("frame");
@@ -86,4 +93,5 @@ void f() {
   torsion_damper_3D("anchor1", "anchor2");
   torsion_spring_2D("anchor1", "anchor2");
   torsion_spring_3D("anchor1", "anchor2");
+  universal_joint_3D("q1", "q2", "base", "end", axis::x);
 }

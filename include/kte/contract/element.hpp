@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <type_traits>
 
 namespace kte {
@@ -59,6 +60,12 @@ struct named_element {
     return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(placed, names[P]...); }
     (std::make_index_sequence<port_count<Core>>{});
   }
+};
+
+/// Several of them, which a runtime chain appends in order: all or none.
+template <class... Core>
+struct named_elements {
+  std::tuple<named_element<Core>...> all;
 };
 
 namespace detail {

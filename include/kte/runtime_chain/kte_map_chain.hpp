@@ -43,6 +43,16 @@ class kte_map_chain : public kte_map {
   kte_map_chain& operator<<(named_element<Core> e) {
     return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
   }
+  template <class... Core>
+  kte_map_chain& operator<<(named_elements<Core...> e) {
+    std::apply(
+        [this](auto&... each) {
+          std::unique_ptr<kte_map> all[]{std::make_unique<kte_map_adapter<Core>>(std::move(each))...};
+          add(all, sizeof...(Core), {});
+        },
+        e.all);
+    return *this;
+  }
   template <class Gravity, class... E>
   kte_map_chain& operator<<(const static_chain<Gravity, E...>& c) {
     return append(std::make_unique<static_chain_map<static_chain<Gravity, E...>>>(c));
