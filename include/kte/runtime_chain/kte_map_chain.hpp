@@ -176,7 +176,7 @@ class kte_map_chain : public kte_map {
 
   handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
     const topology& t = wiring();
-    const kind k = t.kind_of(name);
+    const kind k = t.kind_of(name, fits(kind::frame_3D));
     if (!fits(k))
       throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(k)) + ", not a " + wanted);
     return {k, t.find(name, k), t.layout};
