@@ -80,8 +80,8 @@ void add_spread_masses(const Elements& c, State& s, Matrix& m) {
   }
 }
 
-/// Accelerations where joints have friction by what they carry: sweep(friction of all of them) computes accelerations,
-/// of which the friction follows again. Broyden's iteration for
+/// Accelerations where joints have friction by what they carry: sweep() computes them with the friction in the working
+/// memory, and of them the friction follows again. Broyden's iteration for
 ///
 ///   r(x) = friction(a(x)) - x = 0          (2)
 ///
@@ -94,8 +94,9 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
   Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> inverse = -decltype(inverse)::Identity(n, n);  // of r'
   vector x = vector::Zero(n), r(n), before(n), step(n);
   const auto residual = [&] {
-    sweep(x);
-    forces_on_coordinates(c, s, acting::all_but_friction);
+    std::copy(x.begin(), x.end(), s.work.friction.begin());
+    sweep();
+    forces_on_coordinates(c, s, acting::with_given_friction);
     Eigen::Index i = 0;
     for_each_friction(c, s, [&](const auto&, const S& f) { r[i] = f - x[i], ++i; });
   };

@@ -36,6 +36,10 @@ void hand_on(const Elements& c, State& s, const Add& add) {
     for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
       if (ports[p].what != kind::gen) continue;
       const int followed = c.index(*f, p);
+      bool again = false;  // `ratio_of` has both, where two ports lead to one coordinate
+      for (std::size_t before = 0; before < p; ++before)
+        again |= ports[before].what == kind::gen && c.index(*f, before) == followed;
+      if (again) continue;
       add(t.plan.row_of_gen[static_cast<std::size_t>(followed)], end,
           ratio_of(c, s, *f, s.template get<kind::gen>(followed)));
     }
@@ -161,21 +165,17 @@ void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<c
   using S = typename State::scalar;
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
   const int n = s.dofs();
-  vector given(n);
-  read_listed_numbers<vector_of::a>(s, given);
-  const vector at_rest = vector::Zero(n);
-  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, at_rest); });
-  forces_on_coordinates(c, s, acting::all_but_friction);
+  vector given;
+  if (!prescribed.empty()) given.resize(n), read_listed_numbers<vector_of::a>(s, given);
+  for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](S& a) { a = S(0); }); });
+  forces_on_coordinates(c, s, acting::with_given_friction);
   auto& a = s.work.forces;
   read_listed_numbers<vector_of::f>(s, a);
   for (int i = 0; i < n; ++i) a[i] += tau(i);
   mass_of_coordinates(c, s);
-  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
   const auto fail = [&](int row) { c.blame_mass(s, row, true); };
-  if (std::none_of(prescribed.begin(), prescribed.end(), [](char known) { return known; })) {
-    solve_in_place(s.work.mass, a, fail);
-    return;
-  }
+  if (prescribed.empty()) return solve_in_place(s.work.mass, a, fail);
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
   for (int i = 0; i < n; ++i)
     if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
   solve_partly_known(s.work.mass, a, prescribed, fail);
@@ -184,26 +184,20 @@ void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<c
 template <class Elements, class State, class Tau>
 void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
-  const auto accelerate = [&](const auto& applied) {
-    if (s.tree().plan.tree)
-      accelerate_articulated(c, s, applied, prescribed);
-    else
-      accelerate_by_mass(c, s, applied, prescribed);
-  };
-  if (s.tree().readers.empty()) [[likely]]
-    return accelerate(tau);
+  const bool tree = s.tree().plan.tree;
+  const auto& readers = s.tree().readers;
+  if (readers.empty()) [[likely]]
+    return tree ? accelerate_articulated(c, s, tau, prescribed) : accelerate_by_mass(c, s, tau, prescribed);
   Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
   read_listed_numbers<vector_of::a>(s, given);
-  iterate_friction(c, s, [&](const auto& friction) {
-    for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
-    Eigen::Index k = 0;
-    for (const int e : s.tree().readers) {
-      const int row = s.tree().plan.joint_row[static_cast<std::size_t>(e)];
-      if (row < s.dofs()) all[row] += friction[k];
-      ++k;
-    }
+  iterate_friction(c, s, [&] {
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
-    accelerate([&all](int i) { return all[i]; });
+    for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
+    for (std::size_t k = 0; tree && k < readers.size(); ++k)  // of others M needs it on all coordinates, at once
+      if (const int row = s.tree().plan.joint_row[static_cast<std::size_t>(readers[k])]; row < s.dofs())
+        all[row] += s.work.friction[k];
+    const auto applied = [&all](int i) { return all[i]; };
+    tree ? accelerate_articulated(c, s, applied, prescribed) : accelerate_by_mass(c, s, applied, prescribed);
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, s.work.forces); });
   });
 }

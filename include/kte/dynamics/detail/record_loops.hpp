@@ -273,8 +273,9 @@ void for_each_frame_load(State& s, const F& f) {
   }
 }
 
-/// Which elements count: all, all but friction that depends on what joints carry, bodies.
-enum class acting { all, all_but_friction, bodies };
+/// Which elements count: all; all, but with friction that depends on what joints carry as it is in the working memory;
+/// bodies.
+enum class acting { all, with_given_friction, bodies };
 
 /// What acts on coordinates, and followers, which hand on what is on them: from the last.
 template <class Elements, class State>
@@ -355,9 +356,12 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   tree::take_needs(t.forest, w);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
-  if (who == acting::all)
-    for_each_friction(c, s,
-                      [&s](const auto& r, const S& friction) { s.template get<kind::gen>(r.slot).f += friction; });
+  if (who != acting::bodies) {
+    auto given = w.friction.begin();
+    for_each_friction(c, s, [&](const auto& r, const S& friction) {
+      s.template get<kind::gen>(r.slot).f += who == acting::all ? friction : *given++;
+    });
+  }
   push_on_coordinates(c, s, who);
 }
 

@@ -114,8 +114,7 @@ static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
 
 /// Whether it may be that only passes know a chain.
 template <class Chain>
-inline constexpr bool may_need_passes =
-    !Chain::common || !std::is_void_v<first_element<Chain, has_own_loads>>;
+inline constexpr bool may_need_passes = !Chain::common || !std::is_void_v<first_element<Chain, has_own_loads>>;
 
 /// Throws `bad_argument` where an element turns out to be more than records say.
 template <class Chain, class State>
