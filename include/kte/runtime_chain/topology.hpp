@@ -153,6 +153,9 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
       case detail::problem::unknown:
         if (x.what == kind::internal)
           refuse("it reads the internal state '" + name + "', which no element before it keeps");
+        if (of_name != things_.end())
+          refuse("'" + name + "' is a " + text(of_name->second[0]->what) + ", not a " + text(x.what) +
+                 ", and no element before it writes a frame of this name");
         refuse("it reads '" + name +
                "', which no element before it writes: misspelt, written later, or another base? "
                "(a further base is declared by base_2D or base_3D)");
