@@ -48,10 +48,13 @@ class record_reader {
   double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
   /// A parameter that is 1 where it is given.
   bool flag(std::string_view parameter) const {
-    const bool given = std::any_of(record_.parameters.begin(), record_.parameters.end(),
-                                   [&](const parameter_record& p) { return p.name == parameter; });
+    const bool given = has(parameter);
     if (given && number(parameter) != 1) fail("has '" + std::string(parameter) + "' other than 1");
     return given;
+  }
+  bool has(std::string_view parameter) const {
+    return std::any_of(record_.parameters.begin(), record_.parameters.end(),
+                       [&](const parameter_record& p) { return p.name == parameter; });
   }
   vec3<> vector(std::string_view parameter) const {
     const auto& v = values(parameter, 3);
@@ -100,6 +103,19 @@ class record_reader {
   template <class Core>
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
     return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+  }
+  /// A joint, where its record places it.
+  bool is_placed() const { return has("position") || has("rotation"); }
+  template <class Core>
+  std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
+    if (!is_placed()) return adapt(joint);
+    const bool has_position = has("position"), has_rotation = has("rotation");
+    if constexpr (Core::ports.back().what == kind::frame_2D)
+      return adapt(joint.at(has_position ? planar_vector("position") : vec2<>{},
+                            has_rotation ? planar_rotation("rotation") : rotation_2D<>{1, 0}));
+    else
+      return adapt(joint.at(has_position ? vector("position") : vec3<>{},
+                            has_rotation ? rotation("rotation") : as<double>(matrix(no_rotation{}))));
   }
   [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
 
