@@ -2,8 +2,10 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/elements/base.hpp>
+#include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
@@ -54,10 +56,17 @@ KTE_ELEMENT(damper_gen<double>);
 KTE_ELEMENT(damper<kind::frame_2D, double>);
 KTE_ELEMENT(damper<kind::frame_3D, double>);
 KTE_ELEMENT(torsion_spring<kind::frame_2D, double, double, double>);
-KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, zero_t>);
+KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, no_rotation>);
+KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, mat3<vec3<>>>);
 KTE_ELEMENT(torsion_damper<kind::frame_2D, double>);
 KTE_ELEMENT(torsion_damper<kind::frame_3D, double>);
+KTE_ELEMENT(flexible_beam<kind::frame_2D>);
+KTE_ELEMENT(flexible_beam<kind::frame_3D>);
 KTE_ELEMENT(driving_actuator_gen);
+KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
+KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(follower_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
+KTE_ELEMENT(follower_force<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(joint_lugre_gen);
 KTE_ELEMENT(joint_backlash_gen<double>);
 #  undef KTE_ELEMENT
@@ -68,8 +77,8 @@ template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
-    families<base_family, damper_family, driving_actuator_family, free_joint_family, inertia_family,
-             joint_backlash_family, joint_lugre_family, prismatic_joint_family, revolute_joint_family,
+    families<base_family, constant_force_family, damper_family, driving_actuator_family, flexible_beam_family, free_joint_family,
+             inertia_family, joint_backlash_family, joint_lugre_family, prismatic_joint_family, revolute_joint_family,
              rigid_link_family, spherical_joint_family, spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 

@@ -46,10 +46,14 @@ class record_reader {
     fail("has no connection '" + std::string(role) + "'");
   }
   double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
+  /// Whether a parameter is given that may be left out.
+  bool has(std::string_view parameter) const {
+    return std::any_of(record_.parameters.begin(), record_.parameters.end(),
+                       [&](const parameter_record& p) { return p.name == parameter; });
+  }
   /// A parameter that is 1 where it is given.
   bool flag(std::string_view parameter) const {
-    const bool given = std::any_of(record_.parameters.begin(), record_.parameters.end(),
-                                   [&](const parameter_record& p) { return p.name == parameter; });
+    const bool given = has(parameter);
     if (given && number(parameter) != 1) fail("has '" + std::string(parameter) + "' other than 1");
     return given;
   }
