@@ -15,6 +15,7 @@
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/base.hpp>
+#include <kte/elements/bushing.hpp>
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>

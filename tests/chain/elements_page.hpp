@@ -29,6 +29,7 @@ inline std::vector<double> numbers_of(const std::string& what) {
                                                                 {"unit vector", {1, 0, 0}},
                                                                 {"axis z", {0, 0, 1}},
                                                                 {"rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+                                                                {"matrix", {0, 0, 0, 0, 0, 0, 0, 0, 0}},
                                                                 {"symmetric matrix", {0, 0, 0, 0, 0, 0}}};
   const auto found = known.find(what);
   if (found == known.end()) throw std::runtime_error("elements.md: what is a '" + what + "'?");

@@ -2,6 +2,7 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/elements/base.hpp>
+#include <kte/elements/bushing.hpp>
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
@@ -60,6 +61,7 @@ KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, no_rotation>);
 KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, mat3<vec3<>>>);
 KTE_ELEMENT(torsion_damper<kind::frame_2D, double>);
 KTE_ELEMENT(torsion_damper<kind::frame_3D, double>);
+KTE_ELEMENT(bushing_3D);
 KTE_ELEMENT(flexible_beam<kind::frame_2D>);
 KTE_ELEMENT(flexible_beam<kind::frame_3D>);
 KTE_ELEMENT(driving_actuator_gen);
@@ -77,9 +79,10 @@ template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
-    families<base_family, constant_force_family, damper_family, driving_actuator_family, flexible_beam_family, free_joint_family,
-             inertia_family, joint_backlash_family, joint_lugre_family, prismatic_joint_family, revolute_joint_family,
-             rigid_link_family, spherical_joint_family, spring_family, torsion_damper_family, torsion_spring_family>;
+    families<base_family, bushing_family, constant_force_family, damper_family, driving_actuator_family,
+             flexible_beam_family, free_joint_family, inertia_family, joint_backlash_family, joint_lugre_family,
+             prismatic_joint_family, revolute_joint_family, rigid_link_family, spherical_joint_family, spring_family,
+             torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte

@@ -66,20 +66,22 @@ class record_reader {
     if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
     return {v.x, v.y};
   }
-  mat3<vec3<>> rotation(std::string_view parameter) const {
+  mat3<vec3<>> matrix(std::string_view parameter) const {
     const auto& v = values(parameter, 9);
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+  }
+  mat3<vec3<>> rotation(std::string_view parameter) const { return matrix(parameter); }
+  sym3<> symmetric(std::string_view parameter) const {
+    const auto& v = values(parameter, 6);
+    return {v[0], v[1], v[2], v[3], v[4], v[5]};
   }
   rotation_2D<> planar_rotation(std::string_view parameter) const {
     const auto m = rotation(parameter);
     const rotation_2D<> r{m.x.x, m.y.x};
-    if (m != as<double>(matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
+    if (m != as<double>(kte::matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
     return r;
   }
-  rigid_body<> body() const {
-    const auto& v = values("inertia", 6);
-    return {number("mass"), vector("com"), {v[0], v[1], v[2], v[3], v[4], v[5]}, flag("as_published")};
-  }
+  rigid_body<> body() const { return {number("mass"), vector("com"), symmetric("inertia"), flag("as_published")}; }
   /// A body in the plane; what it has out of it must be zero.
   auto planar_body() const {
     const auto b = body();
