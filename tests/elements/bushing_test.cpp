@@ -61,6 +61,24 @@ TEST_CASE("functions of half a turn keep their digits where they change to serie
     for (const digits50& e : errors(t)) CHECK(e <= 4 * eps<digits50>);
 }
 
+TEST_CASE("the rates by which a bushing is damped are derivatives", "[elements][bushing]") {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    auto x = trial_of<digits50>(bushing_3D("a", "b", {}), seed);
+    const auto seen = [](auto& y) {
+      return detail::midway_between<kind::frame_3D>(spatial(y.template at<0>()), spatial(y.template at<1>()));
+    };
+    const auto change = testing::detail::derivatives<digits50>([&](const digits50& t) {
+      auto y = x;
+      y.move(t);
+      const auto m = seen(y);
+      return std::array{m.d.x, m.d.y, m.d.z, m.r.x, m.r.y, m.r.z};
+    });
+    const auto rates = detail::midway_rates_of(seen(x), x.at<0>(), x.at<1>());
+    const std::array given{rates.d.x, rates.d.y, rates.d.z, rates.r.x, rates.r.y, rates.r.z};
+    CHECK(testing::detail::difference<digits50, 6>(given, change.first) <= 1000 * by_differences<digits50>);
+  }
+}
+
 TEST_CASE("a bushing resists what it is moved by", "[elements][bushing]") {
   const double margin = 32 * eps<double>;
   // Moved along, it is its matrix.
@@ -77,6 +95,10 @@ TEST_CASE("a bushing resists what it is moved by", "[elements][bushing]") {
   const auto fast = loaded({}, isotropic_bushing(2, 3), {.velocity = {1, 0, 0}, .ang_velocity = {0, 0, 4}});
   CHECK(near(fast[1].force, vec3{-2.0, 0.0, 0.0}, margin));
   CHECK(near(fast[1].torque, vec3{0.0, 0.0, -12.0}, margin));
+  const vec3 v{1.0, -2.0, 0.5}, w{0.25, 1.5, -1.0};
+  const auto whirled = loaded({}, coupled_all, {.velocity = v, .ang_velocity = w});  // both origins in one place
+  CHECK(near(whirled[1].force, -(coupled_all.linear * v + coupled_all.coupling * w), margin));
+  CHECK(near(whirled[1].torque, -(transpose(coupled_all.coupling) * v + coupled_all.angular * w), margin));
   CHECK(std::isnan(loaded(coupled_all, {}, {.position = {not_a_number, 0, 0}})[0].torque.x));
 }
 
