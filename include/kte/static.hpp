@@ -24,11 +24,13 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/law_spring.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
+#include <kte/elements/table_spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/frames/inverse.hpp>

@@ -24,6 +24,7 @@ inline std::vector<std::string> split(const std::string& text, const std::string
 
 inline std::vector<double> numbers_of(const std::string& what) {
   static const std::map<std::string, std::vector<double>> known{{"number", {1}},
+                                                                {"list", {1, 2}},
                                                                 {"flag", {1}},
                                                                 {"vector", {1, 0, 0}},
                                                                 {"unit vector", {1, 0, 0}},

@@ -16,6 +16,7 @@
 #include <kte/elements/rigid_link.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
+#include <kte/elements/table_spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
@@ -53,6 +54,9 @@ KTE_ELEMENT(inertia<kind::frame_3D, double, vec3<>, sym3<>>);
 KTE_ELEMENT(spring_gen<double, double, double>);
 KTE_ELEMENT(spring<kind::frame_2D, double, double, double>);
 KTE_ELEMENT(spring<kind::frame_3D, double, double, double>);
+KTE_ELEMENT(table_spring<kind::gen, std::vector<double>>);
+KTE_ELEMENT(table_spring<kind::frame_2D, std::vector<double>>);
+KTE_ELEMENT(table_spring<kind::frame_3D, std::vector<double>>);
 KTE_ELEMENT(damper_gen<double>);
 KTE_ELEMENT(damper<kind::frame_2D, double>);
 KTE_ELEMENT(damper<kind::frame_3D, double>);
@@ -82,7 +86,7 @@ using all_families =
     families<base_family, bushing_family, constant_force_family, damper_family, driving_actuator_family,
              flexible_beam_family, free_joint_family, inertia_family, joint_backlash_family, joint_lugre_family,
              prismatic_joint_family, revolute_joint_family, rigid_link_family, spherical_joint_family, spring_family,
-             torsion_damper_family, torsion_spring_family>;
+             table_spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte

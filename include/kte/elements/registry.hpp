@@ -46,6 +46,8 @@ class record_reader {
     fail("has no connection '" + std::string(role) + "'");
   }
   double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
+  /// A parameter that is a list.
+  const std::vector<double>& numbers(std::string_view parameter) const { return parameter_of(parameter).values; }
   /// Whether a parameter is given that may be left out.
   bool has(std::string_view parameter) const {
     return std::any_of(record_.parameters.begin(), record_.parameters.end(),
@@ -113,15 +115,17 @@ class record_reader {
   [[noreturn]] void fail(const std::string& why, const file_place& place) const {
     throw detail::bad_record(place, record_.type + " " + why);
   }
-  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+  const parameter_record& parameter_of(std::string_view parameter) const {
     for (const auto& p : record_.parameters)
-      if (p.name == parameter) {
-        if (p.values.size() != count)
-          fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
-               p.place);
-        return p.values;
-      }
+      if (p.name == parameter) return p;
     fail("has no parameter '" + std::string(parameter) + "'");
+  }
+  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+    const auto& p = parameter_of(parameter);
+    if (p.values.size() != count)
+      fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
+           p.place);
+    return p.values;
   }
   const element_record& record_;
 };
