@@ -23,6 +23,7 @@
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
+#include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
 #include <kte/elements/law_spring.hpp>
 #include <kte/elements/prismatic_joint.hpp>
