@@ -23,6 +23,8 @@
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
+#include <kte/elements/joint_elasto_plastic.hpp>
+#include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
 #include <kte/elements/law_spring.hpp>

@@ -82,8 +82,7 @@ struct flexible_beam {
     return S(S(0.5) * (S(rest_length) * S(all().EA) * x.e * x.e + bent + y.s * x.s_y * x.s_y + z.s * x.s_z * x.s_z));
   }
   constexpr void check(const parameter_check& where) const {
-    where.finite(rest_length, "rest length must be finite and positive");
-    where.require(rest_length > 0, "rest length must be finite and positive", rest_length);
+    where.positive(rest_length, "rest length must be finite and positive");
     parameters(*this, [&where](const char*, double x) {
       where.not_negative(x, "stiffnesses of the section must be finite and not negative");
     });
