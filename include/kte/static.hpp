@@ -20,6 +20,8 @@
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/flexible_beam.hpp>
+#include <kte/elements/fluid_drag.hpp>
+#include <kte/elements/force_law.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>

@@ -7,6 +7,7 @@
 #include <kte/elements/damper.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/flexible_beam.hpp>
+#include <kte/elements/fluid_drag.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
@@ -76,6 +77,8 @@ KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<ze
 KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(follower_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
 KTE_ELEMENT(follower_force<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(fluid_drag<kind::frame_2D, double, double, vec3<double, double, zero_t>>);
+KTE_ELEMENT(fluid_drag<kind::frame_3D, double, double, vec3<>>);
 KTE_ELEMENT(joint_lugre_gen);
 KTE_ELEMENT(joint_elasto_plastic_gen);
 KTE_ELEMENT(joint_friction_gen);
@@ -90,7 +93,7 @@ struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
     families<base_family, bushing_family, constant_force_family, damper_family, driving_actuator_family,
-             flexible_beam_family, free_joint_family, inertia_family, joint_backlash_family,
+             flexible_beam_family, fluid_drag_family, free_joint_family, inertia_family, joint_backlash_family,
              joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
              prismatic_joint_family, revolute_joint_family, rigid_link_family, spherical_joint_family, spring_family,
              table_spring_family, torsion_damper_family, torsion_spring_family>;
