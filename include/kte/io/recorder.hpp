@@ -18,7 +18,7 @@ namespace kte {
 ///   rotation            ball/rotation     ball/ang_velocity   ball/ang_acceleration   ball/torque
 ///   poses and frames    x/position  x/rotation (2D: x/angle)  x/velocity  x/ang_velocity  x/acceleration
 ///                       x/ang_acceleration  x/force  x/torque
-///   input               motor
+///   signal              motor   (of three numbers: pull/x  pull/y  pull/z)
 ///   internal state      bristle           bristle/v
 ///
 /// A vector is a column a component, `tip/position/x`, which may be asked for alone; a rotation has w, x, y, z. The

@@ -34,12 +34,15 @@ class topology {
     std::vector<int> index;        ///< of what each port is connected to
     std::span<const port> ports;   ///< of the element
     bool stiff = false;            ///< whether it is a joint or a link
+    bool spreads = false;          ///< whether it has a mass between several ports
     bool has_derivatives = false;  ///< whether the derivatives of its forces are known (kernels/variation.hpp)
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
   std::vector<detail::freedom> free;                  ///< the coordinates that are degrees of freedom, in order
   int nq = 0, nv = 0;                                 ///< numbers of a configuration; degrees of freedom
+  std::vector<detail::outside_signal> signals;        ///< signals that no element writes, in order
+  int nu = 0;                                         ///< their numbers
   std::vector<connection> elements;                   ///< in order
   bool has_derivatives = true;                        ///< all elements do
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
@@ -150,6 +153,11 @@ KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
   if (fresh) {
     names[k].push_back(name);
     writers[k].push_back(writer);
+    if (nu_of(x.what) > 0 && !x.writes()) {
+      const bool time = detail::is_time(x.what, name);
+      signals.push_back({x.what, it->second.index, time ? -1 : nu});
+      if (!time) nu += nu_of(x.what);
+    }
     if (is_coordinate(x.what) && !x.writes()) {
       free.push_back({x.what, it->second.index, nq, nv});
       nq += nq_of(x.what), nv += nv_of(x.what);

@@ -2,6 +2,7 @@
 
 #include <kte/contract/gravity.hpp>
 #include <kte/contract/passes.hpp>
+#include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/kept_states.hpp>
 #include <kte/static_chain/state.hpp>
 
@@ -36,6 +37,8 @@ inline constexpr bool unrolls_all = Elements <= KTE_UNROLLED_ELEMENTS;
 ///   doForce     forces, back to front; then s[q].f is the force of virtual power on q
 template <class Gravity, class... E>
 class static_chain {
+  using shapes = detail::shapes_of<detail::wiring<E...>, typename E::core_type...>;
+
  public:
   using wiring = detail::wiring<E...>;
   static constexpr std::size_t size = sizeof...(E);
@@ -45,12 +48,10 @@ class static_chain {
   static constexpr int nq = wiring::nq;
   /// Whether an element reads positions, rotations or linear velocities of frames by its forces; it says so by
   /// `static constexpr bool reads_positions = true`. Only then do the fused algorithms compute them.
-  static constexpr bool reads_positions = [] {
-    const bool each[]{detail::reads_positions<typename E::core_type>..., false};
-    for (bool b : each)
-      if (b) return true;
-    return false;
-  }();
+  static constexpr bool reads_positions = shapes::reads_positions;
+  /// Whether it has nothing that only the loops over records know; whether all algorithms are unrolled for it.
+  static constexpr bool common = shapes::common;
+  static constexpr bool unrolled = detail::unrolls_all<size> && common;
 
   constexpr static_chain(const boost::hana::tuple<E...>& elements, const Gravity& g)
       : elements_(elements), gravity_(g) {}
@@ -145,7 +146,7 @@ class static_chain {
 
  public:
   /// For calculations that are not unrolled.
-  [[no_unique_address]] detail::kept_states<!detail::unrolls_all<size>> kept;
+  [[no_unique_address]] detail::kept_states<!unrolled> kept;
 };
 
 namespace detail {
