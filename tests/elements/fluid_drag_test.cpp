@@ -41,10 +41,10 @@ TEST_CASE("drag obeys the laws", "[elements][fluid_drag]") { check_laws<double>(
 TEST_CASE("drag by its formula", "[elements][fluid_drag]") {
   const auto force = [](const vec2<>& v, auto... numbers) {
     auto x = trial_of(fluid_drag_2D("a", numbers...), 1);
-    x.at<0>() = {.rotation = {0, 1}, .velocity = v};  // a quarter turn
+    x.template at<0>() = {.rotation = {0, 1}, .velocity = v};  // a quarter turn
     x.doForce();
-    CHECK(x.at<0>().torque == 0);
-    return x.at<0>().force;
+    CHECK(x.template at<0>().torque == 0);
+    return x.template at<0>().force;
   };
   CHECK(force({3, 4}, 2.0) == vec2{-30.0, -40.0});
   CHECK(force({3, 4}, 2.0, 1) == vec2{-33.0, -44.0});
