@@ -85,18 +85,6 @@ KTE_INLINE constexpr auto real(const T& x) {
   }
 }
 
-namespace detail {
-/// A typed constant as a double, a number as it is.
-template <entry T>
-KTE_INLINE constexpr auto as_number(const T& x) {
-  if constexpr (typed_constant<T>) {
-    return as<double>(x);
-  } else {
-    return x;
-  }
-}
-}  // namespace detail
-
 // ---- constants with constants
 template <int M, int N>
 KTE_INLINE constexpr constant<M + N> operator+(constant<M>, constant<N>) {
