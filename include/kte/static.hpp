@@ -18,7 +18,9 @@
 #include <kte/elements/bushing.hpp>
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
+#include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/dry_revolute_joint.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/fluid_drag.hpp>
 #include <kte/elements/force_law.hpp>
@@ -29,10 +31,16 @@
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/joint_stiction.hpp>
 #include <kte/elements/law_spring.hpp>
+#include <kte/elements/line_point_mindist.hpp>
+#include <kte/elements/mimic.hpp>
+#include <kte/elements/position_control.hpp>
+#include <kte/elements/position_measure.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotor.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/table_spring.hpp>

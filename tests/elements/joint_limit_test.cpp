@@ -102,7 +102,7 @@ TEST_CASE("a ball jumps on a stiff floor, and its touches are events", "[element
 TEST_CASE("limits are saved and loaded, and reject what makes no sense", "[elements][joint_limit]") {
   kte_map_chain c;
   c << inertia_gen("q", 1.0) << joint_limit_gen("q", both) << joint_limit_gen("q", {.lower = 0, .stiffness = 1});
-  CHECK(record_of(models::registered(from_json(to_json(record_of(c))))) == record_of(c));
+  CHECK(record_of(models::registered(from_xml(to_xml(record_of(c))))) == record_of(c));
   const auto what = [](const joint_limits& p) { return complaint([&] { joint_limit_gen("q", p); }); };
   const std::string where = "kte: joint_limit_gen (coordinate 'q'): ";
   CHECK(what({.lower = 1, .upper = 0, .stiffness = 1}) == where + "lower must not be above upper, got 1");

@@ -29,11 +29,11 @@ inline constexpr std::size_t kept_count = [] {
   for (const auto& p : Core::ports) n += p.how == access::keep;
   return n;
 }();
-/// The port of number N of them.
+/// The port of number N of them; beyond the last where there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;
-  while (Core::ports[p].how != access::keep || n++ != N) ++p;
+  while (p < port_count<Core> && (Core::ports[p].how != access::keep || n++ != N)) ++p;
   return p;
 }();
 /// Number N of the rates that `z_dot` of an element gives: one, or several by `make_rates`.

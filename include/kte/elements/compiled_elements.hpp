@@ -5,7 +5,9 @@
 #include <kte/elements/bushing.hpp>
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
+#include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/dry_revolute_joint.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/fluid_drag.hpp>
 #include <kte/elements/free_joint.hpp>
@@ -15,9 +17,15 @@
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/joint_stiction.hpp>
+#include <kte/elements/line_point_mindist.hpp>
+#include <kte/elements/mimic.hpp>
+#include <kte/elements/position_control.hpp>
+#include <kte/elements/position_measure.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotor.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/table_spring.hpp>
@@ -84,6 +92,23 @@ KTE_ELEMENT(joint_elasto_plastic_gen);
 KTE_ELEMENT(joint_friction_gen);
 KTE_ELEMENT(joint_backlash_gen<double>);
 KTE_ELEMENT(joint_limit_gen);
+KTE_ELEMENT(joint_stiction_gen);
+KTE_ELEMENT(brake_gen);
+KTE_ELEMENT(mimic<double, double>);
+KTE_ELEMENT(differential<double, double>);
+KTE_ELEMENT(rotor<vec3<>, double, double>);
+KTE_ELEMENT(dry_revolute_joint<vec3<one_t, zero_t, zero_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, one_t, zero_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, zero_t, one_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<>>);
+KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
+KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(position_control_gen);
+KTE_ELEMENT(position_control<kind::frame_2D>);
+KTE_ELEMENT(position_control<kind::frame_3D>);
+KTE_ELEMENT(position_measure_gen);
+KTE_ELEMENT(position_measure<kind::frame_2D>);
+KTE_ELEMENT(position_measure<kind::frame_3D>);
 #  undef KTE_ELEMENT
 #endif
 
@@ -92,11 +117,13 @@ template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
-    families<base_family, bushing_family, constant_force_family, damper_family, driving_actuator_family,
-             flexible_beam_family, fluid_drag_family, free_joint_family, inertia_family, joint_backlash_family,
-             joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
-             prismatic_joint_family, revolute_joint_family, rigid_link_family, spherical_joint_family, spring_family,
-             table_spring_family, torsion_damper_family, torsion_spring_family>;
+    families<base_family, bushing_family, constant_force_family, damper_family, differential_family,
+             driving_actuator_family, dry_revolute_joint_family, flexible_beam_family, fluid_drag_family,
+             free_joint_family, inertia_family, joint_backlash_family, joint_elasto_plastic_family,
+             joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
+             line_point_mindist_family, mimic_family, position_control_family, position_measure_family,
+             prismatic_joint_family, revolute_joint_family, rigid_link_family, rotor_family, spherical_joint_family,
+             spring_family, table_spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte
