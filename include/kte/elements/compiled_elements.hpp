@@ -12,6 +12,7 @@
 #include <kte/elements/fluid_drag.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
+#include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>
@@ -122,6 +123,8 @@ KTE_ELEMENT(joint_stiction_gen);
 KTE_ELEMENT(brake_gen);
 KTE_ELEMENT(mimic<double, double>);
 KTE_ELEMENT(differential<double, double>);
+KTE_ELEMENT(inertial_beam<kind::frame_2D, double, sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);
+KTE_ELEMENT(inertial_beam<kind::frame_3D, double, sym3<>>);
 KTE_ELEMENT(rotor<vec3<>, double, double>);
 KTE_ELEMENT(dry_revolute_joint<vec3<one_t, zero_t, zero_t>>);
 KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, one_t, zero_t>>);
@@ -145,12 +148,12 @@ struct families {};
 using all_families =
     families<base_family, bushing_family, constant_force_family, damper_family, differential_family,
              driving_actuator_family, dry_revolute_joint_family, flexible_beam_family, fluid_drag_family,
-             free_joint_family, inertia_family, joint_backlash_family, joint_elasto_plastic_family,
-             joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
-             line_point_mindist_family, mimic_family, planar_joint_family, position_control_family,
-             position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family, rotor_family,
-             screw_joint_family, spherical_joint_family, spring_family, table_spring_family, torsion_damper_family,
-             torsion_spring_family>;
+             free_joint_family, inertia_family, inertial_beam_family, joint_backlash_family,
+             joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
+             joint_stiction_family, line_point_mindist_family, mimic_family, planar_joint_family,
+             position_control_family, position_measure_family, prismatic_joint_family, revolute_joint_family,
+             rigid_link_family, rotor_family, screw_joint_family, spherical_joint_family, spring_family,
+             table_spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte
