@@ -125,6 +125,19 @@ bool near_tip(const V& tip, const vec3<>& exact, double tolerance) {
 
 TEST_CASE("flexible beams obey the laws", "[elements][flexible_beam]") { check_laws<double>(), check_laws<digits50>(); }
 
+TEST_CASE("flexible beams in numbers of fewer and of more digits", "[elements][flexible_beam]") {
+  const auto off = []<class S>(const S&) {
+    auto x = trial_of<S>(flexible_beam_3D("a", "b", 1.5, solid), 2);
+    auto exact = trial_of<digits50>(flexible_beam_3D("a", "b", 1.5, solid), 2);
+    x.doForce(), exact.doForce();
+    const auto f = as<digits50>(x.template at<1>().torque) - exact.template at<1>().torque;
+    return static_cast<double>(sqrt(dot(f, f)) / eps<S>);
+  };
+  CHECK(off(1.0f) < 200);  // of torques up to 10
+  CHECK(off(1.0) < 200);
+  CHECK(off(1.0L) < 200);
+}
+
 TEST_CASE("small motions of one beam are those of the linear beam", "[elements][flexible_beam]") {
   const double L = 2, P = 1e-6, EI = 3, EI_y = 2, EA = 7, GA = 20, GJ = 1.5;  // what is left out is of P^2
   const auto small = [](double x, double exact) { return std::abs(x - exact) <= 1e-5 * std::abs(exact); };

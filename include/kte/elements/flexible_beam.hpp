@@ -62,7 +62,7 @@ struct flexible_beam {
     const auto m = detail::midway_between<Dim>(a, b);
     const auto x = shape_of(m);
     using S = std::remove_cvref_t<decltype(x.h)>;
-    const S L(rest_length), N = S(all().EA) * x.e;
+    const S L = S(rest_length), N = S(all().EA) * x.e;
     const auto [y, z, twist] = stiffness<S>();
     const auto h = vec3{twist * m.r.x, S(y.r + N * L / S(12)) * m.r.y, S(z.r + N * L / S(12)) * m.r.z};
     const auto q_y = S(y.s + N * L * y.share / S(5)) * x.s_y;
@@ -123,7 +123,7 @@ struct flexible_beam {
   template <class S>
   KTE_INLINE constexpr stiffnesses<S> stiffness() const {
     const auto k = all();
-    const S L(rest_length);
+    const S L = S(rest_length);
     return {bending<S>(k.EI_y, k.GA_z, L), bending<S>(k.EI_z, k.GA_y, L), S(S(k.GJ) / L)};
   }
   /// h = 2 / (D + d_x), d/D, (1), (2)
@@ -140,7 +140,7 @@ struct flexible_beam {
     const auto [D, along] = detail::to_polar(m.d);
     using S = std::remove_cvref_t<decltype(m.half.s + D)>;
     const auto [y, z, twist] = stiffness<S>();
-    const S L(rest_length), h = S(2) / (D + m.d.x);
+    const S L = S(rest_length), h = S(2) / (D + m.d.x);
     const auto s_y = -(h * m.d.z);
     const auto s_z = h * m.d.y;  // (1)
     const S e = (D - L) / L + (m.r.y * m.r.y + m.r.z * m.r.z) / S(24) +
