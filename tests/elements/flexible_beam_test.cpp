@@ -2,6 +2,7 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <numbers>
@@ -222,6 +223,23 @@ TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi", "[elements][flexible_
   }
   q = balanced(c, q, 10, [](double share) { return constant_force_3D(std::to_string(n), along_z(share * 300)); });
   CHECK(near_tip(q.tail(7), {58.7788973299748, 22.2446794266758, 40.1923923322953}, 0.05));
+}
+
+TEST_CASE("a pushed beam buckles at Euler's load", "[elements][flexible_beam]") {
+  // pi^2 EI/(4 L^2) of a cantilever; two beams err by 5e-4.
+  const auto c = cantilever(2, 1, planar_beam_section{.EA = 1e6, .EI = 1});
+  const auto stiffness = [&](double push) {
+    const auto load = constant_force_2D("2", along_x(-push));
+    const auto q = balanced(c, straight(c, 2, 1), 1, [&](double) { return load; });
+    auto loaded = c;
+    loaded << load;
+    auto s = loaded.make_state();
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(loaded.dofs());
+    return Eigen::MatrixXd(inverse_dynamics_derivatives(loaded, s, q, none, none).by_q);
+  };
+  const double critical = pi * pi / 4;
+  CHECK(Eigen::LLT<Eigen::MatrixXd>(stiffness(0.999 * critical)).info() == Eigen::Success);
+  CHECK(Eigen::LLT<Eigen::MatrixXd>(stiffness(1.001 * critical)).info() != Eigen::Success);
 }
 
 TEST_CASE("a body on a beam keeps its energy", "[elements][flexible_beam]") {
