@@ -44,7 +44,7 @@ inline std::map<std::string, kte::element_record> records() {
   std::map<std::string, kte::element_record> all;
   std::string family;
   for (std::string line; std::getline(page, line);) {
-    if (line.starts_with("## `")) family = split(line, "`")[1];
+    if (line.starts_with("## ")) family = line.starts_with("## `") ? split(line, "`")[1] : "";
     if (family.empty() || !line.starts_with("| `")) continue;
     const auto cells = split(line, " | ");
     const std::string name = split(cells.at(0), "`").at(1), what = split(cells.at(2), ", ").at(0);

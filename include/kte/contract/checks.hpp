@@ -96,6 +96,11 @@ struct check_reactions {
 };
 
 /// What stands for an element that was refused with a sentence, so that nothing more is said about it.
-struct refused {};
+struct refused {
+  template <class... Place>
+  constexpr refused at(const Place&...) const {
+    return {};
+  }
+};
 
 }  // namespace kte::detail

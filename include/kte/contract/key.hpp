@@ -131,11 +131,12 @@ constexpr std::uint64_t hash_of_type() {
   return hash(__PRETTY_FUNCTION__);
 #endif
 }
-/// Two keys are the same name when their types are; and then only may their texts be equal.
+/// Two keys are the same name when their types are; and then only may their texts be equal. Names of frames live apart
+/// from those of coordinates and signals: of one text there may be one of either.
 template <class Key>
 inline constexpr std::uint64_t id_of_key = hash_of_type<Key>();
 template <class Key>
-inline constexpr std::uint64_t id_of_text = hash(Key::name);
+inline constexpr std::uint64_t id_of_text = hash(Key::name) + (is_frame(Key::what) ? 1 : 0);
 
 }  // namespace detail
 }  // namespace kte

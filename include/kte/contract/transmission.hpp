@@ -187,3 +187,5 @@ struct check_core<Core> {
 }  // namespace detail
 
 }  // namespace kte
+
+#include <kte/contract/seat.hpp>  // joints of all who include this have seats

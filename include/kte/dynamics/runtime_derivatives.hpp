@@ -148,7 +148,7 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c
   check_size(n, known, "known");
   std::vector<char> is_known(n, 0);
   for (const auto& name : prescribed) {
-    const kind k = c.wiring().kind_of(name);
+    const kind k = c.wiring().kind_of(name, false);
     const int slot = c.wiring().find(name, k);
     const auto at = std::find_if(s.freedoms().begin(), s.freedoms().end(),
                                  [&](const freedom& f) { return f.what == k && f.slot == slot; });

@@ -53,9 +53,9 @@ struct free_joint_family {
   template <class Add>
   static void add_to(const Add& add) {
     add("free_joint_2D",
-        [](const auto& x) { return free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")); });
+        [](const auto& x) { return x.placed(free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"))); });
     add("free_joint_3D",
-        [](const auto& x) { return free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
+        [](const auto& x) { return x.placed(free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"))); });
   }
 };
 }  // namespace detail

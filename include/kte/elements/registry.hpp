@@ -109,6 +109,19 @@ class record_reader {
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
     return std::make_unique<kte_map_adapter<Core>>(std::move(e));
   }
+  /// A joint, where its record places it.
+  bool is_placed() const { return has("position") || has("rotation"); }
+  template <class Core>
+  std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
+    if (!is_placed()) return adapt(joint);
+    const bool has_position = has("position"), has_rotation = has("rotation");
+    if constexpr (Core::ports.back().what == kind::frame_2D)
+      return adapt(joint.at(has_position ? planar_vector("position") : vec2<>{},
+                            has_rotation ? planar_rotation("rotation") : rotation_2D<>{1, 0}));
+    else
+      return adapt(joint.at(has_position ? vector("position") : vec3<>{},
+                            has_rotation ? rotation("rotation") : as<double>(kte::matrix(no_rotation{}))));
+  }
   [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
 
  private:

@@ -66,11 +66,11 @@ struct revolute_joint_family {
   static void add_to(const Add& add) {
     add("revolute_joint_2D", [](const auto& x) {
       if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-      return revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"));
+      return x.placed(revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")));
     });
     add("revolute_joint_3D", [](const auto& x) {
       return x.with_axis("axis", [&](const auto& n) {
-        return x.adapt(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
+        return x.placed(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
       });
     });
   }

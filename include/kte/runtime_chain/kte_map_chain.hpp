@@ -43,6 +43,16 @@ class kte_map_chain : public kte_map {
   kte_map_chain& operator<<(named_element<Core> e) {
     return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
   }
+  template <class... Core>
+  kte_map_chain& operator<<(named_elements<Core...> e) {
+    std::apply(
+        [this](auto&... each) {
+          std::unique_ptr<kte_map> all[]{std::make_unique<kte_map_adapter<Core>>(std::move(each))...};
+          add(all, sizeof...(Core), {});
+        },
+        e.all);
+    return *this;
+  }
   template <class Gravity, class... E>
   kte_map_chain& operator<<(const static_chain<Gravity, E...>& c) {
     return append(std::make_unique<static_chain_map<static_chain<Gravity, E...>>>(c));
@@ -174,7 +184,7 @@ class kte_map_chain : public kte_map {
 
   handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
     const topology& t = wiring();
-    const kind k = t.kind_of(name);
+    const kind k = t.kind_of(name, fits(kind::frame_3D));
     if (!fits(k))
       throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(k)) + ", not a " + wanted);
     return {k, t.find(name, k), t.layout};
