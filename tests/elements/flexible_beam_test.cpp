@@ -2,6 +2,7 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <numbers>
@@ -125,6 +126,19 @@ bool near_tip(const V& tip, const vec3<>& exact, double tolerance) {
 
 TEST_CASE("flexible beams obey the laws", "[elements][flexible_beam]") { check_laws<double>(), check_laws<digits50>(); }
 
+TEST_CASE("flexible beams in numbers of fewer and of more digits", "[elements][flexible_beam]") {
+  const auto off = []<class S>(const S&) {
+    auto x = trial_of<S>(flexible_beam_3D("a", "b", 1.5, solid), 4);
+    auto exact = trial_of<digits50>(flexible_beam_3D("a", "b", 1.5, solid), 4);
+    x.doForce(), exact.doForce();
+    const auto f = as<digits50>(x.template at<1>().torque) - exact.template at<1>().torque;
+    return static_cast<double>(sqrt(dot(f, f)) / eps<S>);
+  };
+  CHECK(off(1.0f) < 200);  // of torques up to 10
+  CHECK(off(1.0) < 200);
+  CHECK(off(1.0L) < 200);
+}
+
 TEST_CASE("small motions of one beam are those of the linear beam", "[elements][flexible_beam]") {
   const double L = 2, P = 1e-6, EI = 3, EI_y = 2, EA = 7, GA = 20, GJ = 1.5;  // what is left out is of P^2
   const auto small = [](double x, double exact) { return std::abs(x - exact) <= 1e-5 * std::abs(exact); };
@@ -209,6 +223,23 @@ TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi", "[elements][flexible_
   }
   q = balanced(c, q, 10, [](double share) { return constant_force_3D(std::to_string(n), along_z(share * 300)); });
   CHECK(near_tip(q.tail(7), {58.7788973299748, 22.2446794266758, 40.1923923322953}, 0.05));
+}
+
+TEST_CASE("a pushed beam buckles at Euler's load", "[elements][flexible_beam]") {
+  // pi^2 EI/(4 L^2) of a cantilever; two beams err by 5e-4.
+  const auto c = cantilever(2, 1, planar_beam_section{.EA = 1e6, .EI = 1});
+  const auto stiffness = [&](double push) {
+    const auto load = constant_force_2D("2", along_x(-push));
+    const auto q = balanced(c, straight(c, 2, 1), 1, [&](double) { return load; });
+    auto loaded = c;
+    loaded << load;
+    auto s = loaded.make_state();
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(loaded.dofs());
+    return Eigen::MatrixXd(inverse_dynamics_derivatives(loaded, s, q, none, none).by_q);
+  };
+  const double critical = pi * pi / 4;
+  CHECK(Eigen::LLT<Eigen::MatrixXd>(stiffness(0.999 * critical)).info() == Eigen::Success);
+  CHECK(Eigen::LLT<Eigen::MatrixXd>(stiffness(1.001 * critical)).info() != Eigen::Success);
 }
 
 TEST_CASE("a body on a beam keeps its energy", "[elements][flexible_beam]") {
