@@ -83,8 +83,8 @@ auto static_one(bool dry) {
 }
 kte_map_chain runtime_one(bool dry) {
   kte_map_chain c;
-  all_shapes([](const auto& key) { return std::string(key.name); }, [&c](const auto&... e) { return (c << ... << e), 0; },
-             dry);
+  all_shapes([](const auto& key) { return std::string(key.name); },
+             [&c](const auto&... e) { return (c << ... << e), 0; }, dry);
   return c.gravity(vec3{0.3, -0.4, -9.81});
 }
 template <class A, class B>
@@ -117,6 +117,17 @@ TEST_CASE("a static chain of all shapes is what it is at run time", "[shapes]") 
   CHECK(difference_of(-forces(s), tau) < 1e-14);
   CHECK(s[where].x == within(s[claw].position.x, 0));
   CHECK(s[drive] == within(-3 * -0.7 + std::sin(1.4), 1e-15));
+  const auto y = c.outputs(s);
+  REQUIRE(y.size() == 5);
+  CHECK(y[0] == within(-0.7, 0));
+  CHECK(y[1] == within(s[drive], 0));
+  CHECK(y[4] == within(s[claw].position.z, 0));
+  r.doMotion(t);
+  const auto named = r.outputs(t);
+  REQUIRE(named.size() == 3);
+  CHECK(named[1].name == "drive");
+  CHECK(named[1].numbers[0] == within(y[1], 1e-15));
+  CHECK(named[2].numbers[2] == within(y[4], 1e-15));
   CHECK(difference_of(mass_matrix(c, s), Eigen::Matrix2d(mass_matrix(r, t))) < 1e-15);
   CHECK(difference_of(mass_matrix_inverse(c, s), Eigen::Matrix2d(mass_matrix_inverse(r, t))) < 1e-14);
   CHECK(difference_of(forward_dynamics(c, s), Eigen::Vector2d(forward_dynamics(r, t))) < 1e-14);

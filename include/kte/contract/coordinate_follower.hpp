@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/passes.hpp>
 #include <kte/contract/transmission.hpp>
 #include <kte/math/dual.hpp>
 

@@ -27,7 +27,8 @@ struct element_numbers {
   bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
   bool measures_accelerations = false;
   bool reads_reaction = false;  ///< of a joint: whether its friction depends on what it carries
-  bool spreads_mass = false;    ///< whether it has a mass between several ports
+  bool holds_coordinate = false;
+  bool spreads_mass = false;  ///< whether it has a mass between several ports
   stiff_numbers<P> stiff{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
   composite<P, vec3<P>, sym3<P>> weight{};
@@ -88,6 +89,7 @@ element_numbers<P> as_numbers(const element_numbers<double>& n) {
   element_numbers<P> x;
   x.is = n.is, x.plain_loads = n.plain_loads, x.measures_accelerations = n.measures_accelerations;
   x.reads_reaction = n.reads_reaction, x.spreads_mass = n.spreads_mass;
+  x.holds_coordinate = n.holds_coordinate;
   x.stiff.at_zero = placed(n.stiff.at_zero), x.stiff.tried = placed(n.stiff.tried);
   for (std::size_t k = 0; k < n.stiff.linear.size(); ++k)
     x.stiff.linear[k] = as<P>(n.stiff.linear[k]), x.stiff.angular[k] = as<P>(n.stiff.angular[k]);
@@ -101,6 +103,7 @@ element_numbers<P> numbers_of(const Core& core) {
   element_numbers<P> n;
   constexpr port last = Core::ports.back();
   n.reads_reaction = reads_reaction<Core>, n.spreads_mass = spreads_mass<Core>;
+  n.holds_coordinate = holds_coordinate<Core>;
   if constexpr (is_transmission<Core>) {
     n.is = part::stiff;
     n.plain_loads = loads_by_relative<Core>;

@@ -29,11 +29,11 @@ inline constexpr std::size_t kept_count = [] {
   for (const auto& p : Core::ports) n += p.how == access::keep;
   return n;
 }();
-/// The port of number N of them.
+/// The port of number N of them; beyond the last where there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;
-  while (Core::ports[p].how != access::keep || n++ != N) ++p;
+  while (p < port_count<Core> && (Core::ports[p].how != access::keep || n++ != N)) ++p;
   return p;
 }();
 /// Number N of the rates that `z_dot` of an element gives: one, or several by `make_rates`.
@@ -147,6 +147,29 @@ struct stored_element {
       spread<P...>(core.doForce(input<P>()...));
     }
   }
+  /// Whether it holds its coordinate, and by how large a force it could.
+  template <std::size_t... P>
+  KTE_INLINE constexpr bool holds(std::index_sequence<P...>) const {
+    if constexpr (holds_coordinate<Core>) {
+      return core.holds(input<P>()...);
+    } else {
+      return false;
+    }
+  }
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto capacity(std::index_sequence<P...>) const {
+    if constexpr (holds_coordinate<Core>) {
+      return core.capacity(input<P>()...);
+    } else {
+      return zero;
+    }
+  }
+  /// What it keeps after its law has changed; nothing where it has no `switched`.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void switch_over(std::index_sequence<P...>) const {
+    if constexpr (requires { core.switched(input<P>()...); })
+      write_kept(core.switched(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
+  }
   /// The loads of a mass between several ports, for accelerations alone.
   template <std::size_t... P>
   KTE_INLINE constexpr void mass_force(std::index_sequence<P...>) const {
@@ -224,6 +247,15 @@ struct stored_element {
   KTE_INLINE constexpr void write_rates(const Rates& rates, std::index_sequence<N...>) const {
     const int done[]{(write_rate<N>(rates), 0)...};
     (void)done;
+  }
+  template <class Kept, std::size_t... N>
+  KTE_INLINE constexpr void write_kept(const Kept& kept, std::index_sequence<N...>) const {
+    const int done[]{(write_one(rate_of_kept<N>(kept), stored<kept_port<Core, N>>()), 0)...};
+    (void)done;
+  }
+  template <class X, class Z>
+  KTE_INLINE static constexpr void write_one(const X& x, Z& to) {
+    to.z = as<std::remove_cvref_t<decltype(to.z)>>(x);
   }
   template <std::size_t N, class Rates>
   KTE_INLINE constexpr void write_rate(const Rates& rates) const {

@@ -64,6 +64,13 @@ template <class Core>
 requires requires { Core::reads_reaction; }
 inline constexpr bool reads_reaction<Core> = Core::reads_reaction;
 
+/// Whether it may hold a coordinate: contract/holder.hpp.
+template <class Core>
+inline constexpr bool holds_coordinate = false;
+template <class Core>
+requires requires { Core::holds_coordinate; }
+inline constexpr bool holds_coordinate<Core> = Core::holds_coordinate;
+
 /// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
 /// so by `static constexpr bool reads_positions = true`.
 template <class Core>

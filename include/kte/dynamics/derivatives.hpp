@@ -53,7 +53,8 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
                                        const joint_vector<S, Chain::dofs>& tau) {
   forward_dynamics_result<S, Chain::dofs> r;
   const each<S, V> rates{v};
-  if constexpr (is_tree_of_joints<Chain>) {
+  constexpr bool inverted = is_tree_of_joints<Chain> || !Chain::common;
+  if constexpr (inverted) {
     at.check(), base.check();
     const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
     if constexpr (is_unrolled<Chain, S>) {
@@ -65,7 +66,7 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     r.a = accelerations_under<S>(c, at, rates, base, tau);
   }
   auto of_forces = derivatives_at<S>(c, at, base, q, v, r.a);
-  if constexpr (!is_tree_of_joints<Chain>)
+  if constexpr (!inverted)
     invert_by_factors(of_forces.by_a, r.by_tau,
                       [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
   solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);

@@ -102,13 +102,13 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
   const Eigen::Index n = s.dofs();
   r.a = s.work.forces;
   r.by_q.resize(n, n), r.by_v.resize(n, n);
-  if (s.tree().plan.tree) [[likely]]
+  if (s.tree().plan.tree && s.tree().holders.empty()) [[likely]]
     invert_articulated(s, r.by_tau);
   else
-    inverse_of_masses(c, s, r.by_tau);
+    invert_unheld(runtime_elements{c}, s, r.by_tau);
   const auto& forces = forces_derived(c, s);
   const auto& t = s.tree();
-  if (t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
+  if (t.holders.empty() && t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
     tree::solve_limbs(t.forest, !t.only_bodies, s.work.rows, r.by_tau.data(), forces.by_q.data(), forces.by_v.data(),
                       r.by_q.data(), r.by_v.data());
   else

@@ -3,15 +3,23 @@
 #include <kte/detail/compiled.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/damper.hpp>
+#include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/dry_revolute_joint.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/joint_stiction.hpp>
+#include <kte/elements/line_point_mindist.hpp>
+#include <kte/elements/mimic.hpp>
 #include <kte/elements/planar_joint.hpp>
+#include <kte/elements/position_control.hpp>
+#include <kte/elements/position_measure.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotor.hpp>
 #include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
@@ -86,6 +94,23 @@ KTE_ELEMENT(torsion_damper<kind::frame_3D, double>);
 KTE_ELEMENT(driving_actuator_gen);
 KTE_ELEMENT(joint_lugre_gen);
 KTE_ELEMENT(joint_backlash_gen<double>);
+KTE_ELEMENT(joint_stiction_gen);
+KTE_ELEMENT(brake_gen);
+KTE_ELEMENT(mimic<double, double>);
+KTE_ELEMENT(differential<double, double>);
+KTE_ELEMENT(rotor<vec3<>, double, double>);
+KTE_ELEMENT(dry_revolute_joint<vec3<one_t, zero_t, zero_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, one_t, zero_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, zero_t, one_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<>>);
+KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
+KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(position_control_gen);
+KTE_ELEMENT(position_control<kind::frame_2D>);
+KTE_ELEMENT(position_control<kind::frame_3D>);
+KTE_ELEMENT(position_measure_gen);
+KTE_ELEMENT(position_measure<kind::frame_2D>);
+KTE_ELEMENT(position_measure<kind::frame_3D>);
 #  undef KTE_ELEMENT
 #endif
 
@@ -93,10 +118,12 @@ namespace detail {
 template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
-using all_families = families<base_family, damper_family, driving_actuator_family, free_joint_family, inertia_family,
-                              joint_backlash_family, joint_lugre_family, planar_joint_family, prismatic_joint_family,
-                              revolute_joint_family, rigid_link_family, screw_joint_family, spherical_joint_family,
-                              spring_family, torsion_damper_family, torsion_spring_family>;
+using all_families =
+    families<base_family, damper_family, differential_family, driving_actuator_family, dry_revolute_joint_family,
+             free_joint_family, inertia_family, joint_backlash_family, joint_lugre_family, joint_stiction_family,
+             line_point_mindist_family, mimic_family, planar_joint_family, position_control_family,
+             position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family, rotor_family,
+             screw_joint_family, spherical_joint_family, spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte

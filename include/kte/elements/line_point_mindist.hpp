@@ -50,10 +50,13 @@ struct line_point_mindist {
 
 /// A frame at the point of a line that is nearest to the origin of another, for springs, dampers and measures: the line
 /// along the unit vector `tangent` through the point `origin`, in the plane.
-template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
-constexpr auto line_point_mindist_2D(const B& base, const E& end, const vec3<X, Y, Z>& tangent,
-                                     const vec3<OX, OY, OZ>& origin) {
-  return connect(core::line_point_mindist<kind::frame_2D, vec3<X, Y, Z>, vec3<OX, OY, OZ>>{tangent, origin}, base, end);
+template <class B, class E, class Tangent, class Point>
+constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent& tangent, const Point& origin) {
+  const auto t = detail::planar(tangent), o = detail::planar(origin);
+  return connect(
+      core::line_point_mindist<kind::frame_2D, std::remove_const_t<decltype(t)>, std::remove_const_t<decltype(o)>>{t,
+                                                                                                                   o},
+      base, end);
 }
 /// The same in space.
 template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
@@ -64,5 +67,21 @@ constexpr auto line_point_mindist_3D(const B& base, const E& end, const vec3<X, 
 
 KTE_CALL(line_point_mindist_2D, "(base, end, tangent, origin)")
 KTE_CALL(line_point_mindist_3D, "(base, end, tangent, origin)")
+
+namespace detail {
+/// How model files make them.
+struct line_point_mindist_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("line_point_mindist_2D", [](const auto& x) {
+      return line_point_mindist_2D(x.name("base"), x.name("end"), x.planar_vector("tangent"),
+                                   x.planar_vector("origin"));
+    });
+    add("line_point_mindist_3D", [](const auto& x) {
+      return line_point_mindist_3D(x.name("base"), x.name("end"), x.vector("tangent"), x.vector("origin"));
+    });
+  }
+};
+}  // namespace detail
 
 }  // namespace kte

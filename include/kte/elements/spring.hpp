@@ -10,16 +10,6 @@ namespace kte {
 
 namespace detail {
 
-/// A typed constant as a double, a number as it is.
-template <entry T>
-KTE_INLINE constexpr auto as_number(const T& x) {
-  if constexpr (typed_constant<T>) {
-    return as<double>(x);
-  } else {
-    return x;
-  }
-}
-
 /// The length of a vector and its direction: a unit vector, but 0 for the vector 0, which has none. Neither they nor
 /// their derivatives are ever NaN for that.
 template <class Length, class Direction>

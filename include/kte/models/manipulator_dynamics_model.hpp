@@ -3,6 +3,7 @@
 #include <kte/dynamics/detail/internal_rates.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
+#include <kte/models/modes.hpp>
 #include <kte/models/state_rate_function.hpp>
 #include <kte/models/state_space.hpp>
 
@@ -82,6 +83,25 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
         this->chain(), detail::given{at, detail::each<S, const S*>{v}, detail::same<zero_t>{}, bases}, one);
   }
 
+  // ---- of elements that may hold a coordinate: models/modes.hpp
+  static constexpr std::size_t holder_count = (std::size_t{detail::holds_coordinate<typename E::core_type>} + ... + 0);
+  static constexpr auto holders() { return holders_of(std::index_sequence_for<E...>{}); }
+  joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
+    const S *q = x.data(), *v = q + size::q;
+    const rate r = computeStateRate(t, x);
+    const detail::configuration<S, wiring, const S*> at(q);
+    using numbers = detail::each<S, const S*>;
+    const auto bases = bases_at(t, v + size::v);
+    return detail::coordinate_forces<S>(this->chain(),
+                                        detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
+  }
+  S capacity(const S& t, const state& x, std::size_t element) const {
+    auto s = make_state<S>(this->chain());
+    setJointStates(t, x, s);
+    this->doMotion(s);
+    return capacity_of(s, element, std::index_sequence_for<E...>{});
+  }
+
   using base::input;
   /// The value of an input: `model.input(motor) = 2.0`; of one of three numbers a vector of Eigen.
   template <key_type Key>
@@ -150,6 +170,36 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
  private:
+  template <std::size_t... I>
+  static constexpr auto holders_of(std::index_sequence<I...>) {
+    std::array<detail::holder_place, holder_count> all{};
+    std::size_t n = 0;
+    const auto add = [&]<std::size_t J>() {
+      using core = typename chain_type::template core_type<J>;
+      if constexpr (detail::holds_coordinate<core>) {
+        constexpr int row = wiring::freedom_of(kind::gen, wiring::slot(J, 0)).v;
+        all[n++] = {J, row, size::q + row, size::q + size::v + wiring::slot(J, detail::kept_port<core>)};
+      }
+      return 0;
+    };
+    const int done[]{add.template operator()<I>()...};
+    (void)done;
+    return all;
+  }
+  template <class State, std::size_t... I>
+  S capacity_of(State& s, std::size_t element, std::index_sequence<I...>) const {
+    S most(0);
+    const auto ask = [&]<std::size_t J>() {
+      using core = typename chain_type::template core_type<J>;
+      const detail::stored_element<core, State, detail::by_index> on{
+          this->template core<J>(), s, {wiring::table.slot.data() + wiring::first[J]}};
+      if (J == element) most = as<S>(on.capacity(std::make_index_sequence<input_count<core>>{}));
+      return 0;
+    };
+    const int done[]{ask.template operator()<I>()...};
+    (void)done;
+    return most;
+  }
   /// At rest, with the signals of the chain.
   auto bases_at(const S& t, const S* z) const {
     return detail::with_signals<wiring>(detail::base_under_gravity(this->chain()), t, this->u_.data(), z);

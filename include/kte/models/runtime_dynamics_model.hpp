@@ -4,6 +4,7 @@
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/events/events.hpp>
+#include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
 
@@ -35,7 +36,13 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
   /// Throws `bad_wiring` as `kte_map_chain::make_state` does.
-  explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {}
+  explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {
+    for (const int e : s_.tree().holders) {
+      const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
+      const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
+      holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
+    }
+  }
 
   const rate& computeStateRate(double t, const state& x) const {
     setJointStates(t, x, s_);
@@ -117,9 +124,33 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
   /// events: `element_events(model)`.
   double switching(double t, const state& x, std::size_t which) const {
+    for (const auto& h : holders_)
+      if (h.element == which) return detail::mode_function(*this, t, x, h);
     setJointStates(t, x, s_);
     doMotion(s_);
     return wiring().elements.at(which).element->switching(s_);
+  }
+
+  /// What the element keeps, after its law has changed there.
+  void switch_over(double t, state& x, std::size_t which) const {
+    for (const auto& h : holders_)
+      if (h.element == which) return detail::switch_mode(*this, t, x, h);
+    setJointStates(t, x, s_);
+    doMotion(s_);
+    wiring().elements.at(which).element->switch_over(s_);
+    for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
+  }
+
+  // ---- of elements that may hold a coordinate: models/modes.hpp
+  const std::vector<detail::holder_place>& holders() const { return holders_; }
+  const Eigen::VectorXd& needed_forces(double t, const state& x) const {
+    computeStateRate(t, x);  // leaves accelerations in the state
+    return inverse_dynamics(chain(), s_);
+  }
+  double capacity(double t, const state& x, std::size_t element) const {
+    setJointStates(t, x, s_);
+    doMotion(s_);
+    return wiring().elements.at(element).element->capacity(s_);
   }
 
   /// The same system with another output, of a state of the chain.
@@ -149,6 +180,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   // To work in, also through std::cref; who calls one model in two threads needs two.
   mutable runtime_state s_;
   mutable rate rate_;
+  std::vector<detail::holder_place> holders_;
   output_function output_;
 };
 manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
@@ -160,9 +192,16 @@ struct runtime_switching {
   std::size_t element;
 
   double operator()(double t, const Eigen::VectorXd& x) const {
-    const Eigen::Index own = model->nq() + model->dofs() + model->internals();
-    return model->switching(t, x.size() == own ? x : x.head(own).eval(), element);  // without those of a law
+    return model->switching(t, x.size() == own() ? x : x.head(own()).eval(), element);
   }
+  /// The reset.
+  void switch_over(double t, Eigen::VectorXd& x) const {
+    Eigen::VectorXd part = x.head(own());
+    model->switch_over(t, part, element);
+    x.head(own()) = part;
+  }
+  /// Numbers of a state, without those of a law.
+  Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }
   std::string name() const {
     const kte_element& e = *model->wiring().elements[element].element;
     const element_record r = e.record();
@@ -175,11 +214,12 @@ struct runtime_switching {
 
 /// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
 inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
-  using change = decltype(event(detail::runtime_switching{}).restart());
-  std::vector<change> all;
+  using reset = detail::switch_element<detail::runtime_switching>;
+  std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;
   for (std::size_t i = 0; i < elements.size(); ++i)
-    if (elements[i].element->switches()) all.push_back(event(detail::runtime_switching{&model, i}).restart());
+    if (elements[i].element->switches())
+      all.push_back(event(detail::runtime_switching{&model, i}).reset(reset{{&model, i}}));
   return events(std::move(all));
 }
 

@@ -36,11 +36,14 @@ class kte_map_adapter final : public kte_element {
   double switching(runtime_state& s) const override { return as<double>(on(s).switching(inputs{})); }
   bool switches() const override {
     using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
-    return !typed_constant<number>;
+    return !typed_constant<number> || detail::holds_coordinate<Core>;
   }
 
   detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
   void mass_loads(runtime_state& s) const override { on(s).mass_force(inputs{}); }
+  bool holds(runtime_state& s) const override { return on(s).holds(inputs{}); }
+  double capacity(runtime_state& s) const override { return as<double>(on(s).capacity(inputs{})); }
+  void switch_over(runtime_state& s) const override { on(s).switch_over(inputs{}); }
   vec3<> first_moment(runtime_state& s) const override { return as<double>(on(s).first_moment(inputs{})); }
   double friction(runtime_state& s, const wrench<vec3<>, vec3<>>& end) const override {
     return as<double>(on(s).friction(end));

@@ -80,7 +80,8 @@ struct shapes_of {
   }();
   /// Whether there is nothing in the chain that only the loops over records know.
   static constexpr bool common = [] {
-    const bool rare[]{(follows_freely<Core> || spreads_mass<Core> || reads_reaction<Core>)..., false};
+    const bool rare[]{(follows_freely<Core> || spreads_mass<Core> || reads_reaction<Core> || holds_coordinate<Core>)...,
+                      false};
     for (std::size_t e = 0; e < sizeof...(Core); ++e)
       if (rare[e] || acts_freely[e]) return false;
     return true;

@@ -72,6 +72,33 @@ class static_chain {
     backward([](const auto& x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
   }
 
+  /// The signals that elements write (measures, controls), in their order, as of the last doMotion; one of three
+  /// numbers is three of these.
+  template <class State>
+  constexpr auto outputs(const State& s) const {
+    check<State>();
+    constexpr std::size_t n = (output_numbers<typename E::core_type> + ... + 0);
+    std::array<typename State::scalar, n> y{};
+    std::size_t i = 0;
+    const auto put = [&]<class Core, std::size_t I>(std::type_identity<Core>, std::integral_constant<std::size_t, I>) {
+      if constexpr (output_numbers < Core >> 0) {
+        const auto& x = s.template get<Core::ports.back().what>(wiring::slot(I, port_count<Core> - 1));
+        if constexpr (output_numbers<Core> == 3)
+          y[i++] = x.x, y[i++] = x.y, y[i++] = x.z;
+        else
+          y[i++] = x;
+      }
+      return 0;
+    };
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{put(std::type_identity<typename E::core_type>{}, std::integral_constant<std::size_t, I>{})...,
+                       0};
+      (void)done;
+    }
+    (std::index_sequence_for<E...>{});
+    return y;
+  }
+
   /// The same chain under gravity, m/s^2 in the axes of the base: `.gravity(along_z(-9.81))`. It acts as the opposite
   /// acceleration of the base. Refuses what is not finite (`bad_parameter`).
   template <class X, class Y, class Z>
@@ -97,6 +124,10 @@ class static_chain {
   }
 
  private:
+  template <class Core>
+  static constexpr std::size_t output_numbers = detail::writes_signal<Core>
+                                                    ? static_cast<std::size_t>(nu_of(Core::ports.back().what))
+                                                    : 0;
   template <class State>
   static constexpr void check() {
     if constexpr (is_chain_state<State>)

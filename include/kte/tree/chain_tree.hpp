@@ -33,6 +33,7 @@ class chain_tree {
   std::vector<int> weights;                   ///< those of them that have a mass
   std::vector<int> spread;                    ///< those that have a mass between several ports
   std::vector<int> readers;                   ///< joints whose friction depends on what they carry
+  std::vector<int> holders;                   ///< elements that may hold a coordinate
   std::vector<std::pair<kind, int>> written;  ///< frames that `late` elements write
   std::vector<std::pair<kind, int>> touched;  ///< the frames that these act on
   std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
@@ -160,6 +161,11 @@ class chain_tree {
         break;
       }
       case part::force: {
+        if (n.holds_coordinate) {
+          holders.push_back(number);
+          if (plan.row_of_gen[static_cast<std::size_t>(index(0))] >= dofs_)
+            exclude(number, " holds a coordinate that is no degree of freedom");
+        }
         if (n.spreads_mass) {
           spread.push_back(number);
           for (std::size_t p = 0; p <= last; ++p)

@@ -92,7 +92,7 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
   using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
   const auto n = static_cast<Eigen::Index>(s.tree().readers.size());
   Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> inverse = -decltype(inverse)::Identity(n, n);  // of r'
-  vector x = vector::Zero(n), r(n), before(n), step(n);
+  vector x = vector::Zero(n), r(n), before(n), step(n), column(n);
   const auto residual = [&] {
     std::copy(x.begin(), x.end(), s.work.friction.begin());
     sweep();
@@ -100,22 +100,43 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
     Eigen::Index i = 0;
     for_each_friction(c, s, [&](const auto&, const S& f) { r[i] = f - x[i], ++i; });
   };
+  const auto largest = [](const vector& y) {
+    using std::abs;
+    S most(0);
+    for (const S& i : y) most = select(most < S(abs(i)), S(abs(i)), most);
+    return most;
+  };
+  const auto times_inverse = [&inverse, n](const vector& y) {  // Eigen's products are not for packs
+    vector product = vector::Zero(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j) product[i] += inverse(i, j) * y[j];
+    return product;
+  };
   const S eps = std::numeric_limits<S>::epsilon();
   S least = std::numeric_limits<S>::max();
   int idle = 0;
   residual();
   for (int i = 0; i < 60; ++i) {
-    const S error = r.template lpNorm<Eigen::Infinity>(), size = x.template lpNorm<Eigen::Infinity>();
-    if (error <= S(4) * eps * size || error == S(0)) return;
-    idle = error < least / S(2) ? 0 : idle + 1;
-    least = std::min(least, error);
-    if (idle >= 3 && error <= S(2) * least && least <= S(4096) * eps * size) return;  // rounding of a and of friction
-    step = -(inverse * r);
+    const S error = largest(r), size = largest(x);
+    if (all(error <= S(S(4) * eps * size))) return;
+    idle = all(error < S(least / S(2))) ? 0 : idle + 1;
+    least = select(error < least, error, least);
+    if (idle >= 3 && all(error <= S(S(2) * least)) && all(least <= S(S(4096) * eps * size)))
+      return;  // rounding of a and of friction
+    step = times_inverse(r);
+    step = -step;
     x += step, before = r;
     residual();
-    const vector change = r - before, gone = inverse * change;
-    const S along = step.dot(gone);
-    if (along != S(0)) inverse += ((step - gone) / along) * (step.transpose() * inverse);
+    const vector gone = times_inverse(vector(r - before));
+    S along(0);
+    for (Eigen::Index k = 0; k < n; ++k) along += step[k] * gone[k];
+    const S share = select(along == S(0), S(0), S(S(1) / select(along == S(0), S(1), along)));
+    for (Eigen::Index j = 0; j < n; ++j) {
+      S across(0);
+      for (Eigen::Index k = 0; k < n; ++k) across += step[k] * inverse(k, j);
+      for (Eigen::Index k = 0; k < n; ++k) column[k] = inverse(k, j) + share * (step[k] - gone[k]) * across;
+      inverse.col(j) = column;
+    }
   }
   raise<no_solution>(
       "kte: no accelerations go with the friction of joints by what they carry: it is so large that there are none, "

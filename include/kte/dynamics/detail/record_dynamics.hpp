@@ -182,7 +182,7 @@ void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<c
 }
 /// By articulated bodies in trees, else by the mass matrix; with friction by what joints carry.
 template <class Elements, class State, class Tau>
-void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
   const bool tree = s.tree().plan.tree;
   const auto& readers = s.tree().readers;
@@ -200,6 +200,42 @@ void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::spa
     tree ? accelerate_articulated(c, s, applied, prescribed) : accelerate_by_mass(c, s, applied, prescribed);
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, s.work.forces); });
   });
+}
+
+/// visit(element, row of the coordinate that it holds).
+template <class Elements, class State, class Visit>
+void for_each_held(const Elements& c, State& s, const Visit& visit) {
+  for (const int e : s.tree().holders)
+    if (c.holds(e, s)) visit(e, s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, 0))]);
+}
+/// The same, with coordinates that elements hold: those have no acceleration.
+template <class Elements, class State, class Tau>
+void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  std::vector<char> rows;
+  for_each_held(c, s, [&](int e, int row) {
+    if (rows.empty()) {
+      rows.assign(prescribed.begin(), prescribed.end());
+      rows.resize(static_cast<std::size_t>(s.dofs()));
+    }
+    char& is_prescribed = rows[static_cast<std::size_t>(row)];
+    if (!is_prescribed) s.template get<kind::gen>(c.index(e, 0)).q_ddot = typename State::scalar(0);
+    is_prescribed = 1;
+  });
+  accelerate_with_friction(c, s, tau, rows.empty() ? prescribed : std::span<const char>(rows));
+}
+/// How accelerations answer forces where coordinates are held: the inverse of the other rows of M, else zeros.
+template <class Elements, class State, class Matrix>
+void invert_unheld(const Elements& c, State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  mass_of_coordinates(c, s);
+  auto& m = s.work.mass;
+  for_each_held(c, s, [&m](int, int row) {
+    m.row(row).setZero(), m.col(row).setZero();
+    m(row, row) = S(1);
+  });
+  inverse.resize(s.dofs(), s.dofs());
+  invert_by_factors(m, inverse, [&](int row) { c.blame_mass(s, row, true); });
+  for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
 }
 
 /// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.

@@ -15,6 +15,7 @@
 ///   ports(e), index(e, p)           what it is connected to; written(e): what its last port is connected to
 ///   derive(e, s)                    derivatives of its forces (contract/force_derivatives.hpp)
 ///   mass_loads(e, s)                loads of a mass between several ports, for accelerations alone
+///   holds(e, s)                     whether it holds its coordinate
 ///   friction(e, s, wrench)          of a joint that carries a wrench at its end
 ///   blame_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
 namespace kte::detail {

@@ -20,6 +20,7 @@ struct runtime_elements {
   void push(int e, runtime_state& s) const { element(e).doForce(s); }
   void derive(int e, runtime_state& s) const { element(e).derive_forces(s); }
   void mass_loads(int e, runtime_state& s) const { element(e).mass_loads(s); }
+  bool holds(int e, runtime_state& s) const { return element(e).holds(s); }
   double friction(int e, runtime_state& s, const tree::dense_wrench<double>& end) const {
     return element(e).friction(s, end);
   }
@@ -34,6 +35,10 @@ struct runtime_elements {
   void derive(int, State&) const {}
   template <class State>
   void mass_loads(int, State&) const {}
+  template <class State>
+  bool holds(int, State&) const {
+    return false;
+  }
   template <class State, class Wrench>
   auto friction(int, State&, const Wrench&) const {
     return typename State::scalar(0);

@@ -50,23 +50,21 @@ struct static_elements {
     });
     run(steps, e, s);
   }
+  template <class State>
+  bool holds(int e, State& s) const {
+    bool h = false;
+    with_core(e, [&]<std::size_t J>(const auto& core) {
+      h = passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).holds(inputs_of<core_of<Chain, J>>{});
+    });
+    return h;
+  }
   template <class State, class Wrench>
   auto friction(int e, State& s, const Wrench& end) const {
-    using S = typename State::scalar;
-    return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      S f(0);
-      const auto of = [&]<std::size_t J>() {
-        const auto& core = chain.template core<J>();
-        if constexpr (reads_reaction<core_of<Chain, J>>)
-          if (e == static_cast<int>(J))
-            f = as<S>(passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).friction(end));
-        return 0;
-      };
-      const int done[]{of.template operator()<I>()...};
-      (void)done;
-      return f;
-    }
-    (std::make_index_sequence<Chain::size>{});
+    typename State::scalar f(0);
+    with_core(e, [&]<std::size_t J>(const auto& core) {
+      f = as<typename State::scalar>(passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).friction(end));
+    });
+    return f;
   }
   template <class State>
   [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
@@ -74,6 +72,15 @@ struct static_elements {
   }
 
  private:
+  /// f<e>(core of element e).
+  template <class F>
+  void with_core(int e, const F& f) const {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{(e == static_cast<int>(I) ? (f.template operator()<I>(chain.template core<I>()), 0) : 0)..., 0};
+      (void)done;
+    }
+    (std::make_index_sequence<Chain::size>{});
+  }
   template <class Core>
   using inputs_of = std::make_index_sequence<input_count<Core>>;
   template <class Core, class State>
@@ -191,7 +198,10 @@ void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const 
   static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);
   a = s.work.forces;
-  invert_articulated(s, s.work.inverse);
+  if (s.tree().plan.tree && s.tree().holders.empty())
+    invert_articulated(s, s.work.inverse);
+  else
+    invert_unheld(static_elements{c, g}, s, s.work.inverse);
   inverse = s.work.inverse;
 }
 template <class S, class Chain, class Given>

@@ -52,8 +52,8 @@ void derive_internals(const Chain& c, const S& t, const S* q, const S* v, const 
       if (2 * n <= j && j < 2 * n + nz) zs[static_cast<std::size_t>(j - 2 * n)].derivative[lane] = S(1);
     }
     const configuration<number, wiring, decltype(qs)> at(qs);
-    const auto bases = with_signals<wiring>(base_under_gravity(c), number(t), std::as_const(us).data(),
-                                            std::as_const(zs).data());
+    const auto bases =
+        with_signals<wiring>(base_under_gravity(c), number(t), std::as_const(us).data(), std::as_const(zs).data());
     internal_rates(c, at, std::as_const(vs).data(), bases, z_dot.data());
     const int last = std::min(first + lanes, 2 * n + nz);
     for (int j = first; j < last; ++j)
