@@ -103,6 +103,7 @@ KTE_ELEMENT(dry_revolute_joint<vec3<one_t, zero_t, zero_t>>);
 KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, one_t, zero_t>>);
 KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, zero_t, one_t>>);
 KTE_ELEMENT(dry_revolute_joint<vec3<>>);
+KTE_ELEMENT(placed_3D<core::dry_revolute_joint<vec3<>>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(position_control_gen);
