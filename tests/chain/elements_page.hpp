@@ -24,11 +24,13 @@ inline std::vector<std::string> split(const std::string& text, const std::string
 
 inline std::vector<double> numbers_of(const std::string& what) {
   static const std::map<std::string, std::vector<double>> known{{"number", {1}},
+                                                                {"list", {1, 2}},
                                                                 {"flag", {1}},
                                                                 {"vector", {1, 0, 0}},
                                                                 {"unit vector", {1, 0, 0}},
                                                                 {"axis z", {0, 0, 1}},
                                                                 {"rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+                                                                {"matrix", {0, 0, 0, 0, 0, 0, 0, 0, 0}},
                                                                 {"symmetric matrix", {0, 0, 0, 0, 0, 0}}};
   const auto found = known.find(what);
   if (found == known.end()) throw std::runtime_error("elements.md: what is a '" + what + "'?");

@@ -46,15 +46,18 @@ class record_reader {
     fail("has no connection '" + std::string(role) + "'");
   }
   double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
+  /// A parameter that is a list.
+  const std::vector<double>& numbers(std::string_view parameter) const { return parameter_of(parameter).values; }
+  /// Whether a parameter is given that may be left out.
+  bool has(std::string_view parameter) const {
+    return std::any_of(record_.parameters.begin(), record_.parameters.end(),
+                       [&](const parameter_record& p) { return p.name == parameter; });
+  }
   /// A parameter that is 1 where it is given.
   bool flag(std::string_view parameter) const {
     const bool given = has(parameter);
     if (given && number(parameter) != 1) fail("has '" + std::string(parameter) + "' other than 1");
     return given;
-  }
-  bool has(std::string_view parameter) const {
-    return std::any_of(record_.parameters.begin(), record_.parameters.end(),
-                       [&](const parameter_record& p) { return p.name == parameter; });
   }
   vec3<> vector(std::string_view parameter) const {
     const auto& v = values(parameter, 3);
@@ -65,20 +68,22 @@ class record_reader {
     if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
     return {v.x, v.y};
   }
-  mat3<vec3<>> rotation(std::string_view parameter) const {
+  mat3<vec3<>> matrix(std::string_view parameter) const {
     const auto& v = values(parameter, 9);
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+  }
+  mat3<vec3<>> rotation(std::string_view parameter) const { return matrix(parameter); }
+  sym3<> symmetric(std::string_view parameter) const {
+    const auto& v = values(parameter, 6);
+    return {v[0], v[1], v[2], v[3], v[4], v[5]};
   }
   rotation_2D<> planar_rotation(std::string_view parameter) const {
     const auto m = rotation(parameter);
     const rotation_2D<> r{m.x.x, m.y.x};
-    if (m != as<double>(matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
+    if (m != as<double>(kte::matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
     return r;
   }
-  rigid_body<> body() const {
-    const auto& v = values("inertia", 6);
-    return {number("mass"), vector("com"), {v[0], v[1], v[2], v[3], v[4], v[5]}, flag("as_published")};
-  }
+  rigid_body<> body() const { return {number("mass"), vector("com"), symmetric("inertia"), flag("as_published")}; }
   /// A body in the plane; what it has out of it must be zero.
   auto planar_body() const {
     const auto b = body();
@@ -115,7 +120,7 @@ class record_reader {
                             has_rotation ? planar_rotation("rotation") : rotation_2D<>{1, 0}));
     else
       return adapt(joint.at(has_position ? vector("position") : vec3<>{},
-                            has_rotation ? rotation("rotation") : as<double>(matrix(no_rotation{}))));
+                            has_rotation ? rotation("rotation") : as<double>(kte::matrix(no_rotation{}))));
   }
   [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
 
@@ -123,15 +128,17 @@ class record_reader {
   [[noreturn]] void fail(const std::string& why, const file_place& place) const {
     throw detail::bad_record(place, record_.type + " " + why);
   }
-  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+  const parameter_record& parameter_of(std::string_view parameter) const {
     for (const auto& p : record_.parameters)
-      if (p.name == parameter) {
-        if (p.values.size() != count)
-          fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
-               p.place);
-        return p.values;
-      }
+      if (p.name == parameter) return p;
     fail("has no parameter '" + std::string(parameter) + "'");
+  }
+  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+    const auto& p = parameter_of(parameter);
+    if (p.values.size() != count)
+      fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
+           p.place);
+    return p.values;
   }
   const element_record& record_;
 };
