@@ -83,7 +83,6 @@ linear_angular<S> bias_of(const M& m, Axes, const Blame& why = {"an acceleration
                         x.ang_acceleration, why);
   }
 }
-inline constexpr same_base base_at_rest{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, zero3{}, zero3{}}};
 }  // namespace detail
 
 // ---- of static chains, with bases at rest
