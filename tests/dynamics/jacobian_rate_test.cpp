@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "dynamics/small_chains.hpp"
+#include "dynamics/square.hpp"
 
 // Rates of Jacobians: a formula, differences, identities with accelerations, static against runtime.
 
@@ -45,23 +46,6 @@ void check(const Chain& c, const Frame& frame, unsigned seed) {
   check_axes(c, model, frame, seed + 1, in_world_axes);
   check_axes(c, model, frame, seed + 2, at_world_origin);
 }
-
-/// q_e = q_b^2, of which the ratio changes.
-struct square {
-  static constexpr std::string_view type = "square_gen";
-  static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "base"}, {kind::gen, access::out, "end"}}};
-  template <class C>
-  constexpr auto doMotion(const C& c) const {
-    return coordinate{c.q * c.q, 2.0 * c.q * c.q_dot, 2.0 * (c.q_dot * c.q_dot + c.q * c.q_ddot), skip{}, skip{}};
-  }
-  template <class C, class F>
-  constexpr auto doForce(const C& c, const F& f) const {
-    return make_loads(2.0 * c.q * f);
-  }
-  constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit>
-  static constexpr void parameters(Self&, Visit&&) {}
-};
 
 }  // namespace
 

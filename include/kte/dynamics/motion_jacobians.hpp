@@ -82,22 +82,30 @@ inline int place_in_v(const kte_map_chain& c, const name_or_handle& coordinate, 
   throw bad_argument("kte: '" + c.wiring().names[static_cast<std::size_t>(k)][static_cast<std::size_t>(slot)] +
                      "' is no degree of freedom: its motion is given already");
 }
+/// How generalized coordinate i moves by the rates of all degrees of freedom. At positions and rates that are good.
+template <class S>
+jacobian_with_rate<Eigen::Matrix<S, 1, Eigen::Dynamic>> coordinate_row_with_rate(const kte_map_chain& c,
+                                                                                 basic_runtime_state<S>& s, int i) {
+  using row_type = Eigen::Matrix<S, 1, Eigen::Dynamic>;
+  const auto& plan = s.tree().plan;
+  jacobian_with_rate<row_type> row{row_type::Zero(plan.coordinates), row_type::Zero(plan.coordinates)};
+  row.value[plan.row_of_gen[static_cast<std::size_t>(i)]] = S(1);
+  bring_up_to_date(runtime_elements{c}, s);
+  hand_on_with_rates(runtime_elements{c}, s, [&row](int to, int from, const S& ratio, const S& change) {
+    row.rate[to] += ratio * row.rate[from] + change * row.value[from];
+    row.value[to] += ratio * row.value[from];
+  });
+  row.value.conservativeResize(s.dofs()), row.rate.conservativeResize(s.dofs());
+  return row;
+}
 /// At positions and rates that are good.
 template <class Result, class S>
 Result motion_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
                                 const name_or_handle& moved) {
   const int first = place_in_v(c, coordinate, Result::joint), index = moved.find(c.wiring(), Result::moved);
   if constexpr (Result::moved == kind::gen) {
-    const auto& plan = s.tree().plan;
-    using row_type = Eigen::Matrix<S, 1, Eigen::Dynamic>;
-    row_type value = row_type::Zero(plan.coordinates), rate = value;
-    value[plan.row_of_gen[static_cast<std::size_t>(index)]] = S(1);
-    bring_up_to_date(runtime_elements{c}, s);
-    hand_on_with_rates(runtime_elements{c}, s, [&](int to, int from, const S& ratio, const S& change) {
-      rate[to] += ratio * rate[from] + change * value[from];
-      value[to] += ratio * value[from];
-    });
-    return motion_jacobian_from<Result>(value, rate, first);
+    const auto row = coordinate_row_with_rate(c, s, index);
+    return motion_jacobian_from<Result>(row.value, row.rate, first);
   } else {
     const auto j = jacobian_with_rate_of<in_own_axes_t>(c, s, runtime_frame{Result::moved, index});
     return motion_jacobian_from<Result>(j.value, j.rate, first);
