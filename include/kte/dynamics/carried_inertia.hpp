@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/local_composite.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
 
 #include <vector>
@@ -21,52 +22,6 @@ dense_composite_inertia<S> checked_composite(const composite<M, H, I>& b, const 
   check_result(all, 10, why);
   return x;
 }
-
-/// Composite inertias, from the tips to a frame.
-template <class S, class Chain, class Given>
-struct local_composite {
-  using types = local_types<Chain, Given>;
-  using wiring = typename Chain::wiring;
-  template <std::size_t I>
-  using core_t = typename types::template core<I>;
-
-  const Chain& chain;
-  const Given& given;
-
-  template <kind K, int Slot>
-  KTE_INLINE constexpr auto carried() const {
-    return sum<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-  }
-
- private:
-  template <kind K, int Slot, std::size_t... N>
-  KTE_INLINE constexpr auto sum(std::index_sequence<N...>) const {
-    return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>());
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto part() const {
-    if constexpr (is_body<core_t<I>>) {
-      return chain.template core<I>().template mass<S>();
-    } else if constexpr (is_transmission<core_t<I>>) {
-      const auto x = relative<I>();
-      return transported(x.rotation, x.position,
-                         carried<types::template output_kind<I>, types::template output_slot<I>>());
-    } else {
-      static_assert(!has_output<core_t<I>>,
-                    "kte: this algorithm needs elements that move frames to be a kte::transmission");
-      return no_mass;
-    }
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto relative() const {
-    const auto& core = chain.template core<I>();
-    if constexpr (coordinates_of<core_t<I>> == 0)
-      return core.relative();
-    else
-      return core.relative(
-          position_only(motion_of<types, coordinate_kind<core_t<I>>, wiring::slot(I, 0)>(chain, given)));
-  }
-};
 }  // namespace detail
 
 /// The inertia of all that a frame carries, about its origin and in its axes: of links and joints R, p from the tips on

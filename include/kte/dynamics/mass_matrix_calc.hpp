@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/mass_blocks.hpp>
 #include <kte/dynamics/motion_jacobians.hpp>
 
 #include <algorithm>
@@ -134,29 +135,6 @@ class mass_matrix_calc {
     int index;
     Eigen::MatrixXd masses;
   };
-  static int order_of(kind k) {
-    constexpr kind in_order[]{kind::gen, kind::frame_2D, kind::pose_2D, kind::frame_3D, kind::pose_3D};
-    return static_cast<int>(std::find(std::begin(in_order), std::end(in_order), k) - std::begin(in_order));
-  }
-  template <class X>
-  static void insert(std::vector<X>& all, X x) {
-    const auto later = [](const X& a, const X& b) { return order_of(a.what) < order_of(b.what); };
-    all.insert(std::upper_bound(all.begin(), all.end(), x, later), std::move(x));
-  }
-  static Eigen::MatrixXd block(const detail::element_numbers<double>& n, kind k) {
-    if (k == kind::gen) return Eigen::MatrixXd::Constant(1, 1, n.mass);
-    const auto& [m, h, i] = n.weight;
-    Eigen::MatrixXd b(6, 6);
-    b << m, 0, 0, 0, h.z, -h.y,          //
-        0, m, 0, -h.z, 0, h.x,           //
-        0, 0, m, h.y, -h.x, 0,           //
-        0, -h.z, h.y, i.xx, i.xy, i.xz,  //
-        h.z, 0, -h.x, i.xy, i.yy, i.yz,  //
-        -h.y, h.x, 0, i.xz, i.yz, i.zz;  // (2)
-    if (k == kind::frame_3D) return b;
-    constexpr std::array in_plane{0, 1, 5};
-    return b(in_plane, in_plane);
-  }
   /// Whether it has a mass.
   bool add_body(std::size_t e) {
     const auto& at = chain_.wiring().elements[e];
@@ -165,13 +143,13 @@ class mass_matrix_calc {
     if (!n.has_mass && n.is != detail::part::body && n.is != detail::part::weight) return false;
     if (std::any_of(bodies_.begin(), bodies_.end(), [e](const body& b) { return b.element == e; }))
       throw bad_argument("kte: mass_matrix_calc: a mass is fed twice");
-    insert(bodies_, body{e, at.ports[0].what, at.index[0], block(n, at.ports[0].what)});
+    detail::insert_by_kind(bodies_, body{e, at.ports[0].what, at.index[0], detail::mass_block(n, at.ports[0].what)});
     return true;
   }
   void add_coordinate(const detail::freedom& f) {
     if (std::any_of(coordinates_.begin(), coordinates_.end(), [&f](const auto& x) { return x.v == f.v; }))
       throw bad_argument("kte: mass_matrix_calc: a coordinate is fed twice");
-    insert(coordinates_, f);
+    detail::insert_by_kind(coordinates_, f);
   }
   void check(const runtime_state& s) const { detail::check_regular(chain_, s); }
 

@@ -1,81 +1,11 @@
 #pragma once
 
-#include <kte/dynamics/jacobian_rate.hpp>
+#include <kte/dynamics/detail/relative_motion.hpp>
 
 /// How a frame B stands and moves in another frame A of the same chain, static or runtime: as frames do in their
 /// parents (frames/motion.hpp), with the position in axes of A and rates in axes of B. Frames in the plane are given as
 /// frames in space.
 namespace kte {
-
-/// The motion of a frame in another, in numbers.
-template <class S>
-using dense_motion = motion<vec3<S>, mat3<vec3<S>>, vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
-
-namespace detail {
-template <class S, class M>
-dense_motion<S> in_numbers(const M& m) {
-  return {as<S>(m.position),     as<S>(matrix(m.rotation)), as<S>(m.velocity),
-          as<S>(m.ang_velocity), as<S>(m.acceleration),     as<S>(m.ang_acceleration)};
-}
-template <class S, class Blame = too_large>
-dense_motion<S> checked_motion(const dense_motion<S>& a, const dense_motion<S>& b, const Blame& why = {"a motion"}) {
-  const dense_motion<S> x = in_numbers<S>(relative(a, b));
-  for (const auto* v : {&x.position, &x.velocity, &x.ang_velocity, &x.acceleration, &x.ang_acceleration}) {
-    const S all[]{v->x, v->y, v->z};
-    check_result(all, 3, why);
-  }
-  return x;
-}
-
-/// How many elements two branches have in common, from their base on.
-template <class A, class B>
-inline constexpr std::size_t common_length = [] {
-  std::size_t n = 0;
-  while (n < A::length && n < B::length && A::elements[n] == B::elements[n]) ++n;
-  return n;
-}();
-/// Columns of the joints between A and B alone: what moves both does not move one in the other.
-template <class S, class Chain, class Given, class A, class B>
-class local_relative_jacobian : columns<S, Chain, Given> {
-  using base = columns<S, Chain, Given>;
-  static constexpr std::size_t common = common_length<A, B>;
-  static constexpr pose<no_rotation, zero3> at_origin{};
-
- public:
-  using base::base;
-  using typename base::matrix_type;
-
-  KTE_INLINE void fill() {
-    inward<B, B::length>(at_origin, one);
-    inward<A, A::length>(compose(inverse(in_common<A>()), in_common<B>()), minus_one);
-  }
-
- private:
-  /// Where the end of a branch stands in the last frame that both have.
-  template <class Branch, std::size_t N = common>
-  KTE_INLINE constexpr auto in_common() const {
-    if constexpr (N == Branch::length) {
-      return at_origin;
-    } else {
-      return compose(this->template pose_of_element<Branch::elements[N]>(), in_common<Branch, N + 1>());
-    }
-  }
-  /// B stands at x in the end of element N - 1 of a branch.
-  template <class Branch, std::size_t N, class X, class Sign>
-  KTE_INLINE void inward(const X& x, Sign sign) {
-    if constexpr (N > common) {
-      constexpr std::size_t i = Branch::elements[N - 1];
-      base::template for_each_axis<i>([&]<int M>() KTE_INLINE_LAMBDA {
-        const auto s = this->template axis<i, M>();
-        const auto t = transpose(x.rotation);
-        this->template put<i, M>(sign * (t * plus_cross(s.velocity, s.ang_velocity, x.position)),
-                                 sign * (t * s.ang_velocity));
-      });
-      inward<Branch, N - 1>(compose(this->template pose_of_element<i>(), x), sign);
-    }
-  }
-};
-}  // namespace detail
 
 // ---- of static chains
 
@@ -126,53 +56,6 @@ auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B
 }
 
 // ---- of runtime chains, with bases as the state has them
-
-namespace detail {
-template <class S>
-pose<mat3<vec3<S>>, vec3<S>> relative_pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
-                                              const runtime_frame& a) {
-  const auto in_world = pose_of(c, s, a);
-  return plain_pose<S>(compose(inverse(in_world), pose_of(c, s, b)));
-}
-template <class S>
-dense_motion<S> relative_motion_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
-                                   const runtime_frame& a) {
-  static_assert(goes_through_passes<S>);
-  move(c.wiring(), s, a), move(c.wiring(), s, b);
-  const auto all = [](const auto& m) { return in_numbers<S>(m); };
-  return checked_motion(with_motion(s, a, all), with_motion(s, b, all));
-}
-/// At positions that are good.
-template <class S>
-basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s,
-                                               const runtime_frame& b, const runtime_frame& a) {
-  const auto& t = s.tree();
-  const auto& f = t.forest;
-  const auto &at_a = f.frame(a.what, a.index), &at_b = f.frame(b.what, b.index);
-  const int common = tree::common_slot(f, at_a.slot, at_b.slot);
-  place_bodies(runtime_elements{c}, s);
-  tree::dense_pose<S> x;
-  (void)tree::pose_in_base(f, s.work, at_a, x, common);
-  tree::dense_pose<S> y = x;
-  (void)tree::pose_in_base(f, s.work, at_b, y, common);
-  if (common < 0) x = pose_of(c, s, a), y = pose_of(c, s, b);
-  // B as a frame in the body of A.
-  const auto seen =
-      compose(tree::dense_pose<S>{as<S>(at_a.at.rotation), as<S>(at_a.at.position)}, compose(inverse(x), y));
-  const tree::frame_place<S> b_on_a{at_a.slot, plain_pose<S>(seen)};
-  basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
-  const auto add = [&](const S& sign) {
-    return [&j, &f, sign](int k, const vec3<S>& u, const vec3<S>& w) {
-      auto column = j.col(f.row[static_cast<std::size_t>(k)]);
-      column[0] += sign * u.x, column[1] += sign * u.y, column[2] += sign * u.z;
-      column[3] += sign * w.x, column[4] += sign * w.y, column[5] += sign * w.z;
-    };
-  };
-  (void)tree::jacobian_columns(f, s.work, at_b, y, add(S(1)), common);
-  (void)tree::jacobian_columns(f, s.work, b_on_a, y, add(S(-1)), common);
-  return folded(c, s, std::move(j));
-}
-}  // namespace detail
 
 template <class S>
 pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,

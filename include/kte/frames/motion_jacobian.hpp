@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/key.hpp>
 #include <kte/frames/frame_2D.hpp>
 #include <kte/math/eigen.hpp>
 
