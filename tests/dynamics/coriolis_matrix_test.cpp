@@ -83,6 +83,19 @@ TEST_CASE("Coriolis matrix where a ratio of coordinates changes") {
   CHECK(gap(coriolis_matrix(model, s, m.q, m.v), matrix) < rounding);
 }
 
+TEST_CASE("Coriolis matrix where a coordinate is given") {
+  // It rests where it is given by nobody: then the arm has one joint, and no Coriolis force.
+  constexpr auto c = chain(base_gen(q1), revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.75)),
+                           revolute_joint_2D(q2, rail, disc), inertia_2D(disc, point_mass(0.8, along_x(0.5))));
+  const std::array q{0.7}, v{1.5};
+  CHECK(coriolis_matrix(c, q, v)(0, 0) == 0);
+  // With a rate in a state, by the formula of two links: C_22 = 0, of which dM_22/dt = 0 is twice.
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  s.coordinate("q1").q_dot = 2;
+  CHECK(coriolis_matrix(model, s, q, v)(0, 0) == within(0, 4 * eps));
+}
+
 TEST_CASE("Coriolis matrix far from the origin, and at more digits") {
   // 1e8 m away nothing changes: velocities and arms are relative.
   random_numbers random(6);

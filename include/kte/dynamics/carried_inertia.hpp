@@ -93,12 +93,13 @@ dense_composite_inertia<S> carried_inertia_of(const kte_map_chain& c, basic_runt
       continue;
     const auto n = e.element->numbers();
     if (n.is != part::body && n.is != part::weight) continue;
-    const auto weight = as_numbers<number>(n).weight;
+    const auto in_number = as_numbers<number>(n);
+    const auto own = n.is == part::body ? checked_composite<number>(to_composite(in_number.body)) : in_number.weight;
     tree::dense_pose<S> at;
     (void)tree::pose_in_base(f, s.work, f.frame(k, e.index[0]), at, place.slot);
     const auto seen = plain_pose<S>(compose(inverse(here), at));
     const auto b = transported(seen.rotation, seen.position,
-                               dense_composite_inertia<S>{S(weight.mass), as<S>(weight.moment), as<S>(weight.inertia)});
+                               dense_composite_inertia<S>{S(own.mass), as<S>(own.moment), as<S>(own.inertia)});
     sum = {sum.mass + b.mass, as<S>(sum.moment + b.moment), as<S>(sum.inertia + b.inertia)};
   }
   return checked_composite<S>(sum);

@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/detail/by_records.hpp>
 #include <kte/dynamics/detail/follower_rates.hpp>
+#include <kte/dynamics/detail/local_coriolis.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
 #include <kte/tree/coriolis.hpp>
 
@@ -17,16 +18,13 @@ auto coriolis_of_coordinates(const Elements& c, State& s) {
   const auto& t = s.tree();
   place_bodies(c, s);
   take_rates(s), place_in_world(s);
-  tree::coriolis_memory<S> x;
-  x.bodies.resize(t.forest.slots());
-  for_each_base(s, [&](const auto& m, std::size_t slot) {
+  for_each_base(s, [&s](const auto& m, std::size_t slot) {
     const mat3<vec3<S>>& r = s.work.world[slot].rotation;
-    x.bodies[slot].velocity = r * as<S>(m.velocity), x.bodies[slot].ang_velocity = r * as<S>(m.ang_velocity);
+    s.work.bodies[slot].velocity = r * as<S>(m.velocity), s.work.bodies[slot].ang_velocity = r * as<S>(m.ang_velocity);
   });
-  tree::start_coriolis(t.forest, s.work, x);
   const int n = t.plan.coordinates;
   square coriolis = square::Zero(n, n), mass = coriolis;
-  tree::coriolis_terms(t.forest, s.work, x, [&](int j, int k, const S& c_jk, const S& m_jk) {
+  tree::coriolis_of_records(t.forest, s.work, [&](int j, int k, const S& c_jk, const S& m_jk) {
     const int row = t.forest.row[static_cast<std::size_t>(j)], column = t.forest.row[static_cast<std::size_t>(k)];
     coriolis(row, column) += c_jk, mass(row, column) += m_jk;
   });
@@ -41,6 +39,7 @@ auto coriolis_of_coordinates(const Elements& c, State& s) {
   coriolis.conservativeResize(s.dofs(), s.dofs());
   return coriolis;
 }
+inline constexpr same_base base_with_velocity_and_axes{motion{skip{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
 template <class Matrix>
 Matrix with_transpose(const Matrix& m) {
   const Matrix sum = m + m.transpose();
@@ -54,18 +53,25 @@ Matrix with_transpose(const Matrix& m) {
 ///   dM/dt - 2 C  is skew-symmetric,   dM/dt = C + C^T          (1)
 ///
 /// as controllers need it that follow a trajectory or adapt (tree/coriolis.hpp). Bases rest; elements that have a mass
-/// and a law of their own count by that mass. kg m^2/s, kg m/s, kg/s. O(n d), by records.
+/// and a law of their own count by that mass. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
 template <class Gravity, class... E, indexable Q, indexable V>
 auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(check_loads_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  joint_matrix<S, chain_type::dofs> m =
-      by_records<S>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest},
-                    [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });
+  const joint_matrix<S, chain_type::dofs> m = [&]() -> joint_matrix<S, chain_type::dofs> {
+    if constexpr (is_unrolled<chain_type, S> && is_tree_of_joints<chain_type>) {
+      const given g{at, each<S, V>{v}, same<skip>{}, base_with_velocity_and_axes};
+      return local_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
+    } else {
+      return by_records<S>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest},
+                           [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });
+    }
+  }();
   check_result(m.data(), static_cast<std::size_t>(m.size()),
                [&]() { blame<typename chain_type::wiring>("a matrix", at.q, each<S, V>{v}, same<zero_t>{}, "a"); });
   return m;
