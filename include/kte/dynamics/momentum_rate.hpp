@@ -8,11 +8,6 @@
 namespace kte {
 
 namespace detail {
-/// (1) of `centroidal_momentum_rate`, from a sum at the origin.
-template <class S, class W, class Blame = too_large>
-linear_angular<S> about_centre(const W& at_origin, const vec3<S>& centre, const Blame& why = {"a force"}) {
-  return checked<S>(at_origin.force, at_origin.torque - cross(centre, at_origin.force), why);
-}
 template <class S, class Chain, class At, class V, class A>
 KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, const A& a) {
   using bodies = with_loads<Chain, bodies_alone>;
@@ -50,8 +45,8 @@ auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, 
   at.check();
   const auto why = [&]() { blame<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
   const auto w = weight_of<S>(c, at);
-  return about_centre<S>(momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a}),
-                         divided_by_mass<S>(w.mass, w.moment, why), why);
+  const auto h = momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a});
+  return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);  // (1)
 }
 /// The acceleration of the centre of mass, m/s^2: p' by mass.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
@@ -63,9 +58,9 @@ auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& 
 }
 
 namespace detail {
-/// What all bodies need for the motion of coordinates, at the origin of the world. After `carry`.
+/// What all bodies need for the motion of coordinates, about a point of the world. After `carry`.
 template <class S>
-tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s) {
+tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
   const auto& f = s.tree().forest;
   auto& w = s.work;
   take_rates(s), rest_given_coordinates(s);
@@ -82,7 +77,7 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s) {
                                          cross(u, cross(u, h)));
     const vec3<S> torque =
         at.rotation * (inertia * x.ang_acceleration + cross(u, inertia * u) + cross(h, x.acceleration));
-    sum = {sum.force + force, sum.torque + torque + cross(at.position, force)};
+    sum = {sum.force + force, sum.torque + torque + cross(at.position - about, force)};
   }
   return sum;
 }
@@ -100,7 +95,8 @@ linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  return detail::about_centre<S>(detail::momentum_rate_of_coordinates(s), detail::divided_by_mass<S>(w.mass, w.moment));
+  const auto h = detail::momentum_rate_of_coordinates(s, detail::divided_by_mass<S>(w.mass, w.moment));
+  return detail::checked<S>(h.force, h.torque);
 }
 template <class S>
 vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s) {

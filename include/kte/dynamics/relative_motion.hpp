@@ -9,7 +9,8 @@ namespace kte {
 
 // ---- of static chains
 
-/// Where B stands in A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m.
+/// Where B stands in A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m; by the elements between them alone. Of a runtime chain
+/// that has elements which are more than records say, `relative_motion` knows it.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
 auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
@@ -19,7 +20,7 @@ auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, c
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  return plain_pose<S>(compose(inverse(plain_pose<S>(motion_at<A>(c, g))), plain_pose<S>(motion_at<B>(c, g))));
+  return plain_pose<S>(pose_in_frame<branch_of<chain_type, A>, branch_of<chain_type, B>>(c, g));
 }
 /// How B moves in A: by `relative` of the motions of both (frames/inverse.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type B, key_type A>
@@ -47,11 +48,11 @@ auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>,
-                                       branch<chain_type, A::what, frame_slot<A, chain_type>()>,
-                                       branch<chain_type, B::what, frame_slot<B, chain_type>()>>;
+  using a = branch_of<chain_type, A>;
+  using b = branch_of<chain_type, B>;
+  using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>, a, b>;
   typename pass::matrix_type j;
-  pass(c, g, j).fill();
+  pass(c, g, j).fill(pose_in_frame<a, b>(c, g));
   return j;
 }
 
@@ -60,7 +61,7 @@ auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B
 template <class S>
 pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
                                            const name_or_handle& a) {
-  c.check(s);
+  detail::check_regular(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
   detail::check_positions(s);
   return detail::relative_pose_of(c, s, of, in);
@@ -70,6 +71,7 @@ requires(!names_something<Q>) pose<mat3<vec3<S>>, vec3<S>> relative_pose(const k
                                                                          basic_runtime_state<S>& s, const Q& q,
                                                                          const name_or_handle& b,
                                                                          const name_or_handle& a) {
+  detail::check_regular(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
   detail::take(c, s, q);
   return detail::relative_pose_of(c, s, of, in);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/detail/record_dynamics.hpp>
+#include <kte/math/select.hpp>
 
-#include <algorithm>
 #include <vector>
 
 /// How ratios of coordinates that follow others change.
@@ -13,7 +13,7 @@ namespace kte::detail {
 ///
 ///   A(v) = sum_ij f_ij v_i v_j,   so   d/dt f_i = sum_j f_ij v_j = (A(v + e_i h) - A(v - e_i h)) / (4 h)          (1)
 ///
-/// exactly, for A is quadratic; with h of the size of v.
+/// exactly, for A is quadratic; with h of the size of v, or anything where nothing moves.
 template <class Elements, class State>
 auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) {
   using S = typename State::scalar;
@@ -26,7 +26,7 @@ auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) 
     before.push_back(coordinate(p));
     coordinate(p).q_ddot = S(0);
     using std::abs;
-    if (p + 1 < ports.size()) h = std::max(h, S(abs(before.back().q_dot)));
+    if (p + 1 < ports.size()) h += S(abs(before.back().q_dot));
   }
   const auto& end = s.template get<kind::gen>(c.written(follower));
   const auto acceleration_at = [&](const S& change) -> S {
@@ -36,8 +36,8 @@ auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) 
     coordinate(port).q_dot = rate;
     return end.q_ddot;
   };
-  S rate(0);
-  if (h > S(0)) rate = (acceleration_at(h) - acceleration_at(-h)) / (S(4) * h);  // (1)
+  h = select(h == S(0), S(1), h);
+  const S rate = (acceleration_at(h) - acceleration_at(-h)) / (S(4) * h);  // (1)
   auto from = before.begin();
   for (std::size_t p = 0; p < ports.size(); ++p)
     if (ports[p].what == kind::gen) coordinate(p) = *from++;

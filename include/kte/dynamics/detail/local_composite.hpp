@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/bodies.hpp>
-#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/detail/element_pose.hpp>
 
 namespace kte::detail {
 
@@ -31,7 +31,7 @@ struct local_composite {
     if constexpr (is_body<core_t<I>>) {
       return chain.template core<I>().template mass<S>();
     } else if constexpr (is_transmission<core_t<I>>) {
-      const auto x = relative<I>();
+      const auto x = element_pose<I>(chain, given);
       return transported(x.rotation, x.position,
                          carried<types::template output_kind<I>, types::template output_slot<I>>());
     } else {
@@ -39,15 +39,6 @@ struct local_composite {
                     "kte: this algorithm needs elements that move frames to be a kte::transmission");
       return no_mass;
     }
-  }
-  template <std::size_t I>
-  KTE_INLINE constexpr auto relative() const {
-    const auto& core = chain.template core<I>();
-    if constexpr (coordinates_of<core_t<I>> == 0)
-      return core.relative();
-    else
-      return core.relative(
-          position_only(motion_of<types, coordinate_kind<core_t<I>>, wiring::slot(I, 0)>(chain, given)));
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/element_pose.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
 
 /// The algorithms of dynamics/relative_motion.hpp.
@@ -32,6 +33,23 @@ inline constexpr std::size_t common_length = [] {
   while (n < A::length && n < B::length && A::elements[n] == B::elements[n]) ++n;
   return n;
 }();
+template <class Chain, class Frame>
+using branch_of = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
+/// Where the end of a branch stands in that of its element N - 1.
+template <class Branch, std::size_t N, class Chain, class Given>
+KTE_INLINE constexpr auto pose_beyond(const Chain& c, const Given& g) {
+  if constexpr (N == Branch::length) {
+    return pose{no_rotation{}, zero3{}};
+  } else {
+    return compose(element_pose<Branch::elements[N]>(c, g), pose_beyond<Branch, N + 1>(c, g));
+  }
+}
+/// Where the end of B stands in that of A, by the elements between them alone.
+template <class A, class B, class Chain, class Given>
+KTE_INLINE constexpr auto pose_in_frame(const Chain& c, const Given& g) {
+  constexpr std::size_t n = common_length<A, B>;
+  return compose(inverse(pose_beyond<A, n>(c, g)), pose_beyond<B, n>(c, g));
+}
 /// Columns of the joints between A and B alone: what moves both does not move one in the other.
 template <class S, class Chain, class Given, class A, class B>
 class local_relative_jacobian : columns<S, Chain, Given> {
@@ -43,21 +61,13 @@ class local_relative_jacobian : columns<S, Chain, Given> {
   using base::base;
   using typename base::matrix_type;
 
-  KTE_INLINE void fill() {
+  template <class X>
+  KTE_INLINE void fill(const X& b_in_a) {
     inward<B, B::length>(at_origin, one);
-    inward<A, A::length>(compose(inverse(in_common<A>()), in_common<B>()), minus_one);
+    inward<A, A::length>(b_in_a, minus_one);
   }
 
  private:
-  /// Where the end of a branch stands in the last frame that both have.
-  template <class Branch, std::size_t N = common>
-  KTE_INLINE constexpr auto in_common() const {
-    if constexpr (N == Branch::length) {
-      return at_origin;
-    } else {
-      return compose(this->template pose_of_element<Branch::elements[N]>(), in_common<Branch, N + 1>());
-    }
-  }
   /// B stands at x in the end of element N - 1 of a branch.
   template <class Branch, std::size_t N, class X, class Sign>
   KTE_INLINE void inward(const X& x, Sign sign) {
@@ -73,14 +83,31 @@ class local_relative_jacobian : columns<S, Chain, Given> {
     }
   }
 };
-}  // namespace detail
 
-namespace detail {
+// ---- of runtime chains
+
+/// Where B stands in A, after `place_bodies`, by what is between them alone; `common`: of their slots.
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> relative_pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
-                                              const runtime_frame& a) {
-  const auto in_world = pose_of(c, s, a);
-  return plain_pose<S>(compose(inverse(in_world), pose_of(c, s, b)));
+tree::dense_pose<S> pose_between(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+                                 const runtime_frame& a, int common) {
+  if (common < 0) return plain_pose<S>(compose(inverse(pose_of(c, s, a)), pose_of(c, s, b)));
+  const auto& f = s.tree().forest;
+  tree::dense_pose<S> x, y;
+  (void)tree::pose_in_base(f, s.work, f.frame(a.what, a.index), x, common);
+  (void)tree::pose_in_base(f, s.work, f.frame(b.what, b.index), y, common);
+  return plain_pose<S>(compose(inverse(x), y));
+}
+template <class S>
+int common_slot_of(const basic_runtime_state<S>& s, const runtime_frame& b, const runtime_frame& a) {
+  const auto& f = s.tree().forest;
+  return tree::common_slot(f, f.frame(a.what, a.index).slot, f.frame(b.what, b.index).slot);
+}
+/// At positions that are good.
+template <class S>
+tree::dense_pose<S> relative_pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+                                     const runtime_frame& a) {
+  place_bodies(runtime_elements{c}, s);
+  return pose_between(c, s, b, a, common_slot_of(s, b, a));
 }
 template <class S>
 dense_motion<S> relative_motion_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
@@ -97,17 +124,11 @@ basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_run
   const auto& t = s.tree();
   const auto& f = t.forest;
   const auto &at_a = f.frame(a.what, a.index), &at_b = f.frame(b.what, b.index);
-  const int common = tree::common_slot(f, at_a.slot, at_b.slot);
+  const int common = common_slot_of(s, b, a);
   place_bodies(runtime_elements{c}, s);
-  tree::dense_pose<S> x;
-  (void)tree::pose_in_base(f, s.work, at_a, x, common);
-  tree::dense_pose<S> y = x;
-  (void)tree::pose_in_base(f, s.work, at_b, y, common);
-  if (common < 0) x = pose_of(c, s, a), y = pose_of(c, s, b);
-  // B as a frame in the body of A.
   const auto seen =
-      compose(tree::dense_pose<S>{as<S>(at_a.at.rotation), as<S>(at_a.at.position)}, compose(inverse(x), y));
-  const tree::frame_place<S> b_on_a{at_a.slot, plain_pose<S>(seen)};
+      compose(tree::dense_pose<S>{as<S>(at_a.at.rotation), as<S>(at_a.at.position)}, pose_between(c, s, b, a, common));
+  const tree::frame_place<S> b_on_a{at_a.slot, plain_pose<S>(seen)};  // B as a frame in the body of A
   basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
   const auto add = [&](const S& sign) {
     return [&j, &f, sign](int k, const vec3<S>& u, const vec3<S>& w) {
@@ -116,6 +137,7 @@ basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_run
       column[3] += sign * w.x, column[4] += sign * w.y, column[5] += sign * w.z;
     };
   };
+  tree::dense_pose<S> y;
   (void)tree::jacobian_columns(f, s.work, at_b, y, add(S(1)), common);
   (void)tree::jacobian_columns(f, s.work, b_on_a, y, add(S(-1)), common);
   return folded(c, s, std::move(j));
