@@ -33,6 +33,10 @@ struct bad_argument : error {
 struct singular_mass_matrix : error {
   using error::error;
 };
+/// Equations that have no solution, or not a single one: joints that jam.
+struct no_solution : error {
+  using error::error;
+};
 /// A file that cannot be read; what() says where.
 struct bad_file : error {
   using error::error;

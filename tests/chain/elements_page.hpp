@@ -24,11 +24,13 @@ inline std::vector<std::string> split(const std::string& text, const std::string
 
 inline std::vector<double> numbers_of(const std::string& what) {
   static const std::map<std::string, std::vector<double>> known{{"number", {1}},
+                                                                {"list", {1, 2}},
                                                                 {"flag", {1}},
                                                                 {"vector", {1, 0, 0}},
                                                                 {"unit vector", {1, 0, 0}},
                                                                 {"axis z", {0, 0, 1}},
                                                                 {"rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+                                                                {"matrix", {0, 0, 0, 0, 0, 0, 0, 0, 0}},
                                                                 {"symmetric matrix", {0, 0, 0, 0, 0, 0}}};
   const auto found = known.find(what);
   if (found == known.end()) throw std::runtime_error("elements.md: what is a '" + what + "'?");
@@ -42,7 +44,7 @@ inline std::map<std::string, kte::element_record> records() {
   std::map<std::string, kte::element_record> all;
   std::string family;
   for (std::string line; std::getline(page, line);) {
-    if (line.starts_with("## `")) family = split(line, "`")[1];
+    if (line.starts_with("## ")) family = line.starts_with("## `") ? split(line, "`")[1] : "";
     if (family.empty() || !line.starts_with("| `")) continue;
     const auto cells = split(line, " | ");
     const std::string name = split(cells.at(0), "`").at(1), what = split(cells.at(2), ", ").at(0);

@@ -32,12 +32,15 @@ struct drawn_chain {
               : x.what == kind::gen    ? draw(access::in, access::angle, access::on, access::out, access::base)
                                        : draw(access::in, access::on, access::out, access::base);
       x.role = "port";
-      name[p] = engine() % 3 + (x.what == kind::gen ? 0 : x.what == kind::internal ? 2 : 4);  // some meet
+      name[p] = engine() % 3 + (x.what == kind::gen ? 0 : 2);  // some meet, of one kind or of two
     }
   }
   problem of_compiler() const {
     std::array<port_use, ports + 1> use{};
-    for (std::size_t p = 0; p < ports; ++p) use[p] = {all[p].what, all[p].how, name[p] + 1, name[p] + 1};
+    for (std::size_t p = 0; p < ports; ++p) {  // names of frames live apart
+      const std::uint64_t id = 2 * name[p] + (is_frame(all[p].what) ? 1 : 0);
+      use[p] = {all[p].what, all[p].how, id, id};
+    }
     return resolve<ports, elements>(use, {0, 2, 4, 6}).error;
   }
   /// What a runtime chain says, or nothing.

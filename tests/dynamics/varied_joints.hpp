@@ -3,6 +3,7 @@
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
+#include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 
 #include <type_traits>
@@ -11,24 +12,6 @@
 
 /// All joints at random places, and the same displaced along a velocity or faster along it.
 namespace kte::test::variations {
-
-/// A nut on a screw of pitch h a radian about an axis n, in no library: p = h q n.
-template <class Axis>
-struct screw : transmission<screw<Axis>> {
-  static constexpr type_name type{"screw_joint", kind::frame_3D};
-  static constexpr std::array<port, 3> ports{{{kind::gen, access::angle, "coordinate"},
-                                              {kind::frame_3D, access::in, "base"},
-                                              {kind::frame_3D, access::out, "end"}}};
-  big pitch;
-  Axis axis;
-  screw(const big& m_per_rad, const Axis& direction) : pitch(m_per_rad), axis(direction) {}
-  template <class C>
-  auto relative(const C& x) const {
-    const auto along = [this](const auto& rate) { return (pitch * rate) * axis; };
-    return motion{along(x.q),     rotation_about(axis, x.cos, x.sin), along(x.q_dot), axis * x.q_dot, along(x.q_ddot),
-                  axis * x.q_ddot};
-  }
-};
 
 /// A coordinate of a kind, and the same displaced along its velocity n, or faster along it.
 template <kind K>
@@ -100,7 +83,7 @@ void with_all_joints(unsigned seed, const F& f) {
     f(core::prismatic_joint<frame::value, vector>(n), place<kind::gen>(random), random);
     f(core::prismatic_joint<frame::value, std::remove_const_t<decltype(axis::minus_x)>>(axis::minus_x),
       place<kind::gen>(random), random);
-    f(screw<vector>(big(random()), n), place<kind::gen>(random), random);
+    f(core::screw_joint<vector, big>(n, random()), place<kind::gen>(random), random);
     f(core::spherical_joint{}, place<kind::rotation_3D>(random), random);
     f(core::free_joint<frame::value>{}, place<kind::pose_3D>(random), random);
   }

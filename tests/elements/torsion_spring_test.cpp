@@ -1,6 +1,8 @@
 #include <kte/elements/torsion_spring.hpp>
+#include <kte/math/axis_angle.hpp>
 
 #include "catch.hpp"
+#include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
 using namespace kte;
@@ -25,6 +27,7 @@ void check_laws() {
   check(torsion_spring_2D("a", "b", k, most), false);
   check(torsion_spring_3D("a", "b", k), true);
   check(torsion_spring_3D("a", "b", k, most), false);
+  check(torsion_spring_3D("a", "b", k, zero, quarter_turn_x), true);
   CHECK(planar_difference<S>(torsion_spring_2D("a", "b", k), torsion_spring_3D("a", "b", k), draw) <= rounding<S>);
   CHECK(planar_difference<S>(torsion_spring_2D("a", "b", k, most), torsion_spring_3D("a", "b", k, most), draw) <=
         rounding<S>);
@@ -92,6 +95,40 @@ TEST_CASE("a torsion spring in the plane", "[elements][torsion_spring]") {
   CHECK(close(torque(0.0, 1.0, 8.0, zero, one), 0.0));
   CHECK(close(torque(0.0, 3.125, 8.0), 25.0));  // the jump at half a turn
   CHECK(close(torque(0.0, 3.1875, 8.0), 8 * (3.1875 - 2 * pi<double>)));
+}
+
+TEST_CASE("a torsion spring in space may rest at any rotation", "[elements][torsion_spring]") {
+  const vec3 turn{0.5, 0.75, 1.5};
+  const auto rest = matrix(vec3{-0.3, 1.1, 0.4});
+  auto x = trial_of(torsion_spring_3D("a", "b", 4.0, zero, rest), 1);
+  const auto torques = [&](const mat3<vec3<>>& between) {
+    x.at<0>().torque = x.at<1>().torque = {};
+    x.at<1>().rotation = x.at<0>().rotation * between;
+    x.doForce();
+    return std::pair{x.at<0>().torque, x.at<1>().torque};
+  };
+  CHECK(near(torques(rest).first, vec3<>{}, 4 * rounding<double>));
+  const auto [first, second] = torques(matrix(turn) * rest);
+  CHECK(near(first, 4.0 * turn, 4 * rounding<double>));
+  CHECK(near(rest * second, -4.0 * turn, 4 * rounding<double>));
+  // About z it is the one in the plane; a quaternion will do.
+  random_numbers draw(3);
+  CHECK(planar_difference<double>(torsion_spring_2D("a", "b", 4.0, zero, 0.5),
+                                  torsion_spring_3D("a", "b", 4.0, zero, to_quaternion(vec3{0.0, 0.0, 0.5})),
+                                  draw) <= 4 * rounding<double>);
+  CHECK(complaint([&] {
+          torsion_spring_3D("a", "b", 4.0, zero, 2.0 * rest);
+        }).find("rest rotation must be a rotation") != std::string::npos);
+}
+
+TEST_CASE("files of torsion springs have a rest rotation where there is one", "[elements][torsion_spring]") {
+  kte_map_chain c;
+  c << base_3D("a") << base_3D("b") << torsion_spring_3D("a", "b", 4.0)
+    << torsion_spring_3D("a", "b", 4.0, 2.0, as<double>(quarter_turn_z));
+  const auto r = record_of(c);
+  CHECK(r.elements[2].parameters.size() == 2);
+  CHECK(r.elements[3].parameters.size() == 3);
+  CHECK(record_of(models::registered(r)) == r);
 }
 
 TEST_CASE("a torsion spring keeps NaN", "[elements][torsion_spring]") {

@@ -102,6 +102,7 @@ TEST_CASE("functions of one dual number against 50 digits", "[math][dual]") {
   KTE_CHECK_FUNCTION(acos, {0.3, -0.7, 0.999});
   KTE_CHECK_FUNCTION(atan, {0.3, -0.7, 20.0});
   KTE_CHECK_FUNCTION(exp, {0.3, -4.0, 10.0});
+  KTE_CHECK_FUNCTION(tanh, {0.3, -0.5, 1.0}, 8);  // of 1 - t at t = 0.76
   KTE_CHECK_FUNCTION(log, {0.3, 0.9, 1e5});
 }
 

@@ -31,6 +31,8 @@ struct check_kind {
                 "kte: this port of the element takes a pose in the plane (pose_2D_key)");
   static_assert(rule < Core, Key, fits || Wanted != kind::pose_3D >,
                 "kte: this port of the element takes a pose in space (pose_3D_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::vector >,
+                "kte: this port of the element takes a signal of three numbers (vector_key)");
   static_assert(rule < Core, Key, fits || Wanted != kind::internal >,
                 "kte: this port of the element takes an internal state (internal_key)");
 };
@@ -64,6 +66,14 @@ struct check_need {
                 "leaves out unless the element core says: static constexpr bool reads_positions = true;");
 };
 
+/// An element core that writes a signal, from what it sees of accelerations or not.
+template <class Core, bool Accelerations>
+struct check_signal {
+  static_assert(rule<Core, void, !Accelerations>,
+                "kte: what this element writes depends on accelerations: its core must say so by static constexpr bool "
+                "reads_accelerations = true;, and no force may depend on it");
+};
+
 /// A joint or link in an algorithm that asks it for its `relative` alone.
 template <class Core, bool Plain>
 struct check_loads {
@@ -72,7 +82,25 @@ struct check_loads {
                 "`doForce` of its own: put that force into an element on the coordinate");
 };
 
+/// An element with a mass between several things in an algorithm of bodies.
+template <class Core, bool None>
+struct check_bodies {
+  static_assert(None,
+                "kte: this algorithm counts the masses of single frames and coordinates, and this element has a mass "
+                "between several");
+};
+/// A joint whose friction depends on what it carries, in derivatives.
+template <class Core, bool None>
+struct check_reactions {
+  static_assert(None, "kte: derivatives of friction that depends on what a joint carries are not known");
+};
+
 /// What stands for an element that was refused with a sentence, so that nothing more is said about it.
-struct refused {};
+struct refused {
+  template <class... Place>
+  constexpr refused at(const Place&...) const {
+    return {};
+  }
+};
 
 }  // namespace kte::detail

@@ -5,9 +5,31 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <type_traits>
 
 namespace kte {
+
+namespace detail {
+/// What `.at(...)` makes of an element core: joints have a seat that can be placed (contract/seat.hpp).
+template <class Core>
+struct seat {
+  template <class... Place>
+  static constexpr auto of(const Core&, const Place&...) {
+    static_assert(rule<Core, void, fit<Core>>,
+                  "kte: .at(position[, rotation]) places the seat of a joint in its base; this element is no joint");
+    return refused{};
+  }
+};
+}  // namespace detail
+
+template <class Core, class... Names>
+constexpr auto connect(const Core& core, const Names&... names);
+/// What was refused with a sentence stays so.
+template <class... Names>
+constexpr detail::refused connect(detail::refused, const Names&...) {
+  return {};
+}
 
 /// An element of a static chain: a core, which holds the arithmetic and the parameters and knows no names, and the keys
 /// of what its ports are connected to.
@@ -16,6 +38,12 @@ struct element {
   static_assert(sizeof...(Keys) == port_count<Core>);
   using core_type = Core;
   Core core;
+
+  /// Of a joint: the same whose seat stands at a position, m, and a rotation in the base.
+  template <class... Place>
+  constexpr auto at(const Place&... place) const {
+    return connect(detail::seat<Core>::of(core, place...), Keys{}...);
+  }
 };
 
 /// The same under names that are texts, for runtime chains.
@@ -24,6 +52,20 @@ struct named_element {
   using core_type = Core;
   Core core;
   std::array<std::string, port_count<Core>> names;
+
+  /// Of a joint: the same whose seat stands at a position, m, and a rotation in the base.
+  template <class... Place>
+  auto at(const Place&... place) const {
+    const auto placed = detail::seat<Core>::of(core, place...);
+    return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(placed, names[P]...); }
+    (std::make_index_sequence<port_count<Core>>{});
+  }
+};
+
+/// Several of them, which a runtime chain appends in order: all or none.
+template <class... Core>
+struct named_elements {
+  std::tuple<named_element<Core>...> all;
 };
 
 namespace detail {

@@ -11,8 +11,9 @@ enum class part : unsigned char {
   stiff,     ///< a joint or link
   body,      ///< a rigid body on a frame, or the mass of a coordinate
   weight,    ///< a mass on a frame that moves by a law of its own
-  follower,  ///< writes a coordinate from others
+  follower,  ///< writes a coordinate, from others or from signals
   mover,     ///< writes a frame in another way
+  signal,    ///< writes a signal
   force      ///< the rest: acts on what it is connected to. May have a mass on a coordinate
 };
 
@@ -24,6 +25,10 @@ template <class P>
 struct element_numbers {
   part is = part::force;
   bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
+  bool measures_accelerations = false;
+  bool reads_reaction = false;  ///< of a joint: whether its friction depends on what it carries
+  bool holds_coordinate = false;
+  bool spreads_mass = false;  ///< whether it has a mass between several ports
   stiff_numbers<P> stiff{};
   rigid_body<P, vec3<P>, sym3<P>> body{};
   composite<P, vec3<P>, sym3<P>> weight{};
@@ -82,7 +87,9 @@ template <class P>
 element_numbers<P> as_numbers(const element_numbers<double>& n) {
   const auto placed = [](const auto& x) { return pose<mat3<vec3<P>>, vec3<P>>{as<P>(x.rotation), as<P>(x.position)}; };
   element_numbers<P> x;
-  x.is = n.is, x.plain_loads = n.plain_loads;
+  x.is = n.is, x.plain_loads = n.plain_loads, x.measures_accelerations = n.measures_accelerations;
+  x.reads_reaction = n.reads_reaction, x.spreads_mass = n.spreads_mass;
+  x.holds_coordinate = n.holds_coordinate;
   x.stiff.at_zero = placed(n.stiff.at_zero), x.stiff.tried = placed(n.stiff.tried);
   for (std::size_t k = 0; k < n.stiff.linear.size(); ++k)
     x.stiff.linear[k] = as<P>(n.stiff.linear[k]), x.stiff.angular[k] = as<P>(n.stiff.angular[k]);
@@ -95,6 +102,8 @@ template <class P, class Core>
 element_numbers<P> numbers_of(const Core& core) {
   element_numbers<P> n;
   constexpr port last = Core::ports.back();
+  n.reads_reaction = reads_reaction<Core>, n.spreads_mass = spreads_mass<Core>;
+  n.holds_coordinate = holds_coordinate<Core>;
   if constexpr (is_transmission<Core>) {
     n.is = part::stiff;
     n.plain_loads = loads_by_relative<Core>;
@@ -102,7 +111,8 @@ element_numbers<P> numbers_of(const Core& core) {
   } else if constexpr (last.how == access::base) {
     n.is = part::base;
   } else if constexpr (last.how == access::out) {
-    n.is = is_frame(last.what) ? part::mover : part::follower;
+    n.is = is_frame(last.what) ? part::mover : is_signal(last.what) ? part::signal : part::follower;
+    n.measures_accelerations = reads_accelerations<Core>;
   } else if constexpr (has_mass<Core, P>) {
     const auto m = core.template mass<P>();
     if constexpr (!is_frame(Core::ports[0].what)) {

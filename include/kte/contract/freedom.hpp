@@ -2,6 +2,8 @@
 
 #include <kte/contract/key.hpp>
 
+#include <string_view>
+
 namespace kte::detail {
 
 /// A coordinate that is a degree of freedom, or several: thing `slot` of its kind, whose numbers begin at place `q` of
@@ -12,5 +14,14 @@ struct freedom {
   int q{};
   int v{};
 };
+
+/// A signal that comes from outside: thing `slot` of its kind, whose numbers begin at place `u` of the input of a
+/// chain. The time has no place there: -1.
+struct outside_signal {
+  kind what{};
+  int slot{};
+  int u{};
+};
+constexpr bool is_time(kind k, std::string_view name) { return k == kind::input && name == chain_time_::name; }
 
 }  // namespace kte::detail

@@ -19,17 +19,20 @@ enum class kind : unsigned char {
   gen,          ///< a generalized coordinate: q and its rates, and a generalized force
   frame_2D,     ///< a frame in the plane
   frame_3D,     ///< a frame in space
-  input,        ///< a signal from outside, for instance the force of a motor
+  input,        ///< a signal: a number from outside, for instance the force of a motor, or one that an element writes
   rotation_3D,  ///< a coordinate that is a rotation in space: a unit quaternion and an angular velocity
   pose_2D,      ///< a coordinate that is a pose in the plane
   pose_3D,      ///< a coordinate that is a pose in space
-  internal      ///< a number that one element keeps, with a rate of its own: the deflection of bristles in friction
+  internal,     ///< a number that one element keeps, with a rate of its own: the deflection of bristles in friction
+  vector        ///< a signal of three numbers
 };
-inline constexpr std::size_t kinds = 8;
+inline constexpr std::size_t kinds = 9;
 
 constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
-/// Whether it is a mere number, which carries no force.
-constexpr bool is_signal(kind k) { return k == kind::input || k == kind::internal; }
+/// Whether it is mere numbers, which carry no force.
+constexpr bool is_signal(kind k) { return k == kind::input || k == kind::internal || k == kind::vector; }
+/// How many numbers of the input u of a chain it has, where no element writes it.
+constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
 /// Whether joints move by it: a number, a rotation or a pose.
 constexpr bool is_coordinate(kind k) { return !is_frame(k) && !is_signal(k); }
 /// How many numbers of a configuration q it has: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
@@ -59,6 +62,8 @@ constexpr std::string_view to_string(kind k) {
       return "3D pose";
     case kind::internal:
       return "internal state";
+    case kind::vector:
+      return "vector";
   }
   return "";
 }
@@ -87,6 +92,8 @@ struct frame_3D_key : key<kind::frame_3D, Text> {};
 template <fixed_string Text>
 struct input_key : key<kind::input, Text> {};
 template <fixed_string Text>
+struct vector_key : key<kind::vector, Text> {};
+template <fixed_string Text>
 struct rotation_3D_key : key<kind::rotation_3D, Text> {};
 template <fixed_string Text>
 struct pose_2D_key : key<kind::pose_2D, Text> {};
@@ -94,6 +101,10 @@ template <fixed_string Text>
 struct pose_3D_key : key<kind::pose_3D, Text> {};
 template <fixed_string Text>
 struct internal_key : key<kind::internal, Text> {};
+
+/// The time, s: an input of this name is that in models of systems (models/), and no part of u.
+inline constexpr struct chain_time_ final : input_key<"time"> {
+} chain_time;
 
 /// A declared name.
 template <class T>
@@ -120,11 +131,12 @@ constexpr std::uint64_t hash_of_type() {
   return hash(__PRETTY_FUNCTION__);
 #endif
 }
-/// Two keys are the same name when their types are; and then only may their texts be equal.
+/// Two keys are the same name when their types are; and then only may their texts be equal. Names of frames live apart
+/// from those of coordinates and signals: of one text there may be one of either.
 template <class Key>
 inline constexpr std::uint64_t id_of_key = hash_of_type<Key>();
 template <class Key>
-inline constexpr std::uint64_t id_of_text = hash(Key::name);
+inline constexpr std::uint64_t id_of_text = hash(Key::name) + (is_frame(Key::what) ? 1 : 0);
 
 }  // namespace detail
 }  // namespace kte

@@ -51,6 +51,12 @@ struct parameter_check {
     finite(x, rule);
     require(as<double>(x) >= 0, rule, as<double>(x));
   }
+  /// A finite number > 0.
+  template <class T>
+  constexpr void positive(const T& x, const char* rule) const {
+    finite(x, rule);
+    require(as<double>(x) > 0, rule, as<double>(x));
+  }
   template <class X, class Y, class Z>
   constexpr void finite(const vec3<X, Y, Z>& v, const char* rule) const {
     finite(v.x, rule), finite(v.y, rule), finite(v.z, rule);

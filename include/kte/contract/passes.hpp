@@ -1,7 +1,9 @@
 #pragma once
 
+#include <kte/contract/checks.hpp>
 #include <kte/contract/port.hpp>
 #include <kte/contract/thing.hpp>
+#include <kte/frames/motion.hpp>
 #include <kte/math/sincos.hpp>
 
 #include <boost/hana/at.hpp>
@@ -20,22 +22,42 @@ inline constexpr std::size_t load_index = [] {
   return i;
 }();
 
-/// The port of the internal state that an element keeps; beyond the last where it keeps none.
+/// How many internal states an element keeps.
 template <class Core>
-inline constexpr std::size_t kept_port = [] {
-  std::size_t p = 0;
-  while (p < port_count<Core> && Core::ports[p].how != access::keep) ++p;
-  return p;
-}();
-
-template <class Core>
-inline constexpr int kept_count = [] {
-  int n = 0;
+inline constexpr std::size_t kept_count = [] {
+  std::size_t n = 0;
   for (const auto& p : Core::ports) n += p.how == access::keep;
   return n;
 }();
+/// The port of number N of them; beyond the last where there is none.
+template <class Core, std::size_t N = 0>
+inline constexpr std::size_t kept_port = [] {
+  std::size_t p = 0, n = 0;
+  while (p < port_count<Core> && (Core::ports[p].how != access::keep || n++ != N)) ++p;
+  return p;
+}();
+/// Number N of the rates that `z_dot` of an element gives: one, or several by `make_rates`.
+template <std::size_t N, class Rate>
+KTE_INLINE constexpr const auto& rate_of_kept(const Rate& rate) {
+  return rate;
+}
+template <std::size_t N, class... R>
+KTE_INLINE constexpr const auto& rate_of_kept(const boost::hana::tuple<R...>& rates) {
+  return boost::hana::at_c<N>(rates);
+}
 
-/// Whether something that nobody asked for is in a load.
+/// A motion or a coordinate without its accelerations, as elements that write signals see it.
+template <class X>
+KTE_INLINE constexpr auto without_accelerations(const X& x) {
+  if constexpr (requires { x.q; }) {
+    return coordinate{x.q, x.q_dot, skip{}, x.cos, x.sin};
+  } else {
+    constexpr vec3<skip> unknown{};
+    return motion{x.position, x.rotation, x.velocity, x.ang_velocity, unknown, unknown};
+  }
+}
+
+/// Whether something that nobody asked for is in a load or a signal.
 template <class T>
 inline constexpr bool has_skip = std::is_same_v<T, skip>;
 template <class X, class Y, class Z>
@@ -62,7 +84,6 @@ struct stored_element {
   Where where;
 
   static constexpr std::size_t ports = port_count<Core>;
-  static_assert(kept_count<Core> <= 1, "kte: an element keeps one internal state at most");
   template <std::size_t P>
   static constexpr port at = Core::ports[P];
 
@@ -74,7 +95,12 @@ struct stored_element {
   /// The same as the kernels see it.
   template <std::size_t P>
   KTE_INLINE constexpr decltype(auto) input() const {
-    if constexpr (at<P>.what == kind::gen) {
+    if constexpr (writes_signal<Core> && !reads_accelerations<Core> && !is_signal(at<P>.what)) {
+      if constexpr (at<P>.what == kind::gen)
+        return without_accelerations(stored<P>());
+      else
+        return without_accelerations(spatial(stored<P>()));
+    } else if constexpr (at<P>.what == kind::gen) {
       return std::as_const(stored<P>());
     } else if constexpr (is_signal(at<P>.what)) {
       return number_of_signal<at<P>.what>(stored<P>());
@@ -102,7 +128,8 @@ struct stored_element {
   template <std::size_t... P>
   KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
-    if constexpr (kept_port<Core> < ports) stored<kept_port<Core>>().z_dot = core.z_dot(input<P>()...);
+    if constexpr (kept_count < Core >> 0)
+      write_rates(core.z_dot(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
   }
   /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>
@@ -112,10 +139,49 @@ struct stored_element {
   }
   template <std::size_t... P>
   KTE_INLINE constexpr void force(std::index_sequence<P...>) const {
-    if constexpr (has_output) {
+    if constexpr (writes_signal<Core>) {
+      return;
+    } else if constexpr (has_output) {
       spread<P...>(core.doForce(input<P>()..., load<ports - 1>()));
     } else {
       spread<P...>(core.doForce(input<P>()...));
+    }
+  }
+  /// Whether it holds its coordinate, and by how large a force it could.
+  template <std::size_t... P>
+  KTE_INLINE constexpr bool holds(std::index_sequence<P...>) const {
+    if constexpr (holds_coordinate<Core>) {
+      return core.holds(input<P>()...);
+    } else {
+      return false;
+    }
+  }
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto capacity(std::index_sequence<P...>) const {
+    if constexpr (holds_coordinate<Core>) {
+      return core.capacity(input<P>()...);
+    } else {
+      return zero;
+    }
+  }
+  /// What it keeps after its law has changed; nothing where it has no `switched`.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void switch_over(std::index_sequence<P...>) const {
+    if constexpr (requires { core.switched(input<P>()...); })
+      write_kept(core.switched(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
+  }
+  /// The loads of a mass between several ports, for accelerations alone.
+  template <std::size_t... P>
+  KTE_INLINE constexpr void mass_force(std::index_sequence<P...>) const {
+    if constexpr (spreads_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
+  }
+  /// The friction of a joint that carries a wrench at its end.
+  template <class Wrench>
+  KTE_INLINE constexpr auto friction(const Wrench& end) const {
+    if constexpr (reads_reaction<Core>) {
+      return core.friction(input<0>(), end);
+    } else {
+      return zero;
     }
   }
   /// Energies, where the element has one; J.
@@ -133,6 +199,15 @@ struct stored_element {
       return core.potential_energy(input<P>()...);
     } else {
       return zero;
+    }
+  }
+  /// Of a mass between several ports, m c in axes of the base, kg m.
+  template <std::size_t... P>
+  KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
+    if constexpr (requires { core.first_moment(input<P>()...); }) {
+      return core.first_moment(input<P>()...);
+    } else {
+      return zero3{};
     }
   }
   /// What goes through zero where the law of the element changes; one where it does not.
@@ -158,12 +233,34 @@ struct stored_element {
   template <class M>
   KTE_INLINE constexpr void write(const M& m) const {
     auto& x = stored<ports - 1>();
-    if constexpr (at<ports - 1>.what == kind::gen) {
+    if constexpr (writes_signal<Core>) {
+      static_assert(sizeof(check_signal<Core, has_skip<M>>) > 0);
+      if constexpr (!has_skip<M>) x = as<typename State::scalar>(m);
+    } else if constexpr (at<ports - 1>.what == kind::gen) {
       using S = std::remove_cvref_t<decltype(x.q)>;
       x.q = as<S>(m.q), x.q_dot = as<S>(m.q_dot), x.q_ddot = as<S>(m.q_ddot);
     } else {
       set_motion(x, m);
     }
+  }
+  template <class Rates, std::size_t... N>
+  KTE_INLINE constexpr void write_rates(const Rates& rates, std::index_sequence<N...>) const {
+    const int done[]{(write_rate<N>(rates), 0)...};
+    (void)done;
+  }
+  template <class Kept, std::size_t... N>
+  KTE_INLINE constexpr void write_kept(const Kept& kept, std::index_sequence<N...>) const {
+    const int done[]{(write_one(rate_of_kept<N>(kept), stored<kept_port<Core, N>>()), 0)...};
+    (void)done;
+  }
+  template <class X, class Z>
+  KTE_INLINE static constexpr void write_one(const X& x, Z& to) {
+    to.z = as<std::remove_cvref_t<decltype(to.z)>>(x);
+  }
+  template <std::size_t N, class Rates>
+  KTE_INLINE constexpr void write_rate(const Rates& rates) const {
+    auto& z = stored<kept_port<Core, N>>();
+    z.z_dot = as<std::remove_cvref_t<decltype(z.z)>>(rate_of_kept<N>(rates));
   }
   template <std::size_t... P, class Loads>
   KTE_INLINE constexpr void spread(const Loads& l) const {

@@ -38,6 +38,39 @@ template <class Core>
 inline constexpr std::size_t input_count = port_count<Core> - (Core::ports.back().writes() ? 1 : 0);
 
 namespace detail {
+/// Whether it writes a signal: a measure, a control. It then puts no loads.
+template <class Core>
+inline constexpr bool writes_signal = Core::ports.back().how == access::out&& is_signal(Core::ports.back().what);
+/// Whether such an element measures accelerations: its core then says so by `static constexpr bool
+/// reads_accelerations = true`, and no force may depend on what it writes.
+template <class Core>
+inline constexpr bool reads_accelerations = false;
+template <class Core>
+requires requires { Core::reads_accelerations; }
+inline constexpr bool reads_accelerations<Core> = Core::reads_accelerations;
+
+/// Whether it has a mass between several ports: `mass_loads(things...)`, its loads for accelerations alone.
+template <class Core>
+inline constexpr bool spreads_mass = false;
+template <class Core>
+requires requires { Core::spreads_mass; }
+inline constexpr bool spreads_mass<Core> = Core::spreads_mass;
+
+/// Whether it is a joint whose friction depends on what the joint carries: `friction(coordinate, wrench of the end)`,
+/// a load on the coordinate.
+template <class Core>
+inline constexpr bool reads_reaction = false;
+template <class Core>
+requires requires { Core::reads_reaction; }
+inline constexpr bool reads_reaction<Core> = Core::reads_reaction;
+
+/// Whether it may hold a coordinate: contract/holder.hpp.
+template <class Core>
+inline constexpr bool holds_coordinate = false;
+template <class Core>
+requires requires { Core::holds_coordinate; }
+inline constexpr bool holds_coordinate<Core> = Core::holds_coordinate;
+
 /// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
 /// so by `static constexpr bool reads_positions = true`.
 template <class Core>

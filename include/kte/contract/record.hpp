@@ -2,6 +2,8 @@
 
 #include <kte/contract/file_place.hpp>
 #include <kte/contract/port.hpp>
+#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
 #include <kte/math/quaternion.hpp>
 #include <kte/math/rigid_body.hpp>
 
@@ -13,7 +15,8 @@
 /// Elements as plain data, for files and comparisons.
 namespace kte {
 
-/// A parameter: its name and its numbers; vectors x y z, matrices by rows, symmetric ones xx xy xz yy yz zz.
+/// A parameter: its name and its numbers; vectors x y z, matrices by rows, symmetric ones xx xy xz yy yz zz,
+/// lists of any length.
 struct parameter_record {
   std::string name;
   std::vector<double> values;
@@ -73,6 +76,10 @@ void append_numbers(std::vector<double>& v, const sym3<T...>& x) {
   const auto d = as<double>(x);
   append_all(v, {d.xx, d.xy, d.xz, d.yy, d.yz, d.zz});
 }
+/// A list.
+template <entry List>
+requires requires(const List& l) { l.size(), l.data(); }
+void append_numbers(std::vector<double>& v, const List& list) { v.insert(v.end(), list.begin(), list.end()); }
 template <geometric R>
 requires requires(const R& r) { matrix(r); }
 void append_numbers(std::vector<double>& v, const R& rotation) {
@@ -82,9 +89,16 @@ void append_numbers(std::vector<double>& v, const R& rotation) {
 
 }  // namespace detail
 
-/// The record of a core under the given names. A parameter that is a bool is there, as 1, only if it is true.
+/// The record of a core under the given names. A parameter that is a bool is there, as 1, only if it is true. Throws
+/// `bad_argument` for one that says it `holds_code`: functions of a program.
 template <class Core, class Names>
 element_record record_of(const Core& core, const Names& names) {
+  if constexpr (requires { requires Core::holds_code; }) {
+    std::array<std::string_view, port_count<Core>> texts;
+    for (std::size_t p = 0; p < port_count<Core>; ++p) texts[p] = names[p];
+    detail::raise<bad_argument>("kte: " + describe_element(Core::type, Core::ports, texts) +
+                                " holds a function of its program, which no record or file can hold");
+  }
   element_record r{std::string(std::string_view(Core::type)), 1, {}, {}};
   for (std::size_t p = 0; p < port_count<Core>; ++p) detail::add_connection(r, Core::ports[p].role, names[p]);
   Core::parameters(core, [&r](const char* name, const auto& value) {

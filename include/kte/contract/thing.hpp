@@ -14,7 +14,7 @@ namespace kte::detail {
 /// In the order of `kind`.
 template <class S>
 using things = std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_coord_3D<S>, pose_coord_2D<S>,
-                          pose_coord_3D<S>, internal_state<S>>;
+                          pose_coord_3D<S>, internal_state<S>, vec3<S>>;
 template <kind K, class S>
 using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
 
@@ -24,7 +24,7 @@ KTE_INLINE constexpr auto& of_kind(Tuple& t) {
   return std::get<static_cast<std::size_t>(K)>(t);
 }
 
-/// The number that kernels see of an input or an internal state.
+/// What kernels see of a signal.
 template <kind K, class T>
 KTE_INLINE constexpr const auto& number_of_signal(const T& x) {
   if constexpr (K == kind::internal) {

@@ -17,6 +17,12 @@ KTE_INLINE constexpr auto make_loads(const L&... l) {
   return boost::hana::tuple<L...>{l...};
 }
 
+/// The rates that `z_dot` of an element with several internal states gives, in their order.
+template <class... R>
+KTE_INLINE constexpr auto make_rates(const R&... r) {
+  return boost::hana::tuple<R...>{r...};
+}
+
 namespace detail {
 /// A type that no pass is called with.
 struct no_pass;
@@ -89,6 +95,7 @@ KTE_INLINE constexpr auto number_of(const L& load) {
 ///   doMotion   X_end = X_base * relative                     (compose, frames/motion.hpp)        (2)
 ///   doForce    the full wrench of the end goes to the base   (transmit, the same)                (3)
 ///              f = s . wrench, s the velocity that a unit rate of the coordinate makes           (4)
+/// (where a core says `static constexpr bool reads_reaction = true`, f has also its `friction(coordinate, wrench)`)
 /// so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and the
 /// accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
 /// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end.
@@ -113,8 +120,12 @@ struct transmission {
     constexpr kind k = Core::ports[0].what;
     const auto f = [&]<int N>()
                        KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
-    return make_loads(detail::load_on<k>(f),                                      // (4)
-                      transmit(core().relative(detail::position_only(c)), end));  // (3)
+    const auto base = transmit(core().relative(detail::position_only(c)), end);  // (3)
+    if constexpr (detail::reads_reaction<Core>) {
+      return make_loads(detail::load_on<k>(f) + core().friction(c, end), base);
+    } else {
+      return make_loads(detail::load_on<k>(f), base);  // (4)
+    }
   }
 
   // Hidden by passes that a core has of its own.
@@ -176,3 +187,5 @@ struct check_core<Core> {
 }  // namespace detail
 
 }  // namespace kte
+
+#include <kte/contract/seat.hpp>  // joints of all who include this have seats

@@ -10,7 +10,8 @@ namespace kte::detail {
 /// What breaks them.
 enum class problem : unsigned char {
   none,
-  same_text,            ///< the name is that of something else: of another kind, in static chains of another key
+  same_text,            ///< the name is that of something else: of another kind, in static chains of another key.
+                        ///< (Names of frames live apart from all others.)
   written_twice,        ///< another element has written this name before
   read_before_written,  ///< an element before has read it
   unknown               ///< nothing before writes it, and it is no base or coordinate of the chain

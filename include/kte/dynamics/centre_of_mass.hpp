@@ -152,6 +152,7 @@ template <class Gravity, class... E, indexable Q>
 auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
   detail::check_configuration<chain_type>(q);
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
@@ -168,6 +169,7 @@ auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, c
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();

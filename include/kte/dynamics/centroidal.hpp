@@ -78,6 +78,7 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
@@ -101,6 +102,7 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
   check_configuration<chain_type>(q);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();

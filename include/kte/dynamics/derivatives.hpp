@@ -12,7 +12,8 @@ namespace kte {
 namespace detail {
 /// Whether the derivatives of a chain are known element by element.
 template <class Chain>
-inline constexpr bool is_analytical = is_tree_of_joints<Chain>&&[]<std::size_t... I>(std::index_sequence<I...>) {
+inline constexpr bool is_analytical =
+    is_tree_of_joints<Chain>&& Chain::common&&[]<std::size_t... I>(std::index_sequence<I...>) {
   const bool all_known[]{has_derivatives<typename Chain::template core_type<I>>..., true};
   for (const bool k : all_known)
     if (!k) return false;
@@ -23,7 +24,7 @@ inline constexpr bool is_analytical = is_tree_of_joints<Chain>&&[]<std::size_t..
 /// At q, v and a, with bases and inputs as given.
 template <class S, class Chain, class At, class Base, class Q, class V, class A>
 KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v, const A& a) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_reactions_of<Chain>) > 0);
   inverse_dynamics_result<S, Chain::dofs> r;
   if constexpr (is_analytical<Chain>) {
     const given g{at, each<S, V>{v}, each<S, A>{a}, base};
@@ -52,7 +53,8 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
                                        const joint_vector<S, Chain::dofs>& tau) {
   forward_dynamics_result<S, Chain::dofs> r;
   const each<S, V> rates{v};
-  if constexpr (is_tree_of_joints<Chain>) {
+  constexpr bool inverted = is_tree_of_joints<Chain> || !Chain::common;
+  if constexpr (inverted) {
     at.check(), base.check();
     const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
     if constexpr (is_unrolled<Chain, S>) {
@@ -64,7 +66,7 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     r.a = accelerations_under<S>(c, at, rates, base, tau);
   }
   auto of_forces = derivatives_at<S>(c, at, base, q, v, r.a);
-  if constexpr (!is_tree_of_joints<Chain>)
+  if constexpr (!inverted)
     invert_by_factors(of_forces.by_a, r.by_tau,
                       [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
   solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);

@@ -55,10 +55,17 @@ KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
       const auto see = [&]<std::size_t Port>() KTE_INLINE_LAMBDA {
         return motion_of<types, types::template what<I, Port>, Chain::wiring::slot(I, Port)>(c, g);
       };
-      if constexpr (requires { core.potential_energy(see.template operator()<P>()...); }) {
-        return core.potential_energy(see.template operator()<P>()...);
+      const auto own = [&]() KTE_INLINE_LAMBDA {
+        if constexpr (requires { core.potential_energy(see.template operator()<P>()...); }) {
+          return core.potential_energy(see.template operator()<P>()...);
+        } else {
+          return zero;
+        }
+      }();
+      if constexpr (requires { core.first_moment(see.template operator()<P>()...); }) {
+        return own - dot(c.gravity(), core.first_moment(see.template operator()<P>()...));
       } else {
-        return zero;
+        return own;
       }
     }
     (typename types::template inputs<I>{});

@@ -25,7 +25,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
                                     const joint_vector<S, Chain::dofs>& tau) {
   at.check(), base.check();
   joint_vector<S, Chain::dofs> a;
-  if constexpr (is_tree_of_joints<Chain>) {
+  if constexpr (is_tree_of_joints<Chain> || !Chain::common) {
     using given_type = given<At, V, same<zero_t>, Base, true>;
     if constexpr (is_unrolled<Chain, S>)
       static_assert(sizeof(typename local_articulated<S, Chain, given_type>::need) > 0);

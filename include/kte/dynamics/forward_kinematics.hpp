@@ -12,8 +12,13 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g);
 
 template <class Types, std::size_t I, class Chain, class Given, std::size_t... P>
 KTE_INLINE constexpr auto motion_by(const Chain& c, const Given& g, std::index_sequence<P...>) {
-  return Types::template finish<I>(
-      c.template core<I>().doMotion(motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...));
+  if constexpr (writes_freely<core_of<Chain, I>>) {
+    return Types::template written_freely<I>(
+        c.template core<I>(), motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...);
+  } else {
+    return Types::template finish<I>(c.template core<I>().doMotion(
+        motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...));
+  }
 }
 template <class Types, kind K, int Slot, class Chain, class Given>
 KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {

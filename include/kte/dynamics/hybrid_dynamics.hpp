@@ -79,7 +79,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   using base_type = std::remove_const_t<decltype(base)>;
   using given_type = detail::given<decltype(at), detail::each<S, V>, accelerations, base_type, true>;
   const given_type g{at, {v}, {known}, base};
-  if constexpr (detail::is_tree_of_joints<chain_type>) {
+  if constexpr (detail::is_tree_of_joints<chain_type> || !chain_type::common) {
     detail::articulated_accelerations(c, g, force, r.a);
   } else {
     using at_rest = detail::same<zero_t>;

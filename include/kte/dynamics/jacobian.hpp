@@ -76,12 +76,38 @@ class local_jacobian : columns<S, Chain, Given> {
   }
 };
 
-template <bool World, class Frame, class Chain, class Q>
-KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
-  using S = value_of<Q>;
-  check_configuration<Chain>(q);
-  const configuration<S, typename Chain::wiring, Q> at(q);
-  at.check();
+/// Whether only links and joints are on the way from a base to a frame.
+template <class Chain, kind K, int Slot>
+inline constexpr bool moves_stiffly = [] {
+  constexpr int w = Chain::wiring::writer(K, Slot);
+  if constexpr (w < 0) {
+    return true;
+  } else if constexpr (!is_transmission<core_of<Chain, std::size_t{w}>>) {
+    return false;
+  } else {
+    return moves_stiffly<Chain, K, Chain::wiring::slot(std::size_t{w}, port_count<core_of<Chain, std::size_t{w}>> - 2)>;
+  }
+}();
+/// Of a frame that follows others: its velocities at unit rates.
+template <bool World, class S, class Frame, class Chain, class At>
+auto jacobian_by_rates(const Chain& c, const At& at) {
+  six_by_dofs<S, Chain::dofs> j;
+  std::array<S, std::size_t{Chain::dofs}> rates{};
+  constexpr same_base base{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    rates[k] = S(1);
+    const auto m = motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base});
+    vec3<S> u = as<S>(m.velocity), w = as<S>(m.ang_velocity);
+    if constexpr (World) u = as<S>(matrix(m.rotation) * u), w = as<S>(matrix(m.rotation) * w);
+    j.col(static_cast<Eigen::Index>(k)) << u.x, u.y, u.z, w.x, w.y, w.z;
+    rates[k] = S(0);
+  }
+  return j;
+}
+
+/// Of one that does not.
+template <bool World, class S, class Frame, class Chain, class At>
+KTE_INLINE auto jacobian_along(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
   using pass = local_jacobian<S, Chain, std::remove_const_t<decltype(g)>, Frame::what, frame_slot<Frame, Chain>()>;
   typename pass::matrix_type j;
@@ -91,6 +117,19 @@ KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
     pass(c, g, j).inward();
   }
   return j;
+}
+
+template <bool World, class Frame, class Chain, class Q>
+KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
+  using S = value_of<Q>;
+  check_configuration<Chain>(q);
+  const configuration<S, typename Chain::wiring, Q> at(q);
+  at.check();
+  if constexpr (!moves_stiffly<Chain, Frame::what, frame_slot<Frame, Chain>()>) {
+    return jacobian_by_rates<World, S, Frame>(c, at);
+  } else {
+    return jacobian_along<World, S, Frame>(c, at);
+  }
 }
 }  // namespace detail
 

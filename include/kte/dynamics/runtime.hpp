@@ -67,13 +67,13 @@ namespace detail {
 /// At positions that are good.
 template <class S>
 pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  const auto& f = s.tree().forest;
+  const auto& place = f.frame(x.what, x.index);
   if constexpr (std::is_same_v<S, double>)
-    if (s.tree().irregular >= 0) [[unlikely]] {
+    if (s.tree().irregular >= 0 || place.slot < 0) [[unlikely]] {
       move(c.wiring(), s, x);
       return with_motion(s, x, [](const auto& m) { return plain_pose<S>(m); });
     }
-  const auto& f = s.tree().forest;
-  const auto& place = f.frame(x.what, x.index);
   place_ancestors(runtime_elements{c}, s, place.slot);
   tree::dense_pose<S> seen;
   const int base = tree::pose_in_base(f, s.work, place, seen);

@@ -53,8 +53,11 @@ S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;
-  for (const auto& e : c.wiring().elements) sum += e.element->potential_energy(s);
-  detail::carry(c, s);
+  for (const auto& e : c.wiring().elements) {
+    sum += e.element->potential_energy(s);
+    if (e.spreads) sum -= dot(c.gravity(), e.element->first_moment(s));
+  }
+  detail::carry_bodies(c, s);
   return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment));
 }
 template <class S>

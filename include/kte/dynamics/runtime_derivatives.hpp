@@ -17,7 +17,8 @@ namespace detail {
 /// Whether the derivatives of the forces of a chain are known element by element.
 template <class S>
 bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
-  return s.tree().plan.tree && s.tree().weights.empty() && c.wiring().has_derivatives;
+  const auto& t = s.tree();
+  return t.plan.tree && t.weights.empty() && t.followers.empty() && t.late.empty() && c.wiring().has_derivatives;
 }
 
 template <class S>
@@ -50,6 +51,14 @@ const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runti
 }
 
 namespace detail {
+/// Throws `bad_argument` for joints whose friction depends on what they carry.
+template <class S>
+void check_derivable(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+  check_regular(c, s);
+  if (!s.tree().readers.empty()) [[unlikely]]
+    throw bad_argument("kte: derivatives of friction that depends on what a joint carries are not known: " +
+                       runtime_elements{c}.element(s.tree().readers.front()).record().type);
+}
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s) {
   coordinate_forces(c, s);
@@ -71,7 +80,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
-  detail::check_regular(c, s);
+  detail::check_derivable(c, s);
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
@@ -79,7 +88,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(c
 template <class S, indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
-  detail::check_regular(c, s);
+  detail::check_derivable(c, s);
   detail::take(c, s, q, v, a);
   return detail::forces_derived(c, s);
 }
@@ -93,13 +102,13 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
   const Eigen::Index n = s.dofs();
   r.a = s.work.forces;
   r.by_q.resize(n, n), r.by_v.resize(n, n);
-  if (s.tree().plan.tree) [[likely]]
+  if (s.tree().plan.tree && s.tree().holders.empty()) [[likely]]
     invert_articulated(s, r.by_tau);
   else
-    inverse_of_masses(c, s, r.by_tau);
+    invert_unheld(runtime_elements{c}, s, r.by_tau);
   const auto& forces = forces_derived(c, s);
   const auto& t = s.tree();
-  if (t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
+  if (t.holders.empty() && t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
     tree::solve_limbs(t.forest, !t.only_bodies, s.work.rows, r.by_tau.data(), forces.by_q.data(), forces.by_v.data(),
                       r.by_q.data(), r.by_v.data());
   else
@@ -113,7 +122,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
 template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
-  detail::check_regular(c, s);
+  detail::check_derivable(c, s);
   forward_dynamics(c, s);
   return detail::accelerations_derived(c, s);
 }
@@ -121,7 +130,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(c
 template <class S, indexable Q, indexable V, indexable T>
 const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
-  detail::check_regular(c, s);
+  detail::check_derivable(c, s);
   forward_dynamics(c, s, q, v, tau);
   return detail::accelerations_derived(c, s);
 }
@@ -139,7 +148,7 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c
   check_size(n, known, "known");
   std::vector<char> is_known(n, 0);
   for (const auto& name : prescribed) {
-    const kind k = c.wiring().kind_of(name);
+    const kind k = c.wiring().kind_of(name, false);
     const int slot = c.wiring().find(name, k);
     const auto at = std::find_if(s.freedoms().begin(), s.freedoms().end(),
                                  [&](const freedom& f) { return f.what == k && f.slot == slot; });

@@ -117,12 +117,42 @@ using basic_runtime_jacobian = Eigen::Matrix<S, 6, Eigen::Dynamic>;
 using runtime_jacobian = basic_runtime_jacobian<double>;
 
 namespace detail {
+/// Of a frame that follows others: its velocities at unit rates.
+template <class S>
+basic_runtime_jacobian<S> jacobian_by_rates(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+                                            bool world) {
+  static_assert(goes_through_passes<S>);
+  basic_runtime_jacobian<S> j(6, s.dofs());
+  const runtime_vector<S> v = velocities(s);
+  runtime_vector<S> rates = runtime_vector<S>::Zero(s.dofs());
+  const auto velocity = [&]() -> linear_angular<S> {
+    write_numbers<vector_of::v>(s, rates, "v");
+    move(c.wiring(), s, x);
+    return with_motion(s, x, [world](const auto& m) -> linear_angular<S> {
+      if (!world) return {as<S>(m.velocity), as<S>(m.ang_velocity)};
+      return {as<S>(matrix(m.rotation) * m.velocity), as<S>(matrix(m.rotation) * m.ang_velocity)};
+    });
+  };
+  const auto at_rest = velocity();  // not zero, if bases move
+  for (int k = 0; k < s.dofs(); ++k) {
+    rates[k] = S(1);
+    const auto [linear, angular] = velocity();
+    const vec3<S> u = linear - at_rest.linear, w = angular - at_rest.angular;
+    j.col(k) << u.x, u.y, u.z, w.x, w.y, w.z;
+    rates[k] = S(0);
+  }
+  write_numbers<vector_of::v>(s, v, "v");
+  return j;
+}
 /// At positions that are good.
 template <class S>
 basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                       bool world) {
   const auto& t = s.tree();
   const auto& place = t.forest.frame(x.what, x.index);
+  if constexpr (std::is_same_v<S, double>)
+    if (place.slot < 0) [[unlikely]]
+      return jacobian_by_rates(c, s, x, world);
   place_ancestors(runtime_elements{c}, s, place.slot);
   const auto& row = t.forest.row;
   basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);

@@ -2,24 +2,51 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/elements/base.hpp>
+#include <kte/elements/bushing.hpp>
+#include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
+#include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
+#include <kte/elements/dry_revolute_joint.hpp>
+#include <kte/elements/flexible_beam.hpp>
+#include <kte/elements/fluid_drag.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_backlash.hpp>
+#include <kte/elements/joint_elasto_plastic.hpp>
+#include <kte/elements/joint_friction.hpp>
+#include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/joint_stiction.hpp>
+#include <kte/elements/line_point_mindist.hpp>
+#include <kte/elements/mimic.hpp>
+#include <kte/elements/planar_joint.hpp>
+#include <kte/elements/position_control.hpp>
+#include <kte/elements/position_measure.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotor.hpp>
+#include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
+#include <kte/elements/table_spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 
-/// The elements of this library in runtime chains, of plain numbers and of unit axes: those that files have.
-#ifdef KTE_EXTERN
+/// The list of the elements of this library: those that files have, and as runtime chains have them, of plain numbers
+/// and of unit axes, which kte::compiled has compiled. A new element is a line or two here.
 namespace kte {
+
+#ifdef KTE_EXTERN
+
+namespace core {
+template <class Joint>
+using placed_2D = seated<Joint, rotation_2D<>, vec3<double, double, zero_t>>;
+template <class Joint>
+using placed_3D = seated<Joint, mat3<vec3<>>, vec3<>>;
+}  // namespace core
 
 #  define KTE_ELEMENT(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>
 KTE_ELEMENT(base<kind::gen>);
@@ -41,6 +68,23 @@ KTE_ELEMENT(prismatic_joint<kind::frame_3D, vec3<>>);
 KTE_ELEMENT(spherical_joint);
 KTE_ELEMENT(free_joint<kind::frame_2D>);
 KTE_ELEMENT(free_joint<kind::frame_3D>);
+KTE_ELEMENT(planar_joint);
+KTE_ELEMENT(screw_joint<vec3<one_t, zero_t, zero_t>, double>);
+KTE_ELEMENT(screw_joint<vec3<zero_t, one_t, zero_t>, double>);
+KTE_ELEMENT(screw_joint<vec3<zero_t, zero_t, one_t>, double>);
+KTE_ELEMENT(screw_joint<vec3<>, double>);
+KTE_ELEMENT(placed_2D<revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(placed_2D<prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>);
+KTE_ELEMENT(placed_2D<free_joint<kind::frame_2D>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<one_t, zero_t, zero_t>>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<prismatic_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<spherical_joint>);
+KTE_ELEMENT(placed_3D<free_joint<kind::frame_3D>>);
+KTE_ELEMENT(placed_3D<planar_joint>);
+KTE_ELEMENT(placed_3D<screw_joint<vec3<>, double>>);
 KTE_ELEMENT(inertia_gen<double>);
 KTE_ELEMENT(inertia<kind::frame_2D, double, vec3<double, double, zero_t>,
                     sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);
@@ -48,17 +92,65 @@ KTE_ELEMENT(inertia<kind::frame_3D, double, vec3<>, sym3<>>);
 KTE_ELEMENT(spring_gen<double, double, double>);
 KTE_ELEMENT(spring<kind::frame_2D, double, double, double>);
 KTE_ELEMENT(spring<kind::frame_3D, double, double, double>);
+KTE_ELEMENT(table_spring<kind::gen, std::vector<double>>);
+KTE_ELEMENT(table_spring<kind::frame_2D, std::vector<double>>);
+KTE_ELEMENT(table_spring<kind::frame_3D, std::vector<double>>);
 KTE_ELEMENT(damper_gen<double>);
 KTE_ELEMENT(damper<kind::frame_2D, double>);
 KTE_ELEMENT(damper<kind::frame_3D, double>);
 KTE_ELEMENT(torsion_spring<kind::frame_2D, double, double, double>);
-KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, zero_t>);
+KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, no_rotation>);
+KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, mat3<vec3<>>>);
 KTE_ELEMENT(torsion_damper<kind::frame_2D, double>);
 KTE_ELEMENT(torsion_damper<kind::frame_3D, double>);
+KTE_ELEMENT(bushing_3D);
+KTE_ELEMENT(flexible_beam<kind::frame_2D>);
+KTE_ELEMENT(flexible_beam<kind::frame_3D>);
 KTE_ELEMENT(driving_actuator_gen);
+KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
+KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(follower_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
+KTE_ELEMENT(follower_force<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(fluid_drag<kind::frame_2D, double, double, vec3<double, double, zero_t>>);
+KTE_ELEMENT(fluid_drag<kind::frame_3D, double, double, vec3<>>);
 KTE_ELEMENT(joint_lugre_gen);
+KTE_ELEMENT(joint_elasto_plastic_gen);
+KTE_ELEMENT(joint_friction_gen);
 KTE_ELEMENT(joint_backlash_gen<double>);
+KTE_ELEMENT(joint_limit_gen);
+KTE_ELEMENT(joint_stiction_gen);
+KTE_ELEMENT(brake_gen);
+KTE_ELEMENT(mimic<double, double>);
+KTE_ELEMENT(differential<double, double>);
+KTE_ELEMENT(rotor<vec3<>, double, double>);
+KTE_ELEMENT(dry_revolute_joint<vec3<one_t, zero_t, zero_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, one_t, zero_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, zero_t, one_t>>);
+KTE_ELEMENT(dry_revolute_joint<vec3<>>);
+KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
+KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(position_control_gen);
+KTE_ELEMENT(position_control<kind::frame_2D>);
+KTE_ELEMENT(position_control<kind::frame_3D>);
+KTE_ELEMENT(position_measure_gen);
+KTE_ELEMENT(position_measure<kind::frame_2D>);
+KTE_ELEMENT(position_measure<kind::frame_3D>);
 #  undef KTE_ELEMENT
+#endif
+
+namespace detail {
+template <class... Family>
+struct families {};
+/// What model files know (elements/registry.hpp).
+using all_families =
+    families<base_family, bushing_family, constant_force_family, damper_family, differential_family,
+             driving_actuator_family, dry_revolute_joint_family, flexible_beam_family, fluid_drag_family,
+             free_joint_family, inertia_family, joint_backlash_family, joint_elasto_plastic_family,
+             joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
+             line_point_mindist_family, mimic_family, planar_joint_family, position_control_family,
+             position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family, rotor_family,
+             screw_joint_family, spherical_joint_family, spring_family, table_spring_family, torsion_damper_family,
+             torsion_spring_family>;
+}  // namespace detail
 
 }  // namespace kte
-#endif

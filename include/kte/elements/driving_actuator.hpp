@@ -31,4 +31,15 @@ constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
 
 KTE_CALL(driving_actuator_gen, "(coordinate, input)")
 
+namespace detail {
+/// How model files make them.
+struct driving_actuator_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("driving_actuator_gen",
+        [](const auto& x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
+  }
+};
+}  // namespace detail
+
 }  // namespace kte

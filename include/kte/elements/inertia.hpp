@@ -147,4 +147,16 @@ KTE_CALL(inertia_gen, "(coordinate, mass)")
 KTE_CALL(inertia_2D, "(frame, body); a body is kte::point_mass(1.0) or kte::planar_body(2.0, 0.1)")
 KTE_CALL(inertia_3D, "(frame, body); a body is kte::point_mass(1.0) or kte::rigid_body{mass, com, inertia}")
 
+namespace detail {
+/// How model files make them.
+struct inertia_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("inertia_gen", [](const auto& x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
+    add("inertia_2D", [](const auto& x) { return inertia_2D(x.name("frame"), x.planar_body()); });
+    add("inertia_3D", [](const auto& x) { return inertia_3D(x.name("frame"), x.body()); });
+  }
+};
+}  // namespace detail
+
 }  // namespace kte

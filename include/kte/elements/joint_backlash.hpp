@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/transmission.hpp>
-#include <kte/math/select.hpp>
+#include <kte/kernels/stops.hpp>
 
 namespace kte {
 
@@ -23,11 +23,8 @@ struct joint_backlash_gen {
   KTE_INLINE constexpr auto doForce(const C1& c1, const C2& c2) const {
     const auto x = play(c1, c2);
     using T = std::remove_const_t<decltype(x)>;
-    const T d = beyond(x), s = stiffness * d + damping * T(c2.q_dot - c1.q_dot),
-            none = s - s;                                           // zero, but NaN stays NaN
-    const T force = select(d > T(0), T(select(s > T(0), s, none)),  // (2)
-                           T(select(d < T(0), T(select(s < T(0), s, none)), T(d - d))));
-    return make_loads(force, -force);  // (3)
+    const T force = detail::stop_force(beyond(x), as<T>(c2.q_dot - c1.q_dot), T(stiffness), T(damping));  // (2)
+    return make_loads(force, -force);                                                                     // (3)
   }
   /// J
   template <class C1, class C2>
@@ -56,22 +53,13 @@ struct joint_backlash_gen {
  private:
   template <class C1, class C2>
   KTE_INLINE static constexpr auto play(const C1& c1, const C2& c2) {
-    return as_number(c2.q - c1.q);
-  }
-  /// A typed constant as a number of S, a number as it is.
-  template <class T>
-  KTE_INLINE static constexpr auto as_number(const T& x) {
-    if constexpr (typed_constant<T>) {
-      return as<S>(x);
-    } else {
-      return x;
-    }
+    return detail::as_number(c2.q - c1.q);
   }
   /// d of (1).
   template <class T>
   KTE_INLINE constexpr T beyond(const T& x) const {
     const T half(gap / S(2));
-    return select(x > half, T(x - half), T(select(x < T(-half), T(x + half), T(x - x))));
+    return detail::beyond(x, T(-half), half);
   }
 };
 
@@ -86,5 +74,18 @@ constexpr auto joint_backlash_gen(const Q1& anchor1, const Q2& anchor2, const S&
 }
 
 KTE_CALL(joint_backlash_gen, "(anchor1, anchor2, gap, stiffness, damping)")
+
+namespace detail {
+/// How model files make them.
+struct joint_backlash_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("joint_backlash_gen", [](const auto& x) {
+      return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
+                                x.number("damping"));
+    });
+  }
+};
+}  // namespace detail
 
 }  // namespace kte

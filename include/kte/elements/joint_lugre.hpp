@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/transmission.hpp>
-#include <kte/math/select.hpp>
+#include <kte/kernels/stribeck.hpp>
 
 namespace kte {
 
@@ -14,6 +14,25 @@ struct lugre_parameters {
   double stiction;           ///< Fs, force at which sliding begins, N or Nm; not below Fc
   double stribeck_velocity;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
 };
+
+namespace detail {
+/// Of bristles of any model: those of `lugre_parameters`.
+template <class P>
+constexpr void check_bristles(const parameter_check& where, const P& p) {
+  where.positive(p.sigma0, "sigma0 must be finite and positive");
+  where.not_negative(p.sigma1, "sigma1 must be finite and not negative");
+  where.not_negative(p.sigma2, "sigma2 must be finite and not negative");
+  where.positive(p.coulomb, "coulomb must be finite and positive");
+  where.finite(p.stiction, "stiction must be finite and not below coulomb");
+  where.require(p.stiction >= p.coulomb, "stiction must be finite and not below coulomb", p.stiction);
+  where.positive(p.stribeck_velocity, "stribeck_velocity must be finite and positive");
+}
+template <class P, class Visit>
+constexpr void visit_bristles(P& p, const Visit& visit) {
+  visit("sigma0", p.sigma0), visit("sigma1", p.sigma1), visit("sigma2", p.sigma2);
+  visit("coulomb", p.coulomb), visit("stiction", p.stiction), visit("stribeck_velocity", p.stribeck_velocity);
+}
+}  // namespace detail
 
 namespace core {
 
@@ -46,38 +65,22 @@ struct joint_lugre_gen {
   KTE_INLINE constexpr auto doForce(const C& c, const Z& z) const {
     return make_loads(-(p.sigma0 * z + p.sigma1 * rate(c.q_dot, z) + p.sigma2 * c.q_dot));  // (3)
   }
-  constexpr void check(const parameter_check& where) const {
-    positive(where, p.sigma0, "sigma0 must be finite and positive");
-    where.not_negative(p.sigma1, "sigma1 must be finite and not negative");
-    where.not_negative(p.sigma2, "sigma2 must be finite and not negative");
-    positive(where, p.coulomb, "coulomb must be finite and positive");
-    where.finite(p.stiction, "stiction must be finite and not below coulomb");
-    where.require(p.stiction >= p.coulomb, "stiction must be finite and not below coulomb", p.stiction);
-    positive(where, p.stribeck_velocity, "stribeck_velocity must be finite and positive");
-  }
+  constexpr void check(const parameter_check& where) const { detail::check_bristles(where, p); }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
-    visit("sigma0", self.p.sigma0), visit("sigma1", self.p.sigma1), visit("sigma2", self.p.sigma2);
-    visit("coulomb", self.p.coulomb), visit("stiction", self.p.stiction);
-    visit("stribeck_velocity", self.p.stribeck_velocity);
+    detail::visit_bristles(self.p, visit);
   }
 
  private:
-  static constexpr void positive(const parameter_check& where, double x, const char* rule) {
-    where.finite(x, rule), where.require(x > 0, rule, x);
-  }
   template <class V, class Z>
   KTE_INLINE constexpr auto rate(const V& v, const Z& z) const {
     using std::abs;
-    using std::exp;
     if constexpr (std::is_same_v<V, zero_t>) {
       return zero;
     } else {
       using number = std::remove_cvref_t<decltype(v / p.stribeck_velocity)>;
-      const number rate = abs(number(v / p.stribeck_velocity));
-      const number r = select(rate > number(1e4), number(1e4), rate);  // exp(-r^2) is 0, but r^2 may overflow
-      const auto g = p.coulomb + (p.stiction - p.coulomb) * number(exp(number(-(r * r))));  // (1)
-      return v - number(abs(number(v))) * ((p.sigma0 / g) * z);                             // (2)
+      const auto g = detail::stribeck_force(v, p.coulomb, p.stiction, p.stribeck_velocity);  // (1)
+      return v - number(abs(number(v))) * ((p.sigma0 / g) * z);                              // (2)
     }
   }
 };
@@ -94,5 +97,19 @@ constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lug
 }
 
 KTE_CALL(joint_lugre_gen, "(coordinate, bristles, parameters)")
+
+namespace detail {
+/// How model files make them.
+struct joint_lugre_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("joint_lugre_gen", [](const auto& x) {
+      return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
+                             {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
+                              x.number("stiction"), x.number("stribeck_velocity")});
+    });
+  }
+};
+}  // namespace detail
 
 }  // namespace kte

@@ -46,10 +46,16 @@ class record_reader {
     fail("has no connection '" + std::string(role) + "'");
   }
   double number(std::string_view parameter) const { return values(parameter, 1)[0]; }
+  /// A parameter that is a list.
+  const std::vector<double>& numbers(std::string_view parameter) const { return parameter_of(parameter).values; }
+  /// Whether a parameter is given that may be left out.
+  bool has(std::string_view parameter) const {
+    return std::any_of(record_.parameters.begin(), record_.parameters.end(),
+                       [&](const parameter_record& p) { return p.name == parameter; });
+  }
   /// A parameter that is 1 where it is given.
   bool flag(std::string_view parameter) const {
-    const bool given = std::any_of(record_.parameters.begin(), record_.parameters.end(),
-                                   [&](const parameter_record& p) { return p.name == parameter; });
+    const bool given = has(parameter);
     if (given && number(parameter) != 1) fail("has '" + std::string(parameter) + "' other than 1");
     return given;
   }
@@ -62,20 +68,22 @@ class record_reader {
     if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
     return {v.x, v.y};
   }
-  mat3<vec3<>> rotation(std::string_view parameter) const {
+  mat3<vec3<>> matrix(std::string_view parameter) const {
     const auto& v = values(parameter, 9);
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+  }
+  mat3<vec3<>> rotation(std::string_view parameter) const { return matrix(parameter); }
+  sym3<> symmetric(std::string_view parameter) const {
+    const auto& v = values(parameter, 6);
+    return {v[0], v[1], v[2], v[3], v[4], v[5]};
   }
   rotation_2D<> planar_rotation(std::string_view parameter) const {
     const auto m = rotation(parameter);
     const rotation_2D<> r{m.x.x, m.y.x};
-    if (m != as<double>(matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
+    if (m != as<double>(kte::matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
     return r;
   }
-  rigid_body<> body() const {
-    const auto& v = values("inertia", 6);
-    return {number("mass"), vector("com"), {v[0], v[1], v[2], v[3], v[4], v[5]}, flag("as_published")};
-  }
+  rigid_body<> body() const { return {number("mass"), vector("com"), symmetric("inertia"), flag("as_published")}; }
   /// A body in the plane; what it has out of it must be zero.
   auto planar_body() const {
     const auto b = body();
@@ -96,26 +104,46 @@ class record_reader {
     if (v == as<double>(axis::z)) return f(axis::z);
     return f(v);
   }
+  /// What a function returns that makes elements of several types.
+  template <class Core>
+  static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
+    return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+  }
+  /// A joint, where its record places it.
+  bool is_placed() const { return has("position") || has("rotation"); }
+  template <class Core>
+  std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
+    if (!is_placed()) return adapt(joint);
+    const bool has_position = has("position"), has_rotation = has("rotation");
+    if constexpr (Core::ports.back().what == kind::frame_2D)
+      return adapt(joint.at(has_position ? planar_vector("position") : vec2<>{},
+                            has_rotation ? planar_rotation("rotation") : rotation_2D<>{1, 0}));
+    else
+      return adapt(joint.at(has_position ? vector("position") : vec3<>{},
+                            has_rotation ? rotation("rotation") : as<double>(kte::matrix(no_rotation{}))));
+  }
   [[noreturn]] void fail(const std::string& why) const { fail(why, record_.place); }
 
  private:
   [[noreturn]] void fail(const std::string& why, const file_place& place) const {
     throw detail::bad_record(place, record_.type + " " + why);
   }
-  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+  const parameter_record& parameter_of(std::string_view parameter) const {
     for (const auto& p : record_.parameters)
-      if (p.name == parameter) {
-        if (p.values.size() != count)
-          fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
-               p.place);
-        return p.values;
-      }
+      if (p.name == parameter) return p;
     fail("has no parameter '" + std::string(parameter) + "'");
+  }
+  const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
+    const auto& p = parameter_of(parameter);
+    if (p.values.size() != count)
+      fail("has " + std::to_string(p.values.size()) + " numbers as '" + p.name + "', not " + std::to_string(count),
+           p.place);
+    return p.values;
   }
   const element_record& record_;
 };
 
-/// Makes elements from records by the name of their type. A new element is one line here, or in a program
+/// Makes elements from records by the name of their type. A program adds its own by
 ///
 ///   registry.add("my_element", [](const record_reader& r) { return my_element(r.name("frame"), r.number("c")); });
 class element_registry {
@@ -164,7 +192,7 @@ class element_registry {
   }
   template <class Core>
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
-    return std::make_unique<kte_map_adapter<Core>>(std::move(e));
+    return record_reader::adapt(std::move(e));
   }
   static std::unique_ptr<kte_map> adapt(std::unique_ptr<kte_map> e) { return e; }
   /// What was not understood is an error, not ignored.
@@ -201,77 +229,8 @@ kte_map_chain to_chain(const model_record& m) {
 template <class>
 element_registry element_registry::standard() {
   element_registry r;
-  using in = const record_reader&;
-  r.add("base_gen", [](in x) { return base_gen(x.name("base")); });
-  r.add("base_2D", [](in x) { return base_2D(x.name("base")); });
-  r.add("base_3D", [](in x) { return base_3D(x.name("base")); });
-  r.add("damper_gen", [](in x) { return damper_gen(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("damper_2D", [](in x) { return damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("damper_3D", [](in x) { return damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("driving_actuator_gen", [](in x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
-  r.add("free_joint_2D", [](in x) { return free_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")); });
-  r.add("free_joint_3D", [](in x) { return free_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
-  r.add("inertia_gen", [](in x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
-  r.add("inertia_2D", [](in x) { return inertia_2D(x.name("frame"), x.planar_body()); });
-  r.add("inertia_3D", [](in x) { return inertia_3D(x.name("frame"), x.body()); });
-  r.add("joint_backlash_gen", [](in x) {
-    return joint_backlash_gen(x.name("anchor1"), x.name("anchor2"), x.number("gap"), x.number("stiffness"),
-                              x.number("damping"));
-  });
-  r.add("joint_lugre_gen", [](in x) {
-    return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
-                           {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
-                            x.number("stiction"), x.number("stribeck_velocity")});
-  });
-  r.add("prismatic_joint_2D", [](in x) {
-    return prismatic_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"), x.planar_vector("axis"));
-  });
-  r.add("prismatic_joint_3D", [](in x) {
-    return x.with_axis("axis", [&](const auto& n) {
-      return adapt(prismatic_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
-    });
-  });
-  r.add("revolute_joint_2D", [](in x) {
-    if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-    return revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"));
-  });
-  r.add("revolute_joint_3D", [](in x) {
-    return x.with_axis("axis", [&](const auto& n) {
-      return adapt(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));
-    });
-  });
-  r.add("rigid_link_gen", [](in x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
-  r.add("rigid_link_2D", [](in x) {
-    return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
-  });
-  r.add("rigid_link_3D", [](in x) {
-    return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
-  });
-  r.add("spherical_joint_3D",
-        [](in x) { return spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")); });
-  r.add("spring_gen", [](in x) {
-    return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                      x.number("saturation"));
-  });
-  r.add("spring_2D", [](in x) {
-    return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                     x.number("saturation"));
-  });
-  r.add("spring_3D", [](in x) {
-    return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
-                     x.number("saturation"));
-  });
-  r.add("torsion_damper_2D",
-        [](in x) { return torsion_damper_2D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("torsion_damper_3D",
-        [](in x) { return torsion_damper_3D(x.name("anchor1"), x.name("anchor2"), x.number("damping")); });
-  r.add("torsion_spring_2D", [](in x) {
-    return torsion_spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"),
-                             x.number("rest_angle"));
-  });
-  r.add("torsion_spring_3D", [](in x) {
-    return torsion_spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("stiffness"), x.number("saturation"));
-  });
+  const auto add = [&r](const char* type, const auto& make) { r.add(type, make); };
+  [&]<class... Family>(detail::families<Family...>) { (Family::add_to(add), ...); }(detail::all_families{});
   return r;
 }
 #ifdef KTE_EXTERN

@@ -82,4 +82,21 @@ KTE_CALL(rigid_link_gen, "(base, end, offset)")
 KTE_CALL(rigid_link_2D, "(base, end, position[, rotation]); a position is a vector, such as kte::along_x(0.5)")
 KTE_CALL(rigid_link_3D, "(base, end, position[, rotation]); a position is a vector, such as kte::along_z(0.5)")
 
+namespace detail {
+/// How model files make them.
+struct rigid_link_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("rigid_link_gen",
+        [](const auto& x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
+    add("rigid_link_2D", [](const auto& x) {
+      return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
+    });
+    add("rigid_link_3D", [](const auto& x) {
+      return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
+    });
+  }
+};
+}  // namespace detail
+
 }  // namespace kte

@@ -10,16 +10,6 @@ namespace kte {
 
 namespace detail {
 
-/// A typed constant as a double, a number as it is.
-template <entry T>
-KTE_INLINE constexpr auto as_number(const T& x) {
-  if constexpr (typed_constant<T>) {
-    return as<double>(x);
-  } else {
-    return x;
-  }
-}
-
 /// The length of a vector and its direction: a unit vector, but 0 for the vector 0, which has none. Neither they nor
 /// their derivatives are ever NaN for that.
 template <class Length, class Direction>
@@ -254,5 +244,26 @@ constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_
 KTE_CALL(spring_gen, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
 KTE_CALL(spring_2D, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
 KTE_CALL(spring_3D, "(anchor1, anchor2, rest_length, stiffness[, saturation])")
+
+namespace detail {
+/// How model files make them.
+struct spring_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("spring_gen", [](const auto& x) {
+      return spring_gen(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                        x.number("saturation"));
+    });
+    add("spring_2D", [](const auto& x) {
+      return spring_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                       x.number("saturation"));
+    });
+    add("spring_3D", [](const auto& x) {
+      return spring_3D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"), x.number("stiffness"),
+                       x.number("saturation"));
+    });
+  }
+};
+}  // namespace detail
 
 }  // namespace kte

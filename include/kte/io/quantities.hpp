@@ -106,7 +106,12 @@ template <class S>
 struct quantities_of<pose_coord_2D<S>> : quantities_in_plane<pose_coord_2D<S>, &pose_coord_2D<S>::angle> {};
 template <class S>
 struct quantities_of<frame_2D<S>> : quantities_in_plane<frame_2D<S>, &frame_2D<S>::rotation> {};
-/// Inputs: mere numbers.
+template <class S>
+struct quantities_of<vec3<S>> {
+  static constexpr quantity<vec3<S>> list[]{
+      {"", 'q', "xyz", [](const vec3<S>& x, double* out) { put_numbers(out, x); }}};
+};
+/// Signals that are mere numbers.
 template <class S>
 struct quantities_of {
   static constexpr quantity<S> list[]{{"", 'q', "", [](const S& x, double* out) { put_numbers(out, x); }}};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 /// From names of quantities to places in the state of a chain, once for all rows.
@@ -16,6 +17,7 @@ namespace kte::detail {
 struct named_slot {
   std::string name;
   int slot;
+  std::string shown{};  ///< in columns: "frame:elbow" of a name that a frame shares with something else
 };
 using named_slots = std::array<std::vector<named_slot>, kinds>;
 
@@ -61,6 +63,7 @@ class recording {
 
   /// Without names: see `recorder`.
   recording(named_slots all, const std::vector<std::string>& names) : all_(std::move(all)) {
+    tell_apart();
     for (const auto& n : names) add(n);
     if (!names.empty()) return;
     for (const bool frames : {false, true})  // coordinates first, as they move everything
@@ -80,23 +83,56 @@ class recording {
     (std::make_index_sequence<kinds>{});
   }
 
-  /// Of the things by whose name `wanted` begins, the one of the longest name: names may have slashes themselves.
-  void add(const std::string& wanted) {
-    std::size_t longest = 0;
-    each_slot([&]<kind>(const named_slot& p) {
-      const std::size_t n = p.name.size();
-      if (wanted == p.name || (wanted.size() > n && wanted.starts_with(p.name) && wanted[n] == '/'))
-        longest = std::max(longest, n);
-    });
-    if (longest == 0) unknown(wanted);
-    each_slot([&]<kind K>(const named_slot& p) {
-      if (p.name.size() == longest && wanted.starts_with(p.name)) add_of<K>(p, wanted);
-    });
+  /// The name of a thing with what it is, by which it is asked for where its name is shared.
+  template <kind K>
+  static std::string full_name(const named_slot& p) {
+    return std::string(is_frame(K) ? "frame:" : is_coordinate(K) ? "coordinate:" : "signal:") + p.name;
+  }
+  void tell_apart() {
+    std::unordered_map<std::string_view, std::array<bool, 2>> of_name;  // whether a frame has it, something else has it
+    each_slot([&]<kind K>(const named_slot& p) { of_name[p.name][is_frame(K)] = true; });
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+      const auto show = [&of_name]<kind What>(std::vector<named_slot>& of_kind) {
+        for (auto& p : of_kind) {
+          const auto& x = of_name[p.name];
+          p.shown = x[0] && x[1] ? full_name<What>(p) : p.name;
+        }
+      };
+      (show.template operator()<static_cast<kind>(K)>(all_[K]), ...);
+    }
+    (std::make_index_sequence<kinds>{});
+  }
+  /// How much of `wanted` is a name: all of it, or up to a slash.
+  static std::size_t length_in(const std::string& wanted, const std::string& name) {
+    const bool begins = wanted.starts_with(name) && (wanted.size() == name.size() || wanted[name.size()] == '/');
+    return begins ? name.size() : 0;
   }
   template <kind K>
-  void add_of(const named_slot& p, const std::string& wanted) {
-    if (wanted == p.name) return void(add_group<K>(p, "q"));
-    const std::string_view rest = std::string_view(wanted).substr(p.name.size() + 1);
+  static std::size_t length_in(const std::string& wanted, const named_slot& p) {
+    return std::max(length_in(wanted, p.name), length_in(wanted, full_name<K>(p)));
+  }
+  /// Of the things by whose name `wanted` begins, the one of the longest name: names may have slashes themselves. Where
+  /// two have it, the one that has the quantity.
+  void add(const std::string& wanted) {
+    std::size_t longest = 0;
+    each_slot([&]<kind K>(const named_slot& p) { longest = std::max(longest, length_in<K>(wanted, p)); });
+    if (longest == 0) unknown(wanted);
+    std::string fitting, having;
+    int count = 0;
+    each_slot([&]<kind K>(const named_slot& p) {
+      if (length_in<K>(wanted, p) != longest) return;
+      fitting.append(fitting.empty() ? "" : "; ").append(has<K>(p));
+      if (!add_of<K>(p, wanted, longest)) return;
+      ++count, having.append(having.empty() ? "'" : " or '").append(full_name<K>(p)).append(wanted, longest) += "'";
+    });
+    if (count == 0) raise<unknown_name>("kte: cannot record '" + wanted + "': " + fitting);
+    if (count > 1) raise<unknown_name>("kte: cannot record '" + wanted + "', which is ambiguous: ask for " + having);
+  }
+  /// Whether the thing has it.
+  template <kind K>
+  bool add_of(const named_slot& p, const std::string& wanted, std::size_t name) {
+    if (wanted.size() == name) return add_group<K>(p, "q");
+    const std::string_view rest = std::string_view(wanted).substr(name + 1);
     const auto& list = quantities<K, double>;
     for (std::size_t i = 0; i < std::size(list); ++i) {
       const auto& q = list[i];
@@ -105,8 +141,7 @@ class recording {
       const auto c = q.components.find(rest.back());
       if (rest[q.name.size()] == '/' && c != q.components.npos) return add_cell<K>(p, i, c, 1);
     }
-    if (rest.size() == 1 && rest != "q" && add_group<K>(p, rest)) return;
-    unknown_quantity<K>(p, wanted);
+    return rest.size() == 1 && rest != "q" && add_group<K>(p, rest);
   }
   /// All quantities of some groups; whether there are any.
   template <kind K>
@@ -118,14 +153,15 @@ class recording {
     return any;
   }
   template <kind K>
-  void add_cell(const named_slot& p, std::size_t quantity, std::size_t first, std::size_t count) {
+  bool add_cell(const named_slot& p, std::size_t quantity, std::size_t first, std::size_t count) {
     cells.push_back({K, p.slot, quantity, first, count});
     for (std::size_t c = first; c < first + count; ++c)
       columns.push_back(name_of(p, quantities<K, double>[quantity], c));
+    return true;
   }
   template <class Thing>
   static std::string name_of(const named_slot& p, const quantity<Thing>& q, std::size_t component) {
-    std::string s = p.name;
+    std::string s = p.shown;
     if (!q.name.empty()) s.append("/").append(q.name);
     if (!q.components.empty()) s.append("/") += q.components[component];
     return s;
@@ -138,14 +174,14 @@ class recording {
     });
     raise<unknown_name>("kte: cannot record '" + wanted + "': the chain has " + known);
   }
+  /// "the 3D frame 'tip' has tip/position/x, ..."
   template <kind K>
-  [[noreturn]] static void unknown_quantity(const named_slot& p, const std::string& wanted) {
+  static std::string has(const named_slot& p) {
     std::string known;
     for (const auto& q : quantities<K, double>)
       for (std::size_t c = 0; c < q.size() && !q.name.empty(); ++c)
         known.append(known.empty() ? "" : ", ").append(name_of(p, q, c));
-    raise<unknown_name>("kte: cannot record '" + wanted + "': the " + std::string(to_string(K)) + " '" + p.name +
-                        "' has " + (known.empty() ? "no parts" : known));
+    return "the " + std::string(to_string(K)) + " '" + p.name + "' has " + (known.empty() ? "no parts" : known);
   }
 
   named_slots all_;

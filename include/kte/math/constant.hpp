@@ -207,4 +207,16 @@ constexpr auto operator""_c() {
 }
 }  // namespace literals
 
+namespace detail {
+/// A typed constant as a double, a number as it is.
+template <entry T>
+KTE_INLINE constexpr auto as_number(const T& x) {
+  if constexpr (typed_constant<T>) {
+    return as<double>(x);
+  } else {
+    return x;
+  }
+}
+}  // namespace detail
+
 }  // namespace kte

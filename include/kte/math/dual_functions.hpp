@@ -86,6 +86,13 @@ KTE_INLINE constexpr dual<T, N> exp(const dual<T, N>& x) {
   const T e(exp(x.value));
   return detail::chained(e, e, x);
 }
+/// tanh' = 1 - tanh^2, to the last digit of 1
+template <class T, int N>
+KTE_INLINE constexpr dual<T, N> tanh(const dual<T, N>& x) {
+  using std::tanh;
+  const T t(tanh(x.value));
+  return detail::chained(t, T((1 - t) * (1 + t)), x);
+}
 template <class T, int N>
 KTE_INLINE constexpr dual<T, N> log(const dual<T, N>& x) {
   using std::log;

@@ -2,7 +2,7 @@
 
 #include <kte/math/matrix.hpp>
 
-/// R A R^T where R is known by its type to turn about x, y or z, as most joints do.
+/// R A R^T where R is known by its type to turn about x, y or z, as most joints do, maybe after quarter turns.
 ///
 /// In the plane that turns, with cosine c and sine s,
 ///
@@ -12,17 +12,32 @@
 /// by c^2 + s^2 = 1: half the operations of two products of matrices.
 namespace kte::detail {
 
-/// The axis of such a rotation, 0, 1, 2 for x, y, z; otherwise -1.
+/// Where such a rotation R, after quarter turns or not, has its entry known to be 1 or -1: e_row = sign R e_column.
+/// Column -1 where there is none.
+struct turned_plane {
+  int row = -1, column = -1, sign = 0;
+};
+template <class T>
+inline constexpr int entry_code = variable<T> ? 2 : 3;  // 0, 1, -1; 2: a number; 3: another constant
+template <int N>
+inline constexpr int entry_code<constant<N>> = N* N <= 1 ? N : 3;
 template <class R>
-inline constexpr int turned_axis = -1;
-template <variable C, variable D, variable S, variable E>
-inline constexpr int turned_axis<mat3<vec3<one_t, zero_t, zero_t>, vec3<zero_t, C, S>, vec3<zero_t, E, D>>> = 0;
-template <variable C, variable D, variable S, variable E>
-inline constexpr int turned_axis<mat3<vec3<C, zero_t, S>, vec3<zero_t, one_t, zero_t>, vec3<E, zero_t, D>>> = 1;
-template <variable C, variable D, variable S, variable E>
-inline constexpr int turned_axis<mat3<vec3<C, S, zero_t>, vec3<E, D, zero_t>, vec3<zero_t, zero_t, one_t>>> = 2;
+inline constexpr turned_plane plane_of{};
+template <class... A, class... B, class... C>
+inline constexpr turned_plane plane_of<mat3<vec3<A...>, vec3<B...>, vec3<C...>>> = [] {
+  const int code[3][3]{{entry_code<A>...}, {entry_code<B>...}, {entry_code<C>...}};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      bool fits = code[row][column] == 1 || code[row][column] == -1;
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+          if (i != row || k != column) fits &= code[i][k] == (i == row || k == column ? 0 : 2);
+      if (fits) return turned_plane{row, column, code[row][column]};
+    }
+  return turned_plane{};
+}();
 template <class R>
-concept turns_about_coordinate_axis = (turned_axis<R> >= 0);
+concept turns_in_a_plane = (plane_of<R>.column >= 0);
 
 /// Axes exchanged in turn, x for y, y for z, z for x, `times` times.
 template <int Times, class... T>
@@ -42,6 +57,15 @@ KTE_INLINE constexpr auto cycled(const mat3<X, Y, Z>& a) {
   }
 }
 
+template <int Times, class X, class Y, class Z>
+KTE_INLINE constexpr auto cycled_rows(const mat3<X, Y, Z>& a) {
+  if constexpr (Times == 0) {
+    return a;
+  } else {
+    return cycled_rows<Times - 1>(mat3{a.y, a.z, a.x});
+  }
+}
+
 template <class C, class S, class... T>
 KTE_INLINE constexpr auto turned_about_z(const C& c, const S& s, const sym3<T...>& a) {
   const auto w = s * (a.xx - a.yy) + c * (a.xy + a.xy);
@@ -54,11 +78,27 @@ KTE_INLINE constexpr auto turned_about_z(const C& c, const S& s, const mat3<X, Y
               vec3{c * w - a.x.y, a.y.y + s * w, s * a.x.z + c * a.y.z},
               vec3{c * a.z.x - s * a.z.y, s * a.z.x + c * a.z.y, a.z.z}};
 }
-template <turns_about_coordinate_axis R, class A>
+/// Turned half about x.
+template <class... T>
+KTE_INLINE constexpr auto half_turned(const sym3<T...>& a) {
+  return sym3{a.xx, -a.xy, -a.xz, a.yy, a.yz, a.zz};
+}
+template <class X, class Y, class Z>
+KTE_INLINE constexpr auto half_turned(const mat3<X, Y, Z>& a) {
+  return mat3{vec3{a.x.x, -a.x.y, -a.x.z}, vec3{-a.y.x, a.y.y, a.y.z}, vec3{-a.z.x, a.z.y, a.z.z}};
+}
+/// With rows and columns exchanged in turn such that the known entry is zz, R is a turn about z, after half a turn
+/// about x where that entry is -1.
+template <turns_in_a_plane R, class A>
 KTE_INLINE constexpr auto plane_congruence(const R& r, const A& a) {
-  constexpr int to_z = (turned_axis<R> + 1) % 3;
-  const auto in_z = cycled<to_z>(r);
-  return cycled<(3 - to_z) % 3>(turned_about_z(in_z.x.x, in_z.y.x, cycled<to_z>(a)));
+  constexpr turned_plane at = plane_of<R>;
+  constexpr int columns = (at.column + 1) % 3, rows = (at.row + 1) % 3;
+  const auto t = transpose(cycled_rows<columns>(transpose(cycled_rows<rows>(r))));
+  if constexpr (at.sign > 0) {
+    return cycled<(3 - rows) % 3>(turned_about_z(t.x.x, t.y.x, cycled<columns>(a)));
+  } else {
+    return cycled<(3 - rows) % 3>(turned_about_z(t.x.x, t.y.x, half_turned(cycled<columns>(a))));
+  }
 }
 
 }  // namespace kte::detail
@@ -68,7 +108,7 @@ namespace kte {
 /// R A R^T for a rotation R and a symmetric or any matrix A.
 template <class R, class A>
 KTE_INLINE constexpr auto turned_by(const R& r, const A& a) {
-  if constexpr (detail::turns_about_coordinate_axis<R>) {
+  if constexpr (detail::turns_in_a_plane<R>) {
     return detail::plane_congruence(r, a);
   } else if constexpr (requires { congruence(r, a); }) {
     return congruence(r, a);

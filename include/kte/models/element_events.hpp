@@ -19,23 +19,57 @@ struct described<element<Core, Keys...>> {
   }
 };
 
-/// `switching` of element I at the state x of a model.
+/// `switching` of element I at the state x of a model, and what happens there.
 template <class Model, std::size_t I, class Element>
 struct element_switching : described<Element> {
   const Model* model;
 
   template <class T, class X>
-  auto operator()(const T&, const X& x) const {
-    auto s = make_state<T>(model->chain());
-    model->setJointStates(x.head(Eigen::fix<Model::state::RowsAtCompileTime>), s);  // without those of a law
-    model->doMotion(s);
-    return on(s).switching(inputs{});
+  auto operator()(const T& t, const X& x) const {
+    if constexpr (holds_coordinate<core>) {
+      return mode_function(*model, t, own_part(x), place);
+    } else {
+      auto s = state_at(t, x);
+      return on(s).switching(inputs{});
+    }
+  }
+  /// The reset.
+  template <class T, class X>
+  void switch_over(const T& t, X& x) const {
+    if constexpr (holds_coordinate<core>) {
+      auto own = own_part(x);
+      switch_mode(*model, t, own, place);
+      x.head(own.size()) = own;
+    } else if constexpr (kept_count<core> > 0) {
+      auto s = state_at(t, x);
+      on(s).switch_over(inputs{});
+      x.head(Eigen::fix<Model::state::RowsAtCompileTime>) = model->getJointStates(s);
+    }
   }
 
  private:
   using wiring = typename Model::wiring;
   using core = typename Model::template core_type<I>;
   using inputs = std::make_index_sequence<input_count<core>>;
+  static constexpr holder_place place = [] {
+    holder_place p{};
+    for (const auto& h : Model::holders())
+      if (h.element == I) p = h;
+    return p;
+  }();
+
+  /// Without the states of a law.
+  template <class X>
+  static typename Model::state own_part(const X& x) {
+    return x.head(Eigen::fix<Model::state::RowsAtCompileTime>);
+  }
+  template <class T, class X>
+  auto state_at(const T& t, const X& x) const {
+    auto s = make_state<T>(model->chain());
+    model->setJointStates(t, own_part(x), s);
+    model->doMotion(s);
+    return s;
+  }
   template <class State>
   auto on(State& s) const {
     return stored_element<core, State, by_index>{
@@ -45,14 +79,25 @@ struct element_switching : described<Element> {
  public:
   /// Whether the law of the element ever changes.
   static constexpr bool changes =
+      holds_coordinate<core> ||
       !typed_constant<decltype(std::declval<stored_element<core, chain_state<double, wiring>, by_index>>().switching(
           inputs{}))>;
+};
+/// The reset of an event of an element.
+template <class Switching>
+struct switch_element {
+  Switching where;
+  template <class T, class X>
+  void operator()(const T& t, X& x) const {
+    where.switch_over(t, x);
+  }
 };
 
 template <class Function, class Model>
 auto event_where(const Model& m) {
   if constexpr (Function::changes) {
-    return std::make_tuple(event(Function{{}, &m}).restart());
+    const Function f{{}, &m};
+    return std::make_tuple(event(f).reset(switch_element<Function>{f}));
   } else {
     return std::tuple<>{};
   }
@@ -65,7 +110,8 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 }  // namespace detail
 
 /// Events where the laws of the elements of a model change: a spring that saturates, teeth that touch. Each is located
-/// to the tolerance, ends the step there and starts anew, by the law that holds from then on:
+/// to the tolerance, ends the step there and starts anew, by the law that holds from then on; there elements switch
+/// what they keep, such as friction between sliding and rest (models/modes.hpp):
 ///
 ///   solver.integrate(10.0, kte::element_events(model));
 ///   solver.integrate(10.0, kte::joined(kte::events(ground), kte::element_events(model)));

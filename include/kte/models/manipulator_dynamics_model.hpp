@@ -3,6 +3,7 @@
 #include <kte/dynamics/detail/internal_rates.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
+#include <kte/models/modes.hpp>
 #include <kte/models/state_rate_function.hpp>
 #include <kte/models/state_space.hpp>
 
@@ -40,10 +41,10 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
 
   /// (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
-  rate computeStateRate(const S&, const state& x) const {
+  rate computeStateRate(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
-    const auto bases = detail::with_signals(detail::base_under_gravity(this->chain()), this->u_.data(), z);
+    const auto bases = bases_at(t, z);
     const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
     rate r;
     r.template head<size::v>() = this->velocities_of(x);
@@ -63,32 +64,58 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     jacobian(t, x, j);
     return j;
   }
-  void jacobian(const S&, const state& x, jacobian_matrix& j) const {
+  void jacobian(const S& t, const state& x, jacobian_matrix& j) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
-    const auto bases = detail::with_signals(detail::base_under_gravity(this->chain()), this->u_.data(), z);
+    const auto bases = bases_at(t, z);
     const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
     const auto of_accelerations = detail::forward_derivatives_at<S>(this->chain(), at, bases, q, v, none);
     detail::put_rate_derivatives(this->freedoms(), v, of_accelerations, j);
     if constexpr (size::z > 0)
-      detail::derive_internals(this->chain(), q, v, z, this->u_.data(), of_accelerations.by_tau, j);
+      detail::derive_internals(this->chain(), t, q, v, z, this->u_.data(), of_accelerations.by_tau, j);
   }
   /// The forces at x that accelerations answer: M a, of gravity, elements and inputs, less centrifugal ones; N and Nm.
-  joint_vector<S, size::v> forces_at(const state& x) const {
+  joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
     const S *q = x.data(), *v = q + size::q;
     const detail::configuration<S, wiring, const S*> at(q);
-    const auto bases = detail::with_signals(detail::base_under_gravity(this->chain()), this->u_.data(), v + size::v);
+    const auto bases = bases_at(t, v + size::v);
     return detail::coordinate_forces<S>(
         this->chain(), detail::given{at, detail::each<S, const S*>{v}, detail::same<zero_t>{}, bases}, one);
   }
 
+  // ---- of elements that may hold a coordinate: models/modes.hpp
+  static constexpr std::size_t holder_count = (std::size_t{detail::holds_coordinate<typename E::core_type>} + ... + 0);
+  static constexpr auto holders() { return holders_of(std::index_sequence_for<E...>{}); }
+  joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
+    const S *q = x.data(), *v = q + size::q;
+    const rate r = computeStateRate(t, x);
+    const detail::configuration<S, wiring, const S*> at(q);
+    using numbers = detail::each<S, const S*>;
+    const auto bases = bases_at(t, v + size::v);
+    return detail::coordinate_forces<S>(this->chain(),
+                                        detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
+  }
+  S capacity(const S& t, const state& x, std::size_t element) const {
+    auto s = make_state<S>(this->chain());
+    setJointStates(t, x, s);
+    this->doMotion(s);
+    return capacity_of(s, element, std::index_sequence_for<E...>{});
+  }
+
   using base::input;
-  /// The value of an input: `model.input(motor) = 2.0`.
+  /// The value of an input: `model.input(motor) = 2.0`; of one of three numbers a vector of Eigen.
   template <key_type Key>
-  S& input(const Key&) {
-    constexpr int i = wiring::template find<Key>();
-    static_assert(i >= 0 && Key::what == kind::input, "kte: this chain has no input of this name");
-    return this->u_[i < 0 ? 0 : i];
+  decltype(auto) input(const Key&) {
+    constexpr int slot = wiring::template find<Key>();
+    static_assert(slot >= 0 && nu_of(Key::what) > 0, "kte: this chain has no input of this name");
+    constexpr int place = wiring::input_place(Key::what, slot);
+    static_assert(slot < 0 || place >= 0,
+                  "kte: this is no input from outside: an element of the chain writes it, or it is the time");
+    if constexpr (Key::what == kind::vector) {
+      return this->u_.template segment<3>(place < 0 ? 0 : place);
+    } else {
+      return (this->u_[place < 0 ? 0 : place]);
+    }
   }
 
   /// x of a state of the chain.
@@ -97,16 +124,30 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
     return x;
   }
-  /// Puts x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  void setJointStates(const S& t, const state& x, chain_state<S, wiring>& s) const {
+    setJointStates(x, s);
+    for (int i = 0; i < wiring::table.signals; ++i)
+      if (const auto& signal = wiring::table.signal[static_cast<std::size_t>(i)]; signal.u < 0)
+        s.template get<kind::input>(signal.slot) = t;
+  }
+  /// The same, with a time, if there is one, as it is in the state.
   void setJointStates(const state& x, chain_state<S, wiring>& s) const {
     set_positions(s, x.data()), set_velocities(s, x.data() + size::q);
     for (int i = 0; i < size::z; ++i) s.template get<kind::internal>(i).z = x[size::q + size::v + i];
-    for (int i = 0; i < size::u; ++i) s.template get<kind::input>(i) = this->u_[i];
+    for (int i = 0; i < wiring::table.signals; ++i) {
+      const auto& signal = wiring::table.signal[static_cast<std::size_t>(i)];
+      if (signal.what == kind::vector)
+        s.template get<kind::vector>(signal.slot) = {this->u_[signal.u], this->u_[signal.u + 1],
+                                                     this->u_[signal.u + 2]};
+      else if (signal.u >= 0)
+        s.template get<kind::input>(signal.slot) = this->u_[signal.u];
+    }
   }
   /// A state of the chain at x, with all its frames, accelerations and forces.
   auto state_at(const S& t, const state& x) const {
     auto s = make_state<S>(this->chain());
-    setJointStates(x, s);
+    setJointStates(t, x, s);
     const rate r = computeStateRate(t, x);
     set_accelerations(s, r.data() + size::v);
     this->doMotion(s), this->clearForce(s), this->doForce(s);
@@ -129,6 +170,40 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
  private:
+  template <std::size_t... I>
+  static constexpr auto holders_of(std::index_sequence<I...>) {
+    std::array<detail::holder_place, holder_count> all{};
+    std::size_t n = 0;
+    const auto add = [&]<std::size_t J>() {
+      using core = typename chain_type::template core_type<J>;
+      if constexpr (detail::holds_coordinate<core>) {
+        constexpr int row = wiring::freedom_of(kind::gen, wiring::slot(J, 0)).v;
+        all[n++] = {J, row, size::q + row, size::q + size::v + wiring::slot(J, detail::kept_port<core>)};
+      }
+      return 0;
+    };
+    const int done[]{add.template operator()<I>()...};
+    (void)done;
+    return all;
+  }
+  template <class State, std::size_t... I>
+  S capacity_of(State& s, std::size_t element, std::index_sequence<I...>) const {
+    S most(0);
+    const auto ask = [&]<std::size_t J>() {
+      using core = typename chain_type::template core_type<J>;
+      const detail::stored_element<core, State, detail::by_index> on{
+          this->template core<J>(), s, {wiring::table.slot.data() + wiring::first[J]}};
+      if (J == element) most = as<S>(on.capacity(std::make_index_sequence<input_count<core>>{}));
+      return 0;
+    };
+    const int done[]{ask.template operator()<I>()...};
+    (void)done;
+    return most;
+  }
+  /// At rest, with the signals of the chain.
+  auto bases_at(const S& t, const S* z) const {
+    return detail::with_signals<wiring>(detail::base_under_gravity(this->chain()), t, this->u_.data(), z);
+  }
   template <class, class, class>
   friend class manipulator_dynamics_model;
   template <class F>

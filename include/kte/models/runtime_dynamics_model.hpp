@@ -4,6 +4,7 @@
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/events/events.hpp>
+#include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
 
@@ -19,6 +20,7 @@ struct sizes_of_model<unchanging_chain> {
   static std::span<const freedom> freedoms(const kte_map_chain& c) { return c.wiring().free; }
   static int nq(const kte_map_chain& c) { return c.nq(); }
   static int nv(const kte_map_chain& c) { return c.dofs(); }
+  static int nu(const kte_map_chain& c) { return c.wiring().nu; }
   static int count(const kte_map_chain& c, kind k) {
     return static_cast<int>(c.wiring().names[static_cast<std::size_t>(k)].size());
   }
@@ -34,10 +36,16 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
   /// Throws `bad_wiring` as `kte_map_chain::make_state` does.
-  explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {}
+  explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {
+    for (const int e : s_.tree().holders) {
+      const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
+      const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
+      holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
+    }
+  }
 
-  const rate& computeStateRate(double, const state& x) const {
-    setJointStates(x, s_);
+  const rate& computeStateRate(double t, const state& x) const {
+    setJointStates(t, x, s_);
     rate_.head(dofs()) = velocities_of(x);
     rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
     rates_of_internals();
@@ -49,9 +57,9 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// As of a static chain. Says whether it is known: of chains without internal states (and not where passes alone know
   /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
-  bool jacobian(double, const state& x, jacobian_matrix& j) const {
-    if (internals() > 0 || s_.tree().irregular >= 0) return false;
-    setJointStates(x, s_);
+  bool jacobian(double t, const state& x, jacobian_matrix& j) const {
+    if (internals() > 0 || s_.tree().irregular >= 0 || !s_.tree().readers.empty()) return false;
+    setJointStates(t, x, s_);
     const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
     j.resize(rates(), rates());
     const Eigen::VectorXd v = velocities_of(x);
@@ -69,8 +77,12 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
   using base::input;
-  /// The value of an input; throws `unknown_name`.
-  double& input(std::string_view name) { return u_[wiring().find(name, kind::input)]; }
+  /// The value of an input; throws `unknown_name`, `bad_argument` where an element writes it, or time does.
+  double& input(std::string_view name) { return u_[place_of_input(name, kind::input)]; }
+  /// An input of three numbers.
+  Eigen::Ref<Eigen::Vector3d> vector(std::string_view name) {
+    return u_.segment<3>(place_of_input(name, kind::vector));
+  }
 
   /// x of a state of the chain.
   state getJointStates(const runtime_state& s) const {
@@ -79,12 +91,23 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = s.get<kind::internal>(static_cast<int>(i)).z;
     return make_x(positions(s), velocities(s), z);
   }
-  /// Puts x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  void setJointStates(double t, const state& x, runtime_state& s) const {
+    setJointStates(x, s);
+    for (const auto& signal : wiring().signals)
+      if (signal.u < 0) s.get<kind::input>(signal.slot) = t;
+  }
+  /// The same, with a time, if there is one, as it is in the state.
   void setJointStates(const state& x, runtime_state& s) const {
     check(s), check_state(x);
     set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
     for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
-    for (int i = 0; i < u_.size(); ++i) s.get<kind::input>(i) = u_[i];
+    for (const auto& signal : wiring().signals) {
+      if (signal.what == kind::vector)
+        s.get<kind::vector>(signal.slot) = {u_[signal.u], u_[signal.u + 1], u_[signal.u + 2]};
+      else if (signal.u >= 0)
+        s.get<kind::input>(signal.slot) = u_[signal.u];
+    }
   }
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
   const runtime_state& state_at(double t, const state& x) const {
@@ -100,10 +123,34 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
   /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
   /// events: `element_events(model)`.
-  double switching(const state& x, std::size_t which) const {
-    setJointStates(x, s_);
+  double switching(double t, const state& x, std::size_t which) const {
+    for (const auto& h : holders_)
+      if (h.element == which) return detail::mode_function(*this, t, x, h);
+    setJointStates(t, x, s_);
     doMotion(s_);
     return wiring().elements.at(which).element->switching(s_);
+  }
+
+  /// What the element keeps, after its law has changed there.
+  void switch_over(double t, state& x, std::size_t which) const {
+    for (const auto& h : holders_)
+      if (h.element == which) return detail::switch_mode(*this, t, x, h);
+    setJointStates(t, x, s_);
+    doMotion(s_);
+    wiring().elements.at(which).element->switch_over(s_);
+    for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
+  }
+
+  // ---- of elements that may hold a coordinate: models/modes.hpp
+  const std::vector<detail::holder_place>& holders() const { return holders_; }
+  const Eigen::VectorXd& needed_forces(double t, const state& x) const {
+    computeStateRate(t, x);  // leaves accelerations in the state
+    return inverse_dynamics(chain(), s_);
+  }
+  double capacity(double t, const state& x, std::size_t element) const {
+    setJointStates(t, x, s_);
+    doMotion(s_);
+    return wiring().elements.at(element).element->capacity(s_);
   }
 
   /// The same system with another output, of a state of the chain.
@@ -114,6 +161,13 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
  private:
+  int place_of_input(std::string_view name, kind k) const {
+    const int slot = wiring().find(name, k);
+    for (const auto& signal : wiring().signals)
+      if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
+    throw bad_argument("kte: '" + std::string(name) +
+                       "' is no input from outside: an element writes it, or it is the time");
+  }
   void check_state(const state& x) const {
     check_size(static_cast<std::size_t>(nq() + dofs() + internals()), x, "x", "numbers of a state");
   }
@@ -126,6 +180,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   // To work in, also through std::cref; who calls one model in two threads needs two.
   mutable runtime_state s_;
   mutable rate rate_;
+  std::vector<detail::holder_place> holders_;
   output_function output_;
 };
 manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
@@ -136,10 +191,17 @@ struct runtime_switching {
   const manipulator_dynamics_model<kte_map_chain>* model;
   std::size_t element;
 
-  double operator()(double, const Eigen::VectorXd& x) const {
-    const Eigen::Index own = model->nq() + model->dofs() + model->internals();
-    return model->switching(x.size() == own ? x : x.head(own).eval(), element);  // without those of a law
+  double operator()(double t, const Eigen::VectorXd& x) const {
+    return model->switching(t, x.size() == own() ? x : x.head(own()).eval(), element);
   }
+  /// The reset.
+  void switch_over(double t, Eigen::VectorXd& x) const {
+    Eigen::VectorXd part = x.head(own());
+    model->switch_over(t, part, element);
+    x.head(own()) = part;
+  }
+  /// Numbers of a state, without those of a law.
+  Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }
   std::string name() const {
     const kte_element& e = *model->wiring().elements[element].element;
     const element_record r = e.record();
@@ -152,11 +214,12 @@ struct runtime_switching {
 
 /// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
 inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
-  using change = decltype(event(detail::runtime_switching{}).restart());
-  std::vector<change> all;
+  using reset = detail::switch_element<detail::runtime_switching>;
+  std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;
   for (std::size_t i = 0; i < elements.size(); ++i)
-    if (elements[i].element->switches()) all.push_back(event(detail::runtime_switching{&model, i}).restart());
+    if (elements[i].element->switches())
+      all.push_back(event(detail::runtime_switching{&model, i}).reset(reset{{&model, i}}));
   return events(std::move(all));
 }
 

@@ -10,7 +10,7 @@ template <class Chain>
 struct sizes_of_model {
   using wiring = typename Chain::wiring;
   static constexpr int q = wiring::nq, v = wiring::dofs;
-  static constexpr int z = wiring::count(kind::internal), u = wiring::count(kind::input);
+  static constexpr int z = wiring::count(kind::internal), u = wiring::nu;
   static constexpr int x = q + v + z, x_dot = 2 * v + z;
   static constexpr bool only_numbers = [] {
     for (std::size_t i = 0; i < wiring::freedoms; ++i)
@@ -20,6 +20,7 @@ struct sizes_of_model {
   static std::span<const freedom> freedoms(const Chain&) { return {wiring::table.free.data(), wiring::freedoms}; }
   static constexpr int nq(const Chain&) { return wiring::nq; }
   static constexpr int nv(const Chain&) { return wiring::dofs; }
+  static constexpr int nu(const Chain&) { return wiring::nu; }
   static constexpr int count(const Chain&, kind k) { return wiring::count(k); }
 };
 }  // namespace detail
@@ -28,7 +29,7 @@ struct sizes_of_model {
 ///
 ///   x = (q, v, z)        positions, rates, internal states of elements         (1)
 ///   x' = (v, a, z')                                                            (2)
-///   u                    inputs, in order of their first appearance
+///   u                    signals that no element writes, in order of their first appearance, but the time
 ///
 /// Where coordinates are rotations or poses, q holds quaternions, x' has fewer numbers than x, and integrators move on
 /// the group (integrators/motion_space.hpp). It is the chain, with all that there is for chains.
@@ -41,7 +42,7 @@ class state_space : public Chain {
   using rate = Eigen::Matrix<S, size::x_dot, 1>;
   using input_vector = Eigen::Matrix<S, size::u, 1>;
 
-  explicit state_space(const Chain& c) : Chain(c), u_(input_vector::Zero(size::count(c, kind::input))) {}
+  explicit state_space(const Chain& c) : Chain(c), u_(input_vector::Zero(size::nu(c))) {}
 
   const Chain& chain() const { return *this; }
   int internals() const { return size::count(chain(), kind::internal); }

@@ -91,7 +91,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
       const auto both = generalized_momenta_along(chain(), middle_.data(), v_);
       const vector& p = both.first;
       vector rate_of_p = both.second;
-      rate_of_p += this->system().forces_at(middle_);
+      rate_of_p += this->system().forces_at(middle_, this->time() + h / 2);
       ++this->statistics_.evaluations;
       vector v = p_;
       for_each([&](const auto& f) {

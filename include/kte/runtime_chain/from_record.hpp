@@ -32,6 +32,14 @@ class number_reader {
   void operator()(T& x) {
     x = T(next());
   }
+  template <std::size_t N>
+  void operator()(std::array<double, N>& list) {
+    for (double& x : list) x = next();
+  }
+  void operator()(std::vector<double>& list) {
+    list.assign(values_.begin(), values_.end());
+    values_ = {};
+  }
   template <class X, class Y, class Z>
   void operator()(vec3<X, Y, Z>& v) {
     (*this)(v.x), (*this)(v.y), (*this)(v.z);

@@ -33,7 +33,7 @@ class name_or_handle {
   /// The kind and index of a frame. Throws `unknown_name`, or `bad_argument` for a handle of another chain.
   std::pair<kind, int> frame_of(const topology& t) const {
     if (handle_ == nullptr) {
-      const kind k = t.kind_of(name_) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
+      const kind k = t.kind_of(name_, true) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
       return {k, t.find(name_, k)};
     }
     check(t);

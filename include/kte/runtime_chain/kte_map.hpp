@@ -71,6 +71,16 @@ class kte_element : public kte_map {
 
   /// What it is to the loops over records (tree/record.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
+  /// Of a mass between several ports: adds its loads for accelerations alone; m c in axes of the base, after doMotion.
+  virtual void mass_loads(runtime_state&) const = 0;
+  virtual vec3<> first_moment(runtime_state&) const = 0;
+  /// Whether it holds its coordinate, and by how large a force it could, N or Nm; what it keeps after its law has
+  /// changed.
+  virtual bool holds(runtime_state&) const = 0;
+  virtual double capacity(runtime_state&) const = 0;
+  virtual void switch_over(runtime_state&) const = 0;
+  /// Of a joint: its friction, N or Nm, where that depends on the wrench that it carries at its end.
+  virtual double friction(runtime_state&, const wrench<vec3<>, vec3<>>& end) const = 0;
   /// Of an element that acts on coordinates alone: subtracts the derivatives of its forces.
   virtual void derive_forces(runtime_state&) const = 0;
   /// doMotion and doForce with derivatives, of an element that is more than a joint, a link or a body.

@@ -23,7 +23,7 @@ class kte_map_adapter final : public kte_element {
     t.connect(this, Core::type, Core::ports, names_);
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
-    c.stiff = detail::is_transmission<Core>;
+    c.stiff = detail::is_transmission<Core>, c.spreads = detail::spreads_mass<Core>;
     c.has_derivatives = detail::has_derivatives<Core>;
     t.has_derivatives &= c.has_derivatives;
   }
@@ -36,10 +36,18 @@ class kte_map_adapter final : public kte_element {
   double switching(runtime_state& s) const override { return as<double>(on(s).switching(inputs{})); }
   bool switches() const override {
     using number = decltype(on(std::declval<runtime_state&>()).switching(inputs{}));
-    return !typed_constant<number>;
+    return !typed_constant<number> || detail::holds_coordinate<Core>;
   }
 
   detail::element_numbers<double> numbers() const override { return detail::numbers_of<double>(core_); }
+  void mass_loads(runtime_state& s) const override { on(s).mass_force(inputs{}); }
+  bool holds(runtime_state& s) const override { return on(s).holds(inputs{}); }
+  double capacity(runtime_state& s) const override { return as<double>(on(s).capacity(inputs{})); }
+  void switch_over(runtime_state& s) const override { on(s).switch_over(inputs{}); }
+  vec3<> first_moment(runtime_state& s) const override { return as<double>(on(s).first_moment(inputs{})); }
+  double friction(runtime_state& s, const wrench<vec3<>, vec3<>>& end) const override {
+    return as<double>(on(s).friction(end));
+  }
   void derive_forces(runtime_state& s) const override { detail::subtract_force_derivatives(core_, s, index_.data()); }
   void derive_motion(detail::derivative_state& s) const override {
     if constexpr (detail::acts<Core>) on(s).motion(inputs{});

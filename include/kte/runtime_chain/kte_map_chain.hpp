@@ -43,6 +43,16 @@ class kte_map_chain : public kte_map {
   kte_map_chain& operator<<(named_element<Core> e) {
     return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
   }
+  template <class... Core>
+  kte_map_chain& operator<<(named_elements<Core...> e) {
+    std::apply(
+        [this](auto&... each) {
+          std::unique_ptr<kte_map> all[]{std::make_unique<kte_map_adapter<Core>>(std::move(each))...};
+          add(all, sizeof...(Core), {});
+        },
+        e.all);
+    return *this;
+  }
   template <class Gravity, class... E>
   kte_map_chain& operator<<(const static_chain<Gravity, E...>& c) {
     return append(std::make_unique<static_chain_map<static_chain<Gravity, E...>>>(c));
@@ -123,6 +133,14 @@ class kte_map_chain : public kte_map {
     for (auto e = elements_.rbegin(); e != elements_.rend(); ++e) (*e)->doForce(s);
   }
 
+  /// The signals that elements write (measures, controls), in their order, as of the last doMotion: a name and the
+  /// numbers of each.
+  struct output {
+    std::string_view name;
+    std::vector<double> numbers;
+  };
+  std::vector<output> outputs(const runtime_state& s) const;
+
   std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_chain>(*this); }
   void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
     for (const auto& e : elements_) e->for_each_element(visit);
@@ -166,7 +184,7 @@ class kte_map_chain : public kte_map {
 
   handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
     const topology& t = wiring();
-    const kind k = t.kind_of(name);
+    const kind k = t.kind_of(name, fits(kind::frame_3D));
     if (!fits(k))
       throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(k)) + ", not a " + wanted);
     return {k, t.find(name, k), t.layout};
@@ -225,6 +243,24 @@ basic_runtime_state<S> kte_map_chain::make_state() const {
 #  ifdef KTE_EXTERN
 kte_map_chain::~kte_map_chain() = default;
 #  endif
+KTE_FUNCTION std::vector<kte_map_chain::output> kte_map_chain::outputs(const runtime_state& s) const {
+  check(s);
+  std::vector<output> all;
+  for (const auto& e : wiring().elements) {
+    const port& last = e.ports.back();
+    if (last.how != access::out || !is_signal(last.what)) continue;
+    const int slot = e.index.back();
+    output y{wiring().names[static_cast<std::size_t>(last.what)][static_cast<std::size_t>(slot)], {}};
+    if (last.what == kind::vector) {
+      const vec3<>& v = s.get<kind::vector>(slot);
+      y.numbers = {v.x, v.y, v.z};
+    } else {
+      y.numbers = {s.get<kind::input>(slot)};
+    }
+    all.push_back(std::move(y));
+  }
+  return all;
+}
 KTE_FUNCTION void kte_map_chain::add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
   const auto layout = wiring().layout;
   const vec3<> g = with_gravity_of(part);

@@ -85,6 +85,8 @@ class basic_runtime_state {
   const kte::frame_3D<S>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
   S& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
   S input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
+  vec3<S>& vector(const name_or_handle& name) { return at<kind::vector>(*this, name); }
+  const vec3<S>& vector(const name_or_handle& name) const { return at<kind::vector>(*this, name); }
   internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
   const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
   rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }

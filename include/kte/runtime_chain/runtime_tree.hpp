@@ -15,6 +15,7 @@ struct runtime_connections {
   std::span<const port> ports(std::size_t e) const { return t.elements[e].ports; }
   int index(std::size_t e, std::size_t p) const { return t.elements[e].index[p]; }
   bool stiff(std::size_t e) const { return t.elements[e].stiff; }
+  bool spreads(std::size_t e) const { return t.elements[e].spreads; }
   int count(kind k) const { return t.count(k); }
   int writer(kind k, int i) const { return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
   std::size_t freedoms() const { return t.free.size(); }

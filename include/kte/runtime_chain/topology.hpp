@@ -23,23 +23,27 @@ class kte_element;
 class topology {
  public:
   struct thing {
-    kind what;
-    int index;      ///< among things of its kind
-    int writer;     ///< the element that writes it, or -1: given from outside
-    bool declared;  ///< written by an element, or declared by base_gen, base_2D, base_3D
-    bool moves;     ///< for coordinates: an element moves by it, or it is given
+    kind what{};
+    int index = -1;         ///< among things of its kind; -1: there is none
+    int writer = -1;        ///< the element that writes it, or -1: given from outside
+    bool declared = false;  ///< written by an element, or declared by base_gen, base_2D, base_3D
+    bool moves = false;     ///< for coordinates: an element moves by it, or it is given
+    explicit operator bool() const { return index >= 0; }
   };
   struct connection {
     const kte_element* element = nullptr;
     std::vector<int> index;        ///< of what each port is connected to
     std::span<const port> ports;   ///< of the element
     bool stiff = false;            ///< whether it is a joint or a link
+    bool spreads = false;          ///< whether it has a mass between several ports
     bool has_derivatives = false;  ///< whether the derivatives of its forces are known (kernels/variation.hpp)
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
   std::vector<detail::freedom> free;                  ///< the coordinates that are degrees of freedom, in order
   int nq = 0, nv = 0;                                 ///< numbers of a configuration; degrees of freedom
+  std::vector<detail::outside_signal> signals;        ///< signals that no element writes, in order
+  int nu = 0;                                         ///< their numbers
   std::vector<connection> elements;                   ///< in order
   bool has_derivatives = true;                        ///< all elements do
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
@@ -55,21 +59,26 @@ class topology {
   void check_complete() const;
   /// Things of a kind.
   int count(kind k) const { return static_cast<int>(names[static_cast<std::size_t>(k)].size()); }
-  /// What a name is; throws `unknown_name`.
+  /// What a name is; throws `unknown_name`, also where it is that of a frame and of something else.
   kind kind_of(std::string_view name) const {
-    const auto it = things_.find(name);
-    if (it == things_.end()) throw unknown_name("kte: this chain has nothing of the name '" + std::string(name) + "'");
-    return it->second.what;
+    const auto& x = named(name);
+    if (x[0] && x[1])
+      throw unknown_name("kte: '" + std::string(name) + "' is a " + text(x[0].what) + " and a " + text(x[1].what) +
+                         ": which of them is meant?");
+    return (x[0] ? x[0] : x[1]).what;
+  }
+  /// What it is where a frame is meant, or something else; where there is only the other, that.
+  kind kind_of(std::string_view name, bool frame) const {
+    const auto& x = named(name);
+    return (x[frame] ? x[frame] : x[!frame]).what;
   }
   /// Index of a name; throws `unknown_name`.
   int find(std::string_view name, kind k) const {
     const auto it = things_.find(name);
-    if (it == things_.end())
-      throw unknown_name("kte: this chain has no " + std::string(to_string(k)) + " '" + std::string(name) + "'");
-    if (it->second.what != k)
-      throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(it->second.what)) +
-                         ", not a " + std::string(to_string(k)));
-    return it->second.index;
+    if (it == things_.end()) throw unknown_name("kte: this chain has no " + text(k) + " '" + std::string(name) + "'");
+    const auto& x = it->second[is_frame(k)] ? it->second[is_frame(k)] : it->second[!is_frame(k)];
+    if (x.what != k) throw unknown_name("kte: '" + std::string(name) + "' is a " + text(x.what) + ", not a " + text(k));
+    return x.index;
   }
 
  private:
@@ -77,12 +86,20 @@ class topology {
                                 const std::string& why);
   void check(std::string_view type, std::span<const port> ports, std::span<const std::string> to) const;
   int add(const port& x, const std::string& name);
+  static std::string text(kind k) { return std::string(to_string(k)); }
 
+  /// What has a name: a frame at 1, something else at 0. These live apart, and one look-up finds both.
+  using namesakes = std::array<thing, 2>;
+  const namesakes& named(std::string_view name) const {
+    const auto it = things_.find(name);
+    if (it == things_.end()) throw unknown_name("kte: this chain has nothing of the name '" + std::string(name) + "'");
+    return it->second;
+  }
   struct hash_of_text {
     using is_transparent = void;
     std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
   };
-  std::unordered_map<std::string, thing, hash_of_text, std::equal_to<>> things_;
+  std::unordered_map<std::string, namesakes, hash_of_text, std::equal_to<>> things_;
   bool base_known_ = false;
 };
 
@@ -101,7 +118,7 @@ KTE_FUNCTION void topology::check_complete() const {
   for (std::size_t k = 0; k < kinds; ++k)
     if (const auto what = static_cast<kind>(k); is_coordinate(what))
       for (const auto& name : names[k])
-        if (!things_.find(name)->second.moves)
+        if (!things_.find(name)->second[0].moves)
           throw bad_wiring("kte: a force acts on " + std::string(to_string(what)) + " '" + name +
                            "', which no element moves by: is it misspelt?");
 }
@@ -113,11 +130,13 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
     const port& x = ports[p];
     const std::string& name = to[p];
     if (name.empty()) refuse("its " + std::string(x.role) + " has no name");
-    const auto known = things_.find(name);
-    const auto here = static_cast<std::size_t>(std::find(to.begin(), to.end(), name) - to.begin());
-    const bool chain_has_it = known != things_.end(), used = chain_has_it || here < p;
-    const kind k = chain_has_it ? known->second.what : ports[here].what;
-    const bool declared = chain_has_it ? known->second.declared : ports[here].declares();
+    const auto of_name = things_.find(name);
+    const thing known = of_name == things_.end() ? thing{} : of_name->second[is_frame(x.what)];
+    std::size_t here = 0;  // the first port of the element with this name
+    while (to[here] != name || is_frame(ports[here].what) != is_frame(x.what)) ++here;
+    const bool used = known || here < p;
+    const kind k = known ? known.what : ports[here].what;
+    const bool declared = known ? known.declared : ports[here].declares();
     switch (rules.broken_by(x.what, x.how, {used, k == x.what, used && declared})) {
       case detail::problem::none:
         break;
@@ -133,6 +152,9 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
       case detail::problem::unknown:
         if (x.what == kind::internal)
           refuse("it reads the internal state '" + name + "', which no element before it keeps");
+        if (of_name != things_.end())
+          refuse("'" + name + "' is a " + text(of_name->second[0].what) + ", not a " + text(x.what) +
+                 ", and no element before it writes a frame of this name");
         refuse("it reads '" + name +
                "', which no element before it writes: misspelt, written later, or another base? "
                "(a further base is declared by base_2D or base_3D)");
@@ -143,20 +165,26 @@ KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
   const auto k = static_cast<std::size_t>(x.what);
   const int writer = x.how == access::out ? static_cast<int>(elements.size()) : -1;
   const bool moves = detail::wiring_rules::moves(x.how) || x.declares();
-  const auto [it, fresh] =
-      things_.try_emplace(name, thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves});
-  it->second.moves |= moves;
+  auto& known = things_[name][is_frame(x.what)];
+  const bool fresh = !known;
+  if (fresh) known = thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves};
+  known.moves |= moves;
   if (x.how == access::keep) keepers.push_back(static_cast<int>(elements.size()));
   if (fresh) {
     names[k].push_back(name);
     writers[k].push_back(writer);
+    if (nu_of(x.what) > 0 && !x.writes()) {
+      const bool time = detail::is_time(x.what, name);
+      signals.push_back({x.what, known.index, time ? -1 : nu});
+      if (!time) nu += nu_of(x.what);
+    }
     if (is_coordinate(x.what) && !x.writes()) {
-      free.push_back({x.what, it->second.index, nq, nv});
+      free.push_back({x.what, known.index, nq, nv});
       nq += nq_of(x.what), nv += nv_of(x.what);
     }
     if (is_frame(x.what) && !x.writes()) base_known_ = true;
   }
-  return it->second.index;
+  return known.index;
 }
 KTE_FUNCTION void topology::fail(std::string_view type, std::span<const port> ports, std::span<const std::string> to,
                                  const std::string& why) {

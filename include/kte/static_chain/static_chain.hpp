@@ -2,6 +2,7 @@
 
 #include <kte/contract/gravity.hpp>
 #include <kte/contract/passes.hpp>
+#include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/kept_states.hpp>
 #include <kte/static_chain/state.hpp>
 
@@ -36,6 +37,8 @@ inline constexpr bool unrolls_all = Elements <= KTE_UNROLLED_ELEMENTS;
 ///   doForce     forces, back to front; then s[q].f is the force of virtual power on q
 template <class Gravity, class... E>
 class static_chain {
+  using shapes = detail::shapes_of<detail::wiring<E...>, typename E::core_type...>;
+
  public:
   using wiring = detail::wiring<E...>;
   static constexpr std::size_t size = sizeof...(E);
@@ -45,12 +48,10 @@ class static_chain {
   static constexpr int nq = wiring::nq;
   /// Whether an element reads positions, rotations or linear velocities of frames by its forces; it says so by
   /// `static constexpr bool reads_positions = true`. Only then do the fused algorithms compute them.
-  static constexpr bool reads_positions = [] {
-    const bool each[]{detail::reads_positions<typename E::core_type>..., false};
-    for (bool b : each)
-      if (b) return true;
-    return false;
-  }();
+  static constexpr bool reads_positions = shapes::reads_positions;
+  /// Whether it has nothing that only the loops over records know; whether all algorithms are unrolled for it.
+  static constexpr bool common = shapes::common;
+  static constexpr bool unrolled = detail::unrolls_all<size> && common;
 
   constexpr static_chain(const boost::hana::tuple<E...>& elements, const Gravity& g)
       : elements_(elements), gravity_(g) {}
@@ -69,6 +70,33 @@ class static_chain {
   constexpr void doForce(State& s) const {
     check<State>();
     backward([](const auto& x) { x.force(inputs_of(x)); }, s, std::index_sequence_for<E...>{});
+  }
+
+  /// The signals that elements write (measures, controls), in their order, as of the last doMotion; one of three
+  /// numbers is three of these.
+  template <class State>
+  constexpr auto outputs(const State& s) const {
+    check<State>();
+    constexpr std::size_t n = (output_numbers<typename E::core_type> + ... + 0);
+    std::array<typename State::scalar, n> y{};
+    std::size_t i = 0;
+    const auto put = [&]<class Core, std::size_t I>(std::type_identity<Core>, std::integral_constant<std::size_t, I>) {
+      if constexpr (output_numbers < Core >> 0) {
+        const auto& x = s.template get<Core::ports.back().what>(wiring::slot(I, port_count<Core> - 1));
+        if constexpr (output_numbers<Core> == 3)
+          y[i++] = x.x, y[i++] = x.y, y[i++] = x.z;
+        else
+          y[i++] = x;
+      }
+      return 0;
+    };
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{put(std::type_identity<typename E::core_type>{}, std::integral_constant<std::size_t, I>{})...,
+                       0};
+      (void)done;
+    }
+    (std::index_sequence_for<E...>{});
+    return y;
   }
 
   /// The same chain under gravity, m/s^2 in the axes of the base: `.gravity(along_z(-9.81))`. It acts as the opposite
@@ -96,6 +124,10 @@ class static_chain {
   }
 
  private:
+  template <class Core>
+  static constexpr std::size_t output_numbers = detail::writes_signal<Core>
+                                                    ? static_cast<std::size_t>(nu_of(Core::ports.back().what))
+                                                    : 0;
   template <class State>
   static constexpr void check() {
     if constexpr (is_chain_state<State>)
@@ -145,7 +177,7 @@ class static_chain {
 
  public:
   /// For calculations that are not unrolled.
-  [[no_unique_address]] detail::kept_states<!detail::unrolls_all<size>> kept;
+  [[no_unique_address]] detail::kept_states<!unrolled> kept;
 };
 
 namespace detail {

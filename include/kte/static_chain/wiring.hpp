@@ -25,6 +25,7 @@ struct port_use {
 ///   writer[k][s]  the element that writes thing s of kind k, or -1 if it is given from outside
 ///   free          the coordinates that are degrees of freedom, in order of first appearance; of each kind they are
 ///                 the first things. nq and nv numbers altogether
+///   signal        the signals that come from outside, nu numbers altogether
 ///   reader[k][s]  the last port through which a load comes on thing s of kind k, or -1; previous[p] is the one before
 ///   element[p], load[p]   the element of port p, and the place of its load among the loads of that element
 template <std::size_t P, std::size_t E>
@@ -39,6 +40,8 @@ struct wiring_table {
   std::array<bool, P + 1> angle{};  ///< by generalized coordinate: an element wants its sine and cosine
   std::array<freedom, P + 1> free{};
   int freedoms{}, nq{}, nv{};
+  std::array<outside_signal, P + 1> signal{};  ///< those that no element writes, in order of first appearance
+  int signals{}, nu{};
   problem error = problem::none;  ///< the first one; of element bad_element, about its port bad_port
   std::size_t bad_element = E;
   std::size_t bad_port{};
@@ -99,6 +102,11 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
       const bool given = writer[p] < 0 || use[writer[p]].how == access::base;
       t.writer[k][rank[p]] = given ? -1 : element[writer[p]];
       t.key[k][rank[p]] = use[p].key;
+      if (nu_of(use[p].what) > 0 && writer[p] < 0) {
+        const bool time = use[p].what == kind::input && use[p].text == id_of_text<chain_time_>;
+        t.signal[static_cast<std::size_t>(t.signals++)] = {use[p].what, rank[p], time ? -1 : t.nu};
+        if (!time) t.nu += nu_of(use[p].what);
+      }
       if (round == 1) continue;
       t.free[static_cast<std::size_t>(t.freedoms++)] = {use[p].what, rank[p], t.nq, t.nv};
       t.nq += nq_of(use[p].what);
@@ -192,6 +200,13 @@ struct wiring {
   static constexpr freedom at = freedom_of(K, Slot);
   template <kind K, int Slot>
   static constexpr bool is_free = at<K, Slot>.what == K&& is_coordinate(K);
+  /// Numbers of the input u; where that of a signal begins there. -1: an element writes it, or it is the time.
+  static constexpr int nu = table.nu;
+  static constexpr int input_place(kind k, int s) {
+    for (int i = 0; i < table.signals; ++i)
+      if (const auto& x = table.signal[static_cast<std::size_t>(i)]; x.what == k && x.slot == s) return x.u;
+    return -1;
+  }
   /// Generalized coordinates that are degrees of freedom.
   static constexpr int gen_dofs = [] {
     int n = 0;

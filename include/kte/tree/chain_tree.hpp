@@ -23,12 +23,18 @@ class chain_tree {
   std::vector<rotor> rotors;  ///< masses on generalized coordinates, and nothing more
   std::vector<P> own_mass;    ///< of all elements on coordinates, by row
   bool has_own_mass = false;
-  bool only_bodies = false;                   ///< a tree of degrees of freedom with nothing but bodies on it
-  std::vector<int> angles;                    ///< records of which sine and cosine are wanted
-  std::vector<int> followers;                 ///< elements, in order
+  bool only_bodies = false;  ///< a tree of degrees of freedom with nothing but bodies on it
+  std::vector<int> angles;   ///< records of which sine and cosine are wanted
+  /// Elements that write coordinates, signals and frames before bodies can be placed; signals and frames after that:
+  /// those on which forces depend, in order.
+  std::vector<int> followers, late;
   std::vector<int> on_coordinates;            ///< elements that act on coordinates alone, in order
-  std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies
+  std::vector<int> on_frames;                 ///< elements that act on frames and are no rigid bodies; `late` movers
   std::vector<int> weights;                   ///< those of them that have a mass
+  std::vector<int> spread;                    ///< those that have a mass between several ports
+  std::vector<int> readers;                   ///< joints whose friction depends on what they carry
+  std::vector<int> holders;                   ///< elements that may hold a coordinate
+  std::vector<std::pair<kind, int>> written;  ///< frames that `late` elements write
   std::vector<std::pair<kind, int>> touched;  ///< the frames that these act on
   std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
   /// An element that is more than records say, and why; -1: none. Passes alone know such chains.
@@ -38,7 +44,10 @@ class chain_tree {
   /// `c` as for `arrange`; each_element(f): f(e, its `element_numbers<P>`) for all, in order.
   template <class Connections, class Each>
   chain_tree(const Connections& c, Plan p, const Each& each_element)
-      : plan(std::forward<Plan>(p)), own_mass(static_cast<std::size_t>(plan.coordinates), P(0)), dofs_(c.dofs()) {
+      : plan(std::forward<Plan>(p)),
+        own_mass(static_cast<std::size_t>(plan.coordinates), P(0)),
+        depends_(dependencies_of<growing>(c)),
+        dofs_(c.dofs()) {
     frames_[0].resize(static_cast<std::size_t>(c.count(kind::frame_2D)));
     frames_[1].resize(static_cast<std::size_t>(c.count(kind::frame_3D)));
     builder b;
@@ -57,7 +66,11 @@ class chain_tree {
     }
     for (const P& m : own_mass) has_own_mass |= m != P(0);
     only_bodies = irregular < 0 && plan.tree && plan.coordinates == dofs_ && plan.lone_rows.empty() &&
-                  on_coordinates.empty() && on_frames.empty() && followers.empty();
+                  on_coordinates.empty() && on_frames.empty() && followers.empty() && late.empty() && readers.empty();
+    std::erase_if(touched, [this](const auto& x) { return is_late(x.first, x.second); });
+    for (const auto& [k, i] : written)
+      forest.frames[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)].slot = -1;
+    depends_ = {};
     for (auto* list : {&touched, &turned}) {
       std::sort(list->begin(), list->end());
       list->erase(std::unique(list->begin(), list->end()), list->end());
@@ -65,10 +78,17 @@ class chain_tree {
   }
 
  private:
+  template <class T>
+  using growing = std::vector<T>;
   using builder = tree::forest_builder<P>;
   using place = typename builder::place_type;
 
   place& frame(kind k, int i) { return frames_[k == kind::frame_2D ? 0 : 1][static_cast<std::size_t>(i)]; }
+
+  /// Whether a frame is written by an element that is no joint or link, from others.
+  bool is_late(kind k, int i) const {
+    return std::find(written.begin(), written.end(), std::pair{k, i}) != written.end();
+  }
 
   template <class Index>
   void add(int number, std::span<const port> ports, const Index& index, const element_numbers<P>& n, builder& b) {
@@ -76,10 +96,17 @@ class chain_tree {
     if (n.is != part::stiff)
       for (std::size_t p = 0; p < ports.size(); ++p)
         if (ports[p].how == access::angle) turned.emplace_back(ports[p].what, index(p));
+    if (n.is != part::force && is_frame(ports[0].what) && n.is < part::follower && is_late(ports[0].what, index(0)))
+      exclude(number, " has a mass on a frame that follows others");
+    const std::size_t last = ports.size() - 1;
     switch (n.is) {
       case part::base:
         break;
       case part::stiff: {
+        if (is_late(ports[last - 1].what, index(last - 1))) {
+          exclude(number, " stands on a frame that follows others: joints and links cannot");
+          break;
+        }
         if (!n.plain_loads)
           exclude(number, " has a `doForce` of its own: put that force into an element on the coordinate");
         if (ports.size() == 2) {
@@ -90,6 +117,10 @@ class chain_tree {
         at(2) = b.add_joint(at(1), n.stiff, ports[0].what, index(0), row, row < dofs_);
         if (!b.moves_by_axes(n.stiff, at(2)))
           exclude(number, " does not move along axes that are constant in its end, as joints must");
+        if (n.reads_reaction) {
+          readers.push_back(number);
+          turned.emplace_back(ports[0].what, index(0));
+        }
         break;
       }
       case part::body:
@@ -106,12 +137,41 @@ class chain_tree {
         touch(number, ports, index);
         break;
       case part::follower:
+        for (std::size_t i = 0; i < last; ++i)
+          if (is_signal(ports[i].what) && depends_.at(ports[i].what, index(i)) != level::given)
+            exclude(number, " moves a coordinate by a signal that depends on coordinates or frames");
+        if (depends_.at(kind::gen, index(last)) == level::bodies)
+          exclude(number, " moves a coordinate by what depends on frames");
         followers.push_back(number);
         break;
       case part::mover:
-        exclude(number, " moves a frame and is no joint or link");
+      case part::signal: {
+        const level known = depends_.at(ports[last].what, index(last));
+        if (n.is == part::mover && known != level::given) written.emplace_back(ports[last].what, index(last));
+        if (!depends_.matters[static_cast<std::size_t>(number)]) break;
+        if (n.measures_accelerations) exclude(number, " measures an acceleration, on which a force depends");
+        if (known == level::given || (n.is == part::signal && known == level::coordinates)) {
+          followers.push_back(number);
+          break;
+        }
+        late.push_back(number);
+        if (n.is == part::mover) on_frames.push_back(number);
+        for (std::size_t i = 0; i < last; ++i)
+          if (is_frame(ports[i].what)) touched.emplace_back(ports[i].what, index(i));
         break;
+      }
       case part::force: {
+        if (n.holds_coordinate) {
+          holders.push_back(number);
+          if (plan.row_of_gen[static_cast<std::size_t>(index(0))] >= dofs_)
+            exclude(number, " holds a coordinate that is no degree of freedom");
+        }
+        if (n.spreads_mass) {
+          spread.push_back(number);
+          for (std::size_t p = 0; p <= last; ++p)
+            if (is_frame(ports[p].what) && is_late(ports[p].what, index(p)))
+              exclude(number, " has a mass on a frame that follows others");
+        }
         if (n.mass != P(0)) add_mass(index(0), n.mass);
         bool frames = false;
         for (const auto& p : ports) frames |= is_frame(p.what);
@@ -136,6 +196,7 @@ class chain_tree {
   }
 
   std::array<std::vector<place>, 2> frames_;  ///< until they are in the forest
+  dependencies<growing> depends_;             ///< the same
   int dofs_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/freedom.hpp>
-#include <kte/contract/port.hpp>
+#include <kte/tree/dependencies.hpp>
 
 #include <array>
 #include <utility>
@@ -14,39 +14,26 @@ namespace kte::detail {
 /// What `arrange` works out. List: std::vector, or `short_list` where a chain is known to the compiler.
 template <template <class> class List>
 struct plan {
-  List<std::pair<kind, int>> bases;  ///< frames that no element writes
+  List<std::pair<kind, int>> bases;  ///< frames that no element writes, or only from what comes from outside
   List<int> joint_row;               ///< by element: of a joint its first coordinate among all coordinates
   List<int> row_of_gen;  ///< of generalized coordinates, among all coordinates: free ones first, then the others
   List<int> lone_rows;   ///< of degrees of freedom that move no joint
   int coordinates = 0;   ///< all of them
-  bool tree = true;      ///< no coordinate follows another or moves two joints
-};
-
-/// A vector of at most N.
-template <class T, std::size_t N>
-struct short_list {
-  std::array<T, N> item{};
-  std::size_t count = 0;
-  constexpr void push_back(const T& x) { item[count++] = x; }
-  constexpr void resize(std::size_t n) { count = n; }
-  constexpr std::size_t size() const { return count; }
-  constexpr bool empty() const { return count == 0; }
-  constexpr T& operator[](std::size_t i) { return item[i]; }
-  constexpr const T& operator[](std::size_t i) const { return item[i]; }
-  constexpr auto begin() const { return item.begin(); }
-  constexpr auto end() const { return item.begin() + static_cast<std::ptrdiff_t>(count); }
+  bool tree = true;      ///< no coordinate follows another or moves two joints, no mass is between two things
 };
 
 /// Works out the plan of a chain: `Chain` says
 ///   elements(), ports(e), index(e, p), stiff(e)   its elements, what their ports are connected to, joints and links
+///   spreads(e)                                    whether it has a mass between several ports
 ///   count(k), writer(k, i)                        the things of kind k, and the element that writes one, or -1
 ///   freedoms(), freedom_at(f), dofs()             its degrees of freedom
 template <template <class> class List, class Chain>
 constexpr plan<List> arrange(const Chain& c) {
   plan<List> p;
+  const auto depends = dependencies_of<List>(c);
   for (const kind k : {kind::frame_2D, kind::frame_3D})
     for (int i = 0; i < c.count(k); ++i)
-      if (c.writer(k, i) < 0) p.bases.push_back({k, i});
+      if (depends.at(k, i) == level::given) p.bases.push_back({k, i});
 
   std::array<List<int>, kinds> row_of;  // of coordinates by kind; -1: no degree of freedom
   for (std::size_t k = 0; k < kinds; ++k) {
@@ -71,8 +58,11 @@ constexpr plan<List> arrange(const Chain& c) {
   for (std::size_t e = 0; e < c.elements(); ++e) {
     const auto ports = c.ports(e);
     p.joint_row[e] = -1;
+    p.tree &= !c.spreads(e);
     if (!c.stiff(e)) {
-      p.tree &= ports.back().how != access::out;
+      const port& last = ports.back();
+      p.tree &= last.how != access::out || last.what != kind::gen ||
+                depends.at(kind::gen, c.index(e, ports.size() - 1)) == level::given;
     } else if (ports.size() > 2) {
       p.joint_row[e] = row_of[static_cast<std::size_t>(ports[0].what)][static_cast<std::size_t>(c.index(e, 0))];
       ++joints[static_cast<std::size_t>(p.joint_row[e])];

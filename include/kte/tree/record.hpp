@@ -50,7 +50,7 @@ struct record {
   composite<P, vec3<P>, sym3<P>> weight{};  ///< all masses, about the origin
 };
 
-/// Where a frame stands: in the body of a slot.
+/// Where a frame stands: in the body of a slot; in none, -1, where it follows others.
 template <class P>
 struct frame_place {
   int slot = 0;

@@ -53,9 +53,10 @@ struct with_loads {
   using wiring = typename Chain::wiring;
   static constexpr std::size_t size = Chain::size;
   static constexpr int dofs = Chain::dofs, nq = Chain::nq;
-  static constexpr bool reads_positions = false;
+  static constexpr bool reads_positions = false, common = Chain::common, unrolled = Chain::unrolled;
 
   static_assert(sizeof(check_loads_of<Chain>) > 0);
+  static_assert(sizeof(check_bodies_of<Chain>) > 0);
 
   const Chain& chain;
   decltype((chain.kept)) kept = chain.kept;

@@ -141,6 +141,10 @@ struct same_base {
     return {};
   }
   template <int>
+  KTE_INLINE static constexpr zero3 vector() {
+    return {};
+  }
+  template <int>
   KTE_INLINE static constexpr zero_t internal() {
     return {};
   }
@@ -172,6 +176,10 @@ struct base_of_state {
     return s.template get<kind::input>(I);
   }
   template <int I>
+  KTE_INLINE constexpr auto vector() const {
+    return s.template get<kind::vector>(I);
+  }
+  template <int I>
   KTE_INLINE constexpr auto internal() const {
     return s.template get<kind::internal>(I).z;
   }
@@ -194,6 +202,10 @@ struct only_positions {
   template <int I>
   KTE_INLINE constexpr auto input() const {
     return base.template input<I>();
+  }
+  template <int I>
+  KTE_INLINE constexpr auto vector() const {
+    return base.template vector<I>();
   }
   template <int I>
   KTE_INLINE constexpr auto internal() const {
@@ -240,6 +252,10 @@ struct given {
   template <int I>
   KTE_INLINE constexpr auto input() const {
     return bases.template input<I>();
+  }
+  template <int I>
+  KTE_INLINE constexpr auto vector() const {
+    return bases.template vector<I>();
   }
   template <int I>
   KTE_INLINE constexpr auto internal() const {

@@ -6,23 +6,34 @@
 /// Internal states of elements in fused evaluations.
 namespace kte::detail {
 
-/// A base at rest, and signals from memory.
-template <class Base, class S>
+/// A base at rest, and signals from memory: inputs as they stand in u.
+template <class Wiring, class Base, class S>
 struct base_with_signals : Base {
+  S time;
   const S* inputs;
   const S* internals;
   template <int I>
   KTE_INLINE S input() const {
-    return inputs[I];
+    constexpr int place = Wiring::input_place(kind::input, I);
+    if constexpr (place < 0) {
+      return time;
+    } else {
+      return inputs[place];
+    }
+  }
+  template <int I>
+  KTE_INLINE vec3<S> vector() const {
+    constexpr int place = Wiring::input_place(kind::vector, I);
+    return {inputs[place], inputs[place + 1], inputs[place + 2]};
   }
   template <int I>
   KTE_INLINE S internal() const {
     return internals[I];
   }
 };
-template <class Base, class S>
-KTE_INLINE auto with_signals(const Base& base, const S* inputs, const S* internals) {
-  return base_with_signals<Base, S>{base, inputs, internals};
+template <class Wiring, class Base, class S>
+KTE_INLINE auto with_signals(const Base& base, const S& time, const S* inputs, const S* internals) {
+  return base_with_signals<Wiring, Base, S>{base, time, inputs, internals};
 }
 
 /// Whether element I sees only what comes from outside: degrees of freedom and signals.
@@ -57,7 +68,7 @@ class internal_rates_of {
   template <std::size_t I>
   void one() const {
     using core = typename Chain::template core_type<I>;
-    if constexpr (kept_port<core> < port_count<core>) {
+    if constexpr (kept_count < core >> 0) {
       static_assert(sees_coordinates_only<Chain, I>,
                     "kte: an element with an internal state must be on degrees of freedom for this; others move by "
                     "doMotion on a state of the chain");
@@ -67,8 +78,13 @@ class internal_rates_of {
   template <std::size_t I, std::size_t... P>
   void compute(std::index_sequence<P...>) const {
     using core = typename Chain::template core_type<I>;
-    z_dot_[wiring::slot(I, kept_port<core>)] = as<S>(
-        chain_.template core<I>().z_dot(types::template given<wiring::what(I, P), wiring::slot(I, P)>(given_)...));
+    const auto rates =
+        chain_.template core<I>().z_dot(types::template given<wiring::what(I, P), wiring::slot(I, P)>(given_)...);
+    [&]<std::size_t... N>(std::index_sequence<N...>) {
+      const int done[]{(z_dot_[wiring::slot(I, kept_port<core, N>)] = as<S>(rate_of_kept<N>(rates)), 0)...};
+      (void)done;
+    }
+    (std::make_index_sequence<kept_count<core>>{});
   }
 
   const Chain& chain_;

@@ -178,8 +178,6 @@ KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g, S& zero_or_
 template <class S, class Chain, class Positions, class Base>
 KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Base& base) {
   static_assert(sizeof(check_loads_of<Chain>) > 0);
-  static_assert(moves_frames_stiffly<Chain>,
-                "kte: the mass matrix needs elements that move frames to be a kte::transmission");
   at.check(), base.check();
   const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};
   const auto g = given{at, same<skip>{}, same<skip>{}, bases};

@@ -2,6 +2,7 @@
 
 #include <kte/contract/joint.hpp>
 #include <kte/dynamics/detail/silent.hpp>
+#include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
 /// The passes of a static chain on frames that are local variables: the fused algorithms are made of these. Each frame
@@ -57,6 +58,15 @@ KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
   }
 }
 
+/// Whether positions, and on request rates, of what an element sees are evaluated.
+template <bool Rates, class X>
+inline constexpr bool is_known = !has_skip<X>;
+template <bool Rates, class Q, class QD, class QDD, class C, class S>
+inline constexpr bool is_known<Rates, coordinate<Q, QD, QDD, C, S>> = !has_skip<Q> && (!Rates || !has_skip<QD>);
+template <bool Rates, class P, class R, class V, class W, class A, class AL>
+inline constexpr bool is_known<Rates, motion<P, R, V, W, A, AL>> =
+    !has_skip<P> && !has_skip<R> && (!Rates || (!has_skip<V> && !has_skip<W>));
+
 /// The types of what flows in one evaluation of a chain; `Given` is explained at `local_pass`.
 template <class Chain, class Given>
 struct local_types {
@@ -77,6 +87,8 @@ struct local_types {
   KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
     if constexpr (K == kind::input) {
       return g.template input<Slot>();
+    } else if constexpr (K == kind::vector) {
+      return g.template vector<Slot>();
     } else if constexpr (K == kind::internal) {
       return g.template internal<Slot>();
     } else if constexpr (is_frame(K)) {
@@ -88,7 +100,7 @@ struct local_types {
     }
   }
   template <kind K, int Slot>
-  static constexpr int writer = is_signal(K) ? -1 : wiring::writer(K, Slot);
+  static constexpr int writer = K == kind::internal ? -1 : wiring::writer(K, Slot);
 
   /// A coordinate that turns a joint gets its sine and cosine.
   template <std::size_t I, class M>
@@ -116,25 +128,56 @@ struct local_types {
   };
   /// A frame without accelerations, which elements see where only rates are wanted.
   template <kind K>
-  static constexpr bool without_accelerations = is_frame(K) && Given::rates_only;
+  static constexpr bool rates_only_of = is_frame(K) && Given::rates_only;
   template <class M>
   KTE_INLINE static constexpr auto rates_of(const M& m) {
     return motion{m.position, m.rotation, m.velocity, m.ang_velocity, zero3{}, zero3{}};
   }
-  template <kind K, class T>
-  struct shown {
+  /// How element I sees a thing of kind K.
+  template <std::size_t I, kind K>
+  static constexpr bool as_it_is = is_signal(K) ||
+                                   (!rates_only_of<K> && (!writes_signal<core<I>> || reads_accelerations<core<I>>));
+  template <std::size_t I, kind K, class M>
+  KTE_INLINE static constexpr auto shown(const M& m) {
+    if constexpr (writes_signal<core<I>> && !reads_accelerations<core<I>>) {
+      return without_accelerations(m);
+    } else {
+      return rates_of(m);
+    }
+  }
+  template <std::size_t I, kind K, class T>
+  struct shown_type {
+    using type = decltype(shown<I, K>(std::declval<const T&>()));
+  };
+  template <std::size_t I, kind K, class T>
+  requires(as_it_is<I, K>) struct shown_type<I, K, T> {
     using type = T;
   };
-  template <kind K, class T>
-  requires(without_accelerations<K>) struct shown<K, T> {
-    using type = decltype(rates_of(std::declval<const T&>()));
-  };
   template <std::size_t I, std::size_t P>
-  using seen = typename shown<what<I, P>, typename thing<what<I, P>, wiring::slot(I, P)>::type>::type;
+  using seen = typename shown_type<I, what<I, P>, typename thing<what<I, P>, wiring::slot(I, P)>::type>::type;
 
   template <std::size_t I, std::size_t... P>
-  requires(has_output<core<I>>) struct written<I, std::index_sequence<P...>> {
+  requires(has_output<core<I>> && !writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
     using type = decltype(finish<I>(std::declval<const core<I>&>().doMotion(std::declval<const seen<I, P>&>()...)));
+  };
+  /// What doMotion gives of an element that writes freely: it is asked only where all is known that it may read.
+  template <std::size_t I, class... Seen>
+  KTE_INLINE static constexpr auto written_freely(const core<I>& element, const Seen&... x) {
+    if constexpr ((is_known<writes_signal<core<I>>, Seen> && ...)) {
+      return element.doMotion(x...);
+    } else if constexpr (output_kind<I> == kind::input) {
+      return skip{};
+    } else if constexpr (output_kind<I> == kind::vector) {
+      return vec3<skip>{};
+    } else {
+      constexpr vec3<skip> none{};
+      return motion{none, skip{}, none, none, none, none};
+    }
+  }
+  template <std::size_t I, std::size_t... P>
+  requires(writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
+    using type = decltype(local_types::template written_freely<I>(std::declval<const core<I>&>(),
+                                                                  std::declval<const seen<I, P>&>()...));
   };
   /// The sum of the loads on a thing, and what doForce of element I gives.
   template <kind K, int Slot>
@@ -150,7 +193,12 @@ struct local_types {
     using type = typename std::conditional_t<usable, std::type_identity<put>, no_loads<core<I>>>::type;
   };
   template <std::size_t I, std::size_t... P>
-  requires(has_output<core<I>>) struct loads<I, std::index_sequence<P...>> {
+  requires(writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
+    static constexpr bool usable = true;
+    using type = typename no_loads<core<I>>::type;
+  };
+  template <std::size_t I, std::size_t... P>
+  requires(has_output<core<I>> && !writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
     static constexpr bool usable = true;
     using load = typename total<output_kind<I>, output_slot<I>>::type;
     using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
@@ -179,7 +227,7 @@ struct local_types {
 ///   given.template coordinate<K, i>()  coordinate i of kind K, which is a degree of freedom (or several)
 ///   given.template fixed<i>()          coordinate i, which no element writes and which is no degree of freedom
 ///   given.template base<K, i>()        frame i of kind K, which no element writes
-///   given.template input<i>()          input i
+///   given.template input<i>()          input i, which no element writes; vector<i>() of three numbers
 template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class local_motion;
 
@@ -231,10 +279,10 @@ class local_motion<Chain, Given, std::index_sequence<E...>> {
   template <std::size_t I, std::size_t P>
   KTE_INLINE constexpr decltype(auto) seen() const {
     constexpr kind k = types::template what<I, P>;
-    if constexpr (types::template without_accelerations<k>) {
-      return types::rates_of(get<k, wiring::slot(I, P)>());
-    } else {
+    if constexpr (types::template as_it_is<I, k>) {
       return get<k, wiring::slot(I, P)>();
+    } else {
+      return types::template shown<I, k>(get<k, wiring::slot(I, P)>());
     }
   }
   const Chain& chain_;
@@ -277,7 +325,9 @@ class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
     const auto& core = this->chain_.template core<I>();
-    if constexpr (has_output<typename types::template core<I>>) {
+    if constexpr (writes_signal<typename types::template core<I>>) {
+      (void)core;
+    } else if constexpr (has_output<typename types::template core<I>>) {
       boost::hana::at_c<I>(loads_) = core.doForce(
           this->template seen<I, P>()..., load<types::template output_kind<I>, types::template output_slot<I>>());
     } else if constexpr (types::template loads<I>::usable) {

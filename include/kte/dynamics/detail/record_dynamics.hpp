@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_loops.hpp>
+#include <kte/dynamics/detail/rare_shapes.hpp>
 #include <kte/kernels/solve.hpp>
 #include <kte/tree/fill_symmetric.hpp>
 
@@ -31,10 +31,15 @@ void hand_on(const Elements& c, State& s, const Add& add) {
   const auto& t = s.tree();
   for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
     const auto ports = c.ports(*f);
+    if (ports.back().what != kind::gen) continue;
     const int end = t.plan.row_of_gen[static_cast<std::size_t>(c.written(*f))];
     for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
       if (ports[p].what != kind::gen) continue;
       const int followed = c.index(*f, p);
+      bool again = false;  // `ratio_of` has both, where two ports lead to one coordinate
+      for (std::size_t before = 0; before < p; ++before)
+        again |= ports[before].what == kind::gen && c.index(*f, before) == followed;
+      if (again) continue;
       add(t.plan.row_of_gen[static_cast<std::size_t>(followed)], end,
           ratio_of(c, s, *f, s.template get<kind::gen>(followed)));
     }
@@ -55,12 +60,14 @@ void mass_of_coordinates(const Elements& c, State& s) {
   tree::fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
   if (t.has_own_mass)
     for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
-  if (!others) return;
-  hand_on(c, s, [&m](int to, int from, const S& ratio) {
-    m.row(to) += ratio * m.row(from);
-    m.col(to) += ratio * m.col(from);
-  });
-  w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+  if (others) {
+    hand_on(c, s, [&m](int to, int from, const S& ratio) {
+      m.row(to) += ratio * m.row(from);
+      m.col(to) += ratio * m.col(from);
+    });
+    w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+  }
+  if (!t.spread.empty()) add_spread_masses(c, s, w.mass);
 }
 
 /// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
@@ -78,12 +85,13 @@ void push_by_rates(const Elements& c, State& s) {
       for_each_listed_freedom(s, [row](auto& x, const freedom& at) {
         if (at.v == row) visit_a(x, [](S& a) { a = S(0); });
       });
-  if (!t.on_frames.empty()) {
+  if (!t.on_frames.empty() || !t.late.empty()) {
     std::fill(w.acceleration.begin(), w.acceleration.end(), S(0));
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, false);
-    for (const int e : t.on_frames) c.push(e, s);
+    move_late(c, s);
+    for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) c.push(*e, s);
     for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
       auto& load = w.articulated[slot].load;
       load = {load.force + x.force, load.torque + x.torque};
@@ -134,7 +142,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : S(0);
   if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
     blame_axis(c, s, bad);
-  if (!t.on_frames.empty()) take_rates(s);  // accelerations of what does not yield
+  if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of what does not yield
   tree::accelerate(t.forest, w);
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];
@@ -149,6 +157,85 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
       if (at.v == row) visit_a(x, [&](const auto& a) { w.forces[row] = a; });
     });
   }
+}
+
+/// The same of any chain by its mass matrix, factorised.
+template <class Elements, class State, class Tau>
+void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  using S = typename State::scalar;
+  using vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  const int n = s.dofs();
+  vector given;
+  if (!prescribed.empty()) given.resize(n), read_listed_numbers<vector_of::a>(s, given);
+  for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](S& a) { a = S(0); }); });
+  forces_on_coordinates(c, s, acting::with_given_friction);
+  auto& a = s.work.forces;
+  read_listed_numbers<vector_of::f>(s, a);
+  for (int i = 0; i < n; ++i) a[i] += tau(i);
+  mass_of_coordinates(c, s);
+  const auto fail = [&](int row) { c.blame_mass(s, row, true); };
+  if (prescribed.empty()) return solve_in_place(s.work.mass, a, fail);
+  for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
+  for (int i = 0; i < n; ++i)
+    if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
+  solve_partly_known(s.work.mass, a, prescribed, fail);
+}
+/// By articulated bodies in trees, else by the mass matrix; with friction by what joints carry.
+template <class Elements, class State, class Tau>
+void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  using S = typename State::scalar;
+  const bool tree = s.tree().plan.tree;
+  const auto& readers = s.tree().readers;
+  if (readers.empty()) [[likely]]
+    return tree ? accelerate_articulated(c, s, tau, prescribed) : accelerate_by_mass(c, s, tau, prescribed);
+  Eigen::Matrix<S, Eigen::Dynamic, 1> all(s.dofs()), given(s.dofs());
+  read_listed_numbers<vector_of::a>(s, given);
+  iterate_friction(c, s, [&] {
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, given); });
+    for (int i = 0; i < s.dofs(); ++i) all[i] = tau(i);
+    for (std::size_t k = 0; tree && k < readers.size(); ++k)  // of others M needs it on all coordinates, at once
+      if (const int row = s.tree().plan.joint_row[static_cast<std::size_t>(readers[k])]; row < s.dofs())
+        all[row] += s.work.friction[k];
+    const auto applied = [&all](int i) { return all[i]; };
+    tree ? accelerate_articulated(c, s, applied, prescribed) : accelerate_by_mass(c, s, applied, prescribed);
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, s.work.forces); });
+  });
+}
+
+/// visit(element, row of the coordinate that it holds).
+template <class Elements, class State, class Visit>
+void for_each_held(const Elements& c, State& s, const Visit& visit) {
+  for (const int e : s.tree().holders)
+    if (c.holds(e, s)) visit(e, s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, 0))]);
+}
+/// The same, with coordinates that elements hold: those have no acceleration.
+template <class Elements, class State, class Tau>
+void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
+  std::vector<char> rows;
+  for_each_held(c, s, [&](int e, int row) {
+    if (rows.empty()) {
+      rows.assign(prescribed.begin(), prescribed.end());
+      rows.resize(static_cast<std::size_t>(s.dofs()));
+    }
+    char& is_prescribed = rows[static_cast<std::size_t>(row)];
+    if (!is_prescribed) s.template get<kind::gen>(c.index(e, 0)).q_ddot = typename State::scalar(0);
+    is_prescribed = 1;
+  });
+  accelerate_with_friction(c, s, tau, rows.empty() ? prescribed : std::span<const char>(rows));
+}
+/// How accelerations answer forces where coordinates are held: the inverse of the other rows of M, else zeros.
+template <class Elements, class State, class Matrix>
+void invert_unheld(const Elements& c, State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  mass_of_coordinates(c, s);
+  auto& m = s.work.mass;
+  for_each_held(c, s, [&m](int, int row) {
+    m.row(row).setZero(), m.col(row).setZero();
+    m(row, row) = S(1);
+  });
+  inverse.resize(s.dofs(), s.dofs());
+  invert_by_factors(m, inverse, [&](int row) { c.blame_mass(s, row, true); });
+  for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
 }
 
 /// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.

@@ -14,6 +14,9 @@
 ///   move(e, s), push(e, s)          its doMotion and doForce
 ///   ports(e), index(e, p)           what it is connected to; written(e): what its last port is connected to
 ///   derive(e, s)                    derivatives of its forces (contract/force_derivatives.hpp)
+///   mass_loads(e, s)                loads of a mass between several ports, for accelerations alone
+///   holds(e, s)                     whether it holds its coordinate
+///   friction(e, s, wrench)          of a joint that carries a wrench at its end
 ///   blame_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
 namespace kte::detail {
 
@@ -45,12 +48,13 @@ KTE_INLINE void each_axis(State& s, const tree::record<P>& r, const Number& numb
   });
 }
 
-/// Coordinates that follow others, and sines and matrices of coordinates that elements read beside those of joints.
+/// What is written before bodies can be placed, and sines and matrices of coordinates that elements read beside those
+/// of joints.
 template <class Elements, class State>
 void bring_up_to_date(const Elements& c, State& s) {
   for (const int e : s.tree().followers) {
     c.move(e, s);
-    update_angle(s.template get<kind::gen>(c.written(e)));
+    if (c.ports(e).back().what == kind::gen) update_angle(s.template get<kind::gen>(c.written(e)));
   }
   for (const auto& [k, slot] : s.tree().turned) with_coordinate(s, k, slot, [](auto& x) { update_angle(x); });
 }
@@ -238,6 +242,17 @@ void place_touched_frames(State& s, bool accelerated) {
     }
   }
 }
+/// Frames and signals that elements write when bodies are in place.
+template <class Elements, class State>
+void move_late(const Elements& c, State& s) {
+  for (const int e : s.tree().late) c.move(e, s);
+  for (const auto& [k, index] : s.tree().written) {
+    if (k == kind::frame_2D)
+      clear_load(s.template get<kind::frame_2D>(index));
+    else
+      clear_load(s.template get<kind::frame_3D>(index));
+  }
+}
 /// f(slot, wrench at the origin of its body) for what elements put on frames.
 template <class State, class F>
 void for_each_frame_load(State& s, const F& f) {
@@ -259,8 +274,9 @@ void for_each_frame_load(State& s, const F& f) {
   }
 }
 
-/// Which elements count.
-enum class acting { all, bodies };
+/// Which elements count: all; all, but with friction that depends on what joints carry as it is in the working memory;
+/// bodies.
+enum class acting { all, with_given_friction, bodies };
 
 /// What acts on coordinates, and followers, which hand on what is on them: from the last.
 template <class Elements, class State>
@@ -270,12 +286,27 @@ void push_on_coordinates(const Elements& c, State& s, acting who) {
   const auto pass_on = [&](int until) {
     for (; f != t.followers.rend() && *f > until; ++f) c.push(*f, s);
   };
-  if (who == acting::all)
+  if (who != acting::bodies)
     for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) {
       pass_on(*e);
       c.push(*e, s);
     }
   pass_on(-1);
+}
+
+/// friction(element, row of its coordinate, force on it) of the joints whose friction depends on what they carry, after
+/// `take_needs`.
+template <class Elements, class State, class F>
+void for_each_friction(const Elements& c, State& s, const F& f) {
+  using S = typename State::scalar;
+  const auto& forest = s.tree().forest;
+  for (const int e : s.tree().readers) {
+    const auto& place = forest.frame(c.ports(e).back().what, c.written(e));
+    const auto& needs = s.work.bodies[static_cast<std::size_t>(place.slot)].needs;
+    const auto carried = transmit(inverse(place.at), tree::dense_wrench<S>{-needs.force, -needs.torque});
+    const auto& r = forest.records[static_cast<std::size_t>(place.slot - forest.bases)];
+    f(r, c.friction(e, s, tree::dense_wrench<S>{as<S>(carried.force), as<S>(carried.torque)}));
+  }
 }
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
@@ -309,14 +340,15 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
     auto& x = s.template get<kind::gen>(coordinate);
     x.f -= mass * x.q_ddot;
   }
-  const auto& others = who == acting::all ? t.on_frames : t.weights;
-  if (others.empty()) {
+  const auto& others = who != acting::bodies ? t.on_frames : t.weights;
+  if (others.empty() && (who == acting::bodies || t.late.empty())) {
     tree::move_bodies<false>(t.forest, w);
   } else {
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, true);
-    for (const int e : others) c.push(e, s);
+    if (who != acting::bodies) move_late(c, s);
+    for (auto e = others.rbegin(); e != others.rend(); ++e) c.push(*e, s);
     for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
       auto& needs = w.bodies[slot].needs;
       needs = {needs.force - x.force, needs.torque - x.torque};
@@ -325,6 +357,12 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   tree::take_needs(t.forest, w);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
+  if (who != acting::bodies) {
+    auto given = w.friction.begin();
+    for_each_friction(c, s, [&](const auto& r, const S& friction) {
+      s.template get<kind::gen>(r.slot).f += who == acting::all ? friction : *given++;
+    });
+  }
   push_on_coordinates(c, s, who);
 }
 

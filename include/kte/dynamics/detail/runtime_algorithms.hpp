@@ -16,35 +16,13 @@ void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!all_finite(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
-/// By the factorised mass matrix, under the forces that are `kept`. Accelerations of rows that are `prescribed` are
-/// those of the state.
-template <class S>
-void accelerate_by_mass(const kte_map_chain& c, basic_runtime_state<S>& s, std::span<const char> prescribed) {
-  runtime_vector<S> given;
-  if (!prescribed.empty()) given = accelerations(s);
-  for_each_listed_freedom(s, [](auto& x, const freedom&) { visit_a(x, [](S& a) { a = S(0); }); });
-  coordinate_forces(c, s);
-  auto& a = s.work.forces;
-  read_listed_numbers<vector_of::f>(s, a);
-  for (int i = 0; i < s.dofs(); ++i) a[i] += s.work.kept[static_cast<std::size_t>(i)];
-  mass_of_coordinates(runtime_elements{c}, s);
-  const auto fail = [&s](int row) { blame_mass(s, row, true); };
-  if (prescribed.empty()) return solve_in_place(s.work.mass, a, fail);
-  for (int i = 0; i < s.dofs(); ++i)
-    if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
-  solve_partly_known(s.work.mass, a, prescribed, fail);
-}
-
 /// At positions that are good, under the forces that are `kept`.
 template <class S>
 const runtime_vector<S>& accelerations_under_kept(const kte_map_chain& c, basic_runtime_state<S>& s,
                                                   std::span<const char> prescribed) {
   const auto& kept = s.work.kept;
-  if (s.tree().plan.tree)
-    accelerate_articulated(
-        runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
-  else
-    accelerate_by_mass(c, s, prescribed);
+  accelerate_by_records(
+      runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {
     blame("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
   });
@@ -79,7 +57,7 @@ void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
     if (!at(wanted, e)) continue;
     const auto& c = at(t.elements, e);
     for (std::size_t p = 0; p < c.ports.size(); ++p) {
-      if (c.ports[p].writes() || is_signal(c.ports[p].what)) continue;
+      if (c.ports[p].writes()) continue;
       const int writer = at(t.writers[static_cast<std::size_t>(c.ports[p].what)], c.index[p]);
       if (writer >= 0) at(wanted, writer) = 1, first = std::min(first, writer);
     }

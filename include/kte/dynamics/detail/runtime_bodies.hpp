@@ -43,18 +43,34 @@ const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
   return s.work.forces;
 }
 
+/// Throws `bad_argument` for masses between several things.
+template <class S>
+void refuse_spread_masses(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+  if (!s.tree().spread.empty()) [[unlikely]]
+    throw bad_argument("kte: this algorithm counts the masses of single frames and coordinates, and " +
+                       runtime_elements{c}.element(s.tree().spread.front()).record().type +
+                       " has a mass between several");
+}
+
 /// Inverse dynamics of the bodies alone, without accelerations of coordinates.
 template <class S>
 void forces_of_bodies(const kte_map_chain& c, basic_runtime_state<S>& s, bool accelerated_bases) {
+  refuse_spread_masses(c, s);
   forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
 /// The inertias of bodies with all they carry, and axes, in the world.
 template <class S>
-void carry(const kte_map_chain& c, basic_runtime_state<S>& s) {
+void carry_bodies(const kte_map_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
   place_in_world(s);
   tree::carry_bodies(s.tree().forest, s.work, true);
+}
+/// The same where bodies are all there is.
+template <class S>
+void carry(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  refuse_spread_masses(c, s);
+  carry_bodies(c, s);
 }
 /// visit(row of an axis among all coordinates, momentum of its unit rate about a point of the world).
 template <class S, class F>

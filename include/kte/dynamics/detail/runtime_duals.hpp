@@ -36,10 +36,14 @@ void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
     auto& to = d.template get<kind::gen>(static_cast<int>(i));
     to.q = from.q, to.q_dot = from.q_dot, to.q_ddot = from.q_ddot;
   }
-  const auto& names = s.made_for()->names;
-  for (int i = 0; i < static_cast<int>(names[static_cast<std::size_t>(kind::input)].size()); ++i)
-    d.template get<kind::input>(i) = s.template get<kind::input>(i);
-  for (int i = 0; i < static_cast<int>(names[static_cast<std::size_t>(kind::internal)].size()); ++i)
+  const auto& t = *s.made_for();
+  for (const auto& x : t.signals) {
+    if (x.what == kind::vector)
+      d.template get<kind::vector>(x.slot) = as<D>(s.template get<kind::vector>(x.slot));
+    else
+      d.template get<kind::input>(x.slot) = s.template get<kind::input>(x.slot);
+  }
+  for (int i = 0; i < t.count(kind::internal); ++i)
     d.template get<kind::internal>(i).z = s.template get<kind::internal>(i).z;
   auto& a = d.forces;
   read_listed_numbers<vector_of::a>(s, a);
@@ -83,9 +87,10 @@ void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>
     x.f -= mass * x.q_ddot;
   }
   tree::move_in_duals(t.forest, s.work, d.work);
-  if (!t.on_frames.empty()) {
+  if (!t.on_frames.empty() || !t.late.empty()) {
     place_touched_frames(d, true);
-    for (const int e : t.on_frames) elements.push(e, d);
+    move_late(elements, d);
+    for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) elements.push(*e, d);
     for_each_frame_load(d, [&d](std::size_t slot, const tree::dense_wrench<D>& x) {
       auto& needs = d.work.bodies[slot].needs;
       needs = {needs.force - x.force, needs.torque - x.torque};

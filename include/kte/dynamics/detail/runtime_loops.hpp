@@ -19,6 +19,11 @@ struct runtime_elements {
   void move(int e, runtime_state& s) const { element(e).doMotion(s); }
   void push(int e, runtime_state& s) const { element(e).doForce(s); }
   void derive(int e, runtime_state& s) const { element(e).derive_forces(s); }
+  void mass_loads(int e, runtime_state& s) const { element(e).mass_loads(s); }
+  bool holds(int e, runtime_state& s) const { return element(e).holds(s); }
+  double friction(int e, runtime_state& s, const tree::dense_wrench<double>& end) const {
+    return element(e).friction(s, end);
+  }
   void move(int e, derivative_state& s) const { element(e).derive_motion(s); }
   void push(int e, derivative_state& s) const { element(e).derive_force(s); }
   // States of other scalars are for chains in which nothing is left for elements to do.
@@ -28,6 +33,16 @@ struct runtime_elements {
   void push(int, State&) const {}
   template <class State>
   void derive(int, State&) const {}
+  template <class State>
+  void mass_loads(int, State&) const {}
+  template <class State>
+  bool holds(int, State&) const {
+    return false;
+  }
+  template <class State, class Wrench>
+  auto friction(int, State&, const Wrench&) const {
+    return typename State::scalar(0);
+  }
   template <class State>
   [[noreturn]] void blame_mass(const State& s, int row, bool finite) const {
     detail::blame_mass(s, row, finite);

@@ -44,11 +44,43 @@ struct static_elements {
     run(steps, e, s);
   }
   template <class State>
+  void mass_loads(int e, State& s) const {
+    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+      passes_of(core, state, index).mass_force(inputs_of<Core>{});
+    });
+    run(steps, e, s);
+  }
+  template <class State>
+  bool holds(int e, State& s) const {
+    bool h = false;
+    with_core(e, [&]<std::size_t J>(const auto& core) {
+      h = passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).holds(inputs_of<core_of<Chain, J>>{});
+    });
+    return h;
+  }
+  template <class State, class Wrench>
+  auto friction(int e, State& s, const Wrench& end) const {
+    typename State::scalar f(0);
+    with_core(e, [&]<std::size_t J>(const auto& core) {
+      f = as<typename State::scalar>(passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).friction(end));
+    });
+    return f;
+  }
+  template <class State>
   [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
     detail::blame_mass<wiring>(row, finite, given.at.q);
   }
 
  private:
+  /// f<e>(core of element e).
+  template <class F>
+  void with_core(int e, const F& f) const {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const int done[]{(e == static_cast<int>(I) ? (f.template operator()<I>(chain.template core<I>()), 0) : 0)..., 0};
+      (void)done;
+    }
+    (std::make_index_sequence<Chain::size>{});
+  }
   template <class Core>
   using inputs_of = std::make_index_sequence<input_count<Core>>;
   template <class Core, class State>
@@ -87,26 +119,17 @@ struct static_elements {
 template <class Chain, class Given>
 static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
 
-template <class Core>
-constexpr std::string_view name_of_joint() {
-  if constexpr (is_transmission<Core>) {
-    return Core::type;
-  } else {
-    return {};
-  }
-}
-/// Whether only passes know a chain: some element moves a frame and is no joint or link, or has loads of its own.
+/// Whether it may be that only passes know a chain.
 template <class Chain>
-inline constexpr bool needs_passes =
-    !moves_frames_stiffly<Chain> || !std::is_void_v<typename decltype(find_own_loads<Chain>())::type>;
+inline constexpr bool may_need_passes = !Chain::common || !std::is_void_v<first_element<Chain, has_own_loads>>;
 
-/// Throws `bad_argument` where a joint turns out to be more than records say.
+/// Throws `bad_argument` where an element turns out to be more than records say.
 template <class Chain, class State>
 void check_regular(const Chain&, const State& s) {
   if (s.tree().irregular < 0) [[likely]]
     return;
   const auto name = []<std::size_t... I>(std::size_t i, std::index_sequence<I...>) {
-    const std::string_view names[]{name_of_joint<core_of<Chain, I>>()...};
+    const std::string_view names[]{std::string_view(core_of<Chain, I>::type)...};
     return names[i];
   }
   (static_cast<std::size_t>(s.tree().irregular), std::make_index_sequence<Chain::size>{});
@@ -117,9 +140,10 @@ void check_regular(const Chain&, const State& s) {
 template <class Chain, class Given, class State, class Sign>
 auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
   s.take(g);
-  if constexpr (needs_passes<Chain>) {
-    c.doMotion(s), c.clearForce(s), c.doForce(s);
-  } else {
+  const bool by_passes = may_need_passes<Chain> && s.tree().irregular >= 0;
+  if constexpr (may_need_passes<Chain>)
+    if (by_passes) c.doMotion(s), c.clearForce(s), c.doForce(s);
+  if (!by_passes) {
     check_regular(c, s);
     forces_on_coordinates(static_elements{c, g}, s, acting::all);
   }
@@ -154,7 +178,7 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
   }
   (std::make_integer_sequence<int, Chain::dofs>{});
   s.take(g), check_regular(c, s);
-  accelerate_articulated(
+  accelerate_by_records(
       static_elements{c, g}, s, [&tau](int i) { return tau[i]; }, prescribed);
   check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
 }
@@ -174,7 +198,10 @@ void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const 
   static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);
   a = s.work.forces;
-  invert_articulated(s, s.work.inverse);
+  if (s.tree().plan.tree && s.tree().holders.empty())
+    invert_articulated(s, s.work.inverse);
+  else
+    invert_unheld(static_elements{c, g}, s, s.work.inverse);
   inverse = s.work.inverse;
 }
 template <class S, class Chain, class Given>

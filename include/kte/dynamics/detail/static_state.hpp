@@ -69,6 +69,7 @@ class static_state {
     take_coordinates(g, std::make_index_sequence<wiring::freedoms>{});
     take_fixed(g, std::make_integer_sequence<int, wiring::count(kind::gen)>{});
     take_inputs(g, std::make_integer_sequence<int, wiring::count(kind::input)>{});
+    take_vectors(g, std::make_integer_sequence<int, wiring::count(kind::vector)>{});
     take_internals(g, std::make_integer_sequence<int, wiring::count(kind::internal)>{});
     for_each_base<wiring>([&]<kind K, int Slot>() { take_base(get<K>(Slot), g.template base<K, Slot>()); });
   }
@@ -148,7 +149,20 @@ class static_state {
   }
   template <class Given, int... I>
   void take_inputs(const Given& g, std::integer_sequence<int, I...>) {
-    const int done[]{(get<kind::input>(I) = as<S>(g.template input<I>()), 0)..., 0};
+    [[maybe_unused]] const auto one = [&]<int Slot>() {
+      if constexpr (wiring::writer(kind::input, Slot) < 0) get<kind::input>(Slot) = as<S>(g.template input<Slot>());
+      return 0;
+    };
+    const int done[]{one.template operator()<I>()..., 0};
+    (void)done;
+  }
+  template <class Given, int... I>
+  void take_vectors(const Given& g, std::integer_sequence<int, I...>) {
+    [[maybe_unused]] const auto one = [&]<int Slot>() {
+      if constexpr (wiring::writer(kind::vector, Slot) < 0) get<kind::vector>(Slot) = as<S>(g.template vector<Slot>());
+      return 0;
+    };
+    const int done[]{one.template operator()<I>()..., 0};
     (void)done;
   }
   template <class Given, int... I>

@@ -12,15 +12,6 @@ namespace kte::detail {
 template <class Chain>
 inline constexpr bool is_tree_of_joints = static_plan<Chain>.tree;
 
-/// Whether all elements that move frames are links and joints.
-template <class Chain>
-inline constexpr bool moves_frames_stiffly = [] {
-  const static_connections<Chain> c;
-  for (const auto& e : c.all)
-    if (!e.stiff && e.ports.back().how == access::out && is_frame(e.ports.back().what)) return false;
-  return true;
-}();
-
 /// Whether element I is a joint whose coordinate is a degree of freedom.
 template <class Chain, std::size_t I, class Core = typename Chain::template core_type<I>>
 inline constexpr bool gives_way = [] {
@@ -32,13 +23,13 @@ inline constexpr bool gives_way = [] {
   }
 }();
 
-/// The first joint or link with a `doForce` of its own; void where there is none.
-template <class Chain>
-constexpr auto find_own_loads() {
+/// The first element for which `Is<core>` holds; void where there is none.
+template <class Chain, template <class> class Is>
+constexpr auto find_element() {
   constexpr std::size_t first = []<std::size_t... I>(std::index_sequence<I...>) {
-    const bool plain[]{loads_by_relative<core_of<Chain, I>>..., false};
+    const bool is[]{Is<core_of<Chain, I>>::value..., true};
     std::size_t i = 0;
-    while (plain[i]) ++i;
+    while (!is[i]) ++i;
     return i;
   }
   (std::make_index_sequence<Chain::size>{});
@@ -47,8 +38,21 @@ constexpr auto find_own_loads() {
   else
     return std::type_identity<void>{};
 }
-/// Of algorithms that would leave that out.
-template <class Chain, class Core = typename decltype(find_own_loads<Chain>())::type>
+template <class Chain, template <class> class Is>
+using first_element = typename decltype(find_element<Chain, Is>())::type;
+template <class Core>
+struct has_own_loads : std::bool_constant<!loads_by_relative<Core>> {};
+template <class Core>
+struct has_spread_mass : std::bool_constant<spreads_mass<Core>> {};
+template <class Core>
+struct has_reaction : std::bool_constant<reads_reaction<Core>> {};
+
+/// Of algorithms that would leave such things out.
+template <class Chain, class Core = first_element<Chain, has_own_loads>>
 using check_loads_of = check_loads<Core, std::is_void_v<Core>>;
+template <class Chain, class Core = first_element<Chain, has_spread_mass>>
+using check_bodies_of = check_bodies<Core, std::is_void_v<Core>>;
+template <class Chain, class Core = first_element<Chain, has_reaction>>
+using check_reactions_of = check_reactions<Core, std::is_void_v<Core>>;
 
 }  // namespace kte::detail

@@ -26,12 +26,12 @@ void put_rate_derivatives(const Freedoms& freedoms, const Rate& v, const Acceler
 
 /// A_z and Z of a static chain, four directions at a time.
 template <class S, class Chain, class Inverse, class J>
-void derive_internals(const Chain& c, const S* q, const S* v, const S* z, const S* u, const Inverse& inverse_of_mass,
-                      J& jacobian) {
+void derive_internals(const Chain& c, const S& t, const S* q, const S* v, const S* z, const S* u,
+                      const Inverse& inverse_of_mass, J& jacobian) {
   constexpr int lanes = 4, n = Chain::dofs;
   using number = dual<S, lanes>;
   using wiring = typename Chain::wiring;
-  constexpr int nz = wiring::count(kind::internal), nu = wiring::count(kind::input);
+  constexpr int nz = wiring::count(kind::internal), nu = wiring::nu;
   const auto constants = [](const S* from, auto& to) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = number(from[i]);
   };
@@ -52,7 +52,8 @@ void derive_internals(const Chain& c, const S* q, const S* v, const S* z, const 
       if (2 * n <= j && j < 2 * n + nz) zs[static_cast<std::size_t>(j - 2 * n)].derivative[lane] = S(1);
     }
     const configuration<number, wiring, decltype(qs)> at(qs);
-    const auto bases = with_signals(base_under_gravity(c), std::as_const(us).data(), std::as_const(zs).data());
+    const auto bases =
+        with_signals<wiring>(base_under_gravity(c), number(t), std::as_const(us).data(), std::as_const(zs).data());
     internal_rates(c, at, std::as_const(vs).data(), bases, z_dot.data());
     const int last = std::min(first + lanes, 2 * n + nz);
     for (int j = first; j < last; ++j)

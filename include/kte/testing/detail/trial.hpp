@@ -48,7 +48,9 @@ void move(internal_state<S>& x, const S& t) {
   x.z = x.z + t * x.z_dot;
 }
 template <class S>
-void move(S&, const S&) {}  // an input
+void move(S&, const S&) {}  // a signal
+template <class S>
+void move(vec3<S>&, const S&) {}
 
 /// A thing of kind K, of numbers in [-1, 1); rotations by up to some 3 rad.
 template <kind K, class S, class Draw>
@@ -81,6 +83,8 @@ kte::detail::thing_of<K, S> random_thing(Draw& draw) {
             .ang_acceleration = vector()};
   } else if constexpr (K == kind::internal) {
     return {number(), S(0)};
+  } else if constexpr (K == kind::vector) {
+    return vector();
   } else {
     return number();
   }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <kte/elements/joint_series.hpp>
+#include <kte/elements/prismatic_joint.hpp>
+#include <kte/elements/revolute_joint.hpp>
+
+namespace kte {
+
+/// A sleeve on a shaft: the end turns about a unit axis n, the same in base and end axes, by the coordinate `turn`,
+/// rad, and slides along it by `slide`, m. It is a revolute and a prismatic joint, with the frame `inner_of(end)`
+/// between.
+///
+///   R = Rot(n, turn),  p = slide n
+template <class Q1, class Q2, class B, class E, class X, class Y, class Z>
+constexpr auto cylindrical_joint_3D(const Q1& turn, const Q2& slide, const B& base, const E& end,
+                                    const vec3<X, Y, Z>& axis) {
+  const auto inner = inner_of(end);
+  return detail::in_series(revolute_joint_3D(turn, base, inner, axis), prismatic_joint_3D(slide, inner, end, axis));
+}
+
+KTE_CALL(cylindrical_joint_3D, "(turn, slide, base, end, axis); an axis is a vector, such as kte::axis::x")
+
+}  // namespace kte

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <kte/elements/spring.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A revolute joint on a bearing of radius r with dry friction mu, which grows with the force F across the axis n that
+/// the bearing carries:
+///
+///   f -= mu r |F - (n . F) n| q' / sqrt(q'^2 + v^2)          (1)
+///
+/// v: the rate below which the friction is smoothed, rad/s.
+template <class Axis>
+struct dry_revolute_joint : transmission<dry_revolute_joint<Axis>> {
+  static constexpr type_name type{"dry_revolute_joint", kind::frame_3D};
+  static constexpr std::array<port, 3> ports{{{kind::gen, access::angle, "coordinate"},
+                                              {kind::frame_3D, access::in, "base"},
+                                              {kind::frame_3D, access::out, "end"}}};
+  static constexpr bool reads_reaction = true;
+
+  Axis axis;
+  double friction_radius;  ///< mu r, m
+  double smoothing;        ///< v, rad/s
+
+  constexpr dry_revolute_joint(const Axis& n, double radius, double v)
+      : axis(n), friction_radius(radius), smoothing(v) {}
+
+  template <class C>
+  KTE_INLINE constexpr auto relative(const C& c) const {
+    return motion{zero3{}, rotation_about(axis, c.cos, c.sin), zero3{}, axis * c.q_dot, zero3{}, axis * c.q_ddot};
+  }
+  template <class C, class F, class T>
+  KTE_INLINE constexpr auto friction(const C& c, const wrench<F, T>& end) const {
+    using std::sqrt;
+    const auto rate = detail::as_number(c.q_dot);
+    using S = std::remove_const_t<decltype(rate)>;
+    const auto across = end.force - dot(axis, end.force) * axis;
+    const S sign = rate / S(sqrt(S(rate * rate + S(smoothing * smoothing))));
+    return S(-(S(friction_radius) * as<S>(detail::to_polar(across).length) * sign));  // (1)
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.unit(axis, "axis must have length 1");
+    where.not_negative(friction_radius, "friction_radius must be finite and not negative");
+    where.finite(smoothing, "smoothing must be finite and positive");
+    where.require(smoothing > 0, "smoothing must be finite and positive", smoothing);
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("axis", self.axis), visit("friction_radius", self.friction_radius), visit("smoothing", self.smoothing);
+  }
+};
+
+}  // namespace core
+
+/// A revolute joint with dry friction by the load on its bearing: friction_radius is the coefficient of friction times
+/// the radius of the bearing, m; smoothing the rate over which friction comes up, rad/s.
+template <class Q, class B, class E, class X, class Y, class Z>
+constexpr auto dry_revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
+                                     double friction_radius, double smoothing = 1e-3) {
+  return connect(core::dry_revolute_joint<vec3<X, Y, Z>>(axis, friction_radius, smoothing), coordinate, base, end);
+}
+
+KTE_CALL(dry_revolute_joint_3D, "(coordinate, base, end, axis, friction_radius[, smoothing])")
+
+namespace detail {
+/// How model files make them.
+struct dry_revolute_joint_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("dry_revolute_joint_3D", [](const auto& x) {
+      return x.with_axis("axis", [&](const auto& n) {
+        return x.adapt(dry_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n,
+                                             x.number("friction_radius"), x.number("smoothing")));
+      });
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

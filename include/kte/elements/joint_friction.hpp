@@ -1,0 +1,92 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+#include <kte/kernels/stribeck.hpp>
+
+namespace kte {
+
+/// The parameters of smooth friction, of a force (N) along a length, or of a torque (Nm) about an angle.
+struct friction_parameters {
+  double viscous = 0;            ///< b, Ns/m or Nms/rad; not negative
+  double coulomb = 0;            ///< Fc, force of fast sliding, N or Nm; not negative
+  double stiction = 0;           ///< Fs, largest force at slow sliding, N or Nm; not below Fc, but 0: as coulomb
+  double stribeck_velocity = 1;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
+  double smoothing_velocity;     ///< v0, rate over which the force changes its sign, m/s or rad/s; positive
+};
+
+namespace core {
+
+/// Viscous and dry friction of a joint, smooth in its rate v:
+///
+///   g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2)          (1)
+///   f -= g(v) tanh(v/v0) + b v                    (2)
+///
+/// It does no work but takes it. It never sticks: under a load F < Fs the joint creeps at about v0 F/Fs, which is the
+/// price of having no state (`joint_lugre_gen`, `joint_elasto_plastic_gen` stick). v0 above vs/2 or so rounds off the
+/// peak at Fs. The slope at rest is Fs/v0 + b, so that the fastest rate of the system is that over the mass.
+struct joint_friction_gen {
+  static constexpr type_name type{"joint_friction", kind::gen};
+  static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
+
+  friction_parameters p;
+
+  template <class C>
+  KTE_INLINE constexpr auto doForce(const C& c) const {
+    return make_loads(force(c.q_dot));
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(p.viscous, "viscous must be finite and not negative");
+    where.not_negative(p.coulomb, "coulomb must be finite and not negative");
+    where.not_negative(p.stiction, "stiction must be finite and not negative");
+    where.require(p.stiction == 0 || p.stiction >= p.coulomb, "stiction must be 0 or not below coulomb", p.stiction);
+    where.positive(p.stribeck_velocity, "stribeck_velocity must be finite and positive");
+    where.positive(p.smoothing_velocity, "smoothing_velocity must be finite and positive");
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("viscous", self.p.viscous), visit("coulomb", self.p.coulomb), visit("stiction", self.p.stiction);
+    visit("stribeck_velocity", self.p.stribeck_velocity), visit("smoothing_velocity", self.p.smoothing_velocity);
+  }
+
+ private:
+  template <class V>
+  KTE_INLINE constexpr auto force(const V& v) const {
+    using std::tanh;
+    if constexpr (std::is_same_v<V, zero_t>) {
+      return zero;
+    } else {
+      using number = std::remove_cvref_t<decltype(v / p.smoothing_velocity)>;
+      const double stiction = p.stiction > 0 ? p.stiction : p.coulomb;
+      const auto g = detail::stribeck_force(v, p.coulomb, stiction, p.stribeck_velocity);    // (1)
+      return number(-(g * number(tanh(number(v / p.smoothing_velocity))) + p.viscous * v));  // (2)
+    }
+  }
+};
+
+}  // namespace core
+
+/// Smooth friction on a coordinate:
+///
+///   joint_friction_gen(q, {.viscous = 0.1, .coulomb = 1.0, .stiction = 1.5, .stribeck_velocity = 0.01,
+///                          .smoothing_velocity = 0.001})
+template <class Q>
+constexpr auto joint_friction_gen(const Q& coordinate, const friction_parameters& p) {
+  return connect(core::joint_friction_gen{p}, coordinate);
+}
+
+KTE_CALL(joint_friction_gen, "(coordinate, parameters)")
+
+namespace detail {
+/// How model files make them.
+struct joint_friction_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("joint_friction_gen", [](const auto& x) {
+      return joint_friction_gen(x.name("coordinate"), {x.number("viscous"), x.number("coulomb"), x.number("stiction"),
+                                                       x.number("stribeck_velocity"), x.number("smoothing_velocity")});
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <kte/static_chain/static_chain.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+/// Joints of several coordinates that are made of joints of one, with a frame between them.
+namespace kte {
+
+/// The frame between the two joints of such a joint, by the name of its end: "wrist.inner" of "wrist".
+template <key_type End>
+struct inner_key {
+  static constexpr kind what = End::what;
+  static constexpr auto text = [] {
+    constexpr std::string_view suffix = ".inner";
+    std::array<char, End::name.size() + suffix.size()> all{};
+    std::copy(suffix.begin(), suffix.end(), std::copy(End::name.begin(), End::name.end(), all.begin()));
+    return all;
+  }();
+  static constexpr std::string_view name{text.data(), text.size()};
+};
+template <key_type End>
+constexpr inner_key<End> inner_of(const End&) {
+  return {};
+}
+template <text_type End>
+std::string inner_of(const End& end) {
+  return std::string(std::string_view(end)) + ".inner";
+}
+
+namespace detail {
+
+template <class Name>
+constexpr std::string_view text_of(const Name& name) {
+  if constexpr (key_type<Name>) {
+    return Name::name;
+  } else if constexpr (text_type<Name>) {
+    return name;
+  } else {
+    return {};  // refused by `connect`
+  }
+}
+/// Two elements, one behind the other: of keys a static chain; of texts what runtime chains append, both or none.
+template <class A, class B>
+constexpr auto in_series(const A& first, const B& second) {
+  if constexpr (is_element<A> && is_element<B>) {
+    return chain(first, second);
+  } else if constexpr (std::is_same_v<A, refused> || std::is_same_v<B, refused>) {
+    return refused{};
+  } else {
+    return named_elements<typename A::core_type, typename B::core_type>{{first, second}};
+  }
+}
+/// What is checked of both together.
+template <class Check, class... Names>
+constexpr void check_series(std::string_view type, const Check& check, const Names&... names) {
+  constexpr std::array<port, 4> ports{{{kind::gen, access::in, "coordinate1"},
+                                       {kind::gen, access::in, "coordinate2"},
+                                       {kind::frame_3D, access::in, "base"},
+                                       {kind::frame_3D, access::out, "end"}}};
+  const std::array<std::string_view, 4> texts{text_of(names)...};
+  parameter_check::breach broken;
+  const parameter_check where{type, ports, texts, broken};
+  check(where);
+  require<bad_parameter>(!broken.rule, where, broken.rule, broken.value);
+}
+
+}  // namespace detail
+}  // namespace kte

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <kte/contract/holder.hpp>
+
+namespace kte {
+
+/// The parameters of friction that holds, of a force (N) along a length, or of a torque (Nm) about an angle.
+struct stiction_parameters {
+  double coulomb;                ///< Fc, force of fast sliding; not negative
+  double stiction;               ///< Fs, force at which sliding begins; not below Fc
+  double stribeck_velocity = 1;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
+  double viscous = 0;            ///< b, Ns/m or Nms/rad; not negative
+};
+
+namespace core {
+
+/// Dry friction of a joint that truly rests. The element keeps which way the joint slides, d, or that it is held
+/// (contract/holder.hpp):
+///
+///   sliding   f -= (Fc + (Fs - Fc) exp(-(v/vs)^2)) d + b v          (1)
+///   held      v' = 0, for as long as that takes no more than Fs     (2)
+///
+/// (Stribeck 1902; Armstrong-Helouvry, Dupont and Canudas de Wit, Automatica 30 (1994), section 3.)
+struct joint_stiction_gen : holder {
+  static constexpr type_name type{"joint_stiction", kind::gen};
+  static constexpr std::array<port, 2> ports{
+      {{kind::gen, access::on, "coordinate"}, {kind::internal, access::keep, "mode"}}};
+
+  stiction_parameters p;
+
+  constexpr explicit joint_stiction_gen(const stiction_parameters& x) : p(x) {}
+
+  template <class C, class Z>
+  KTE_INLINE constexpr auto doForce(const C& c, const Z& mode) const {
+    using std::exp;
+    using S = number<decltype(c.q_dot), Z>;
+    const S v = as<S>(c.q_dot), u = v / S(p.stribeck_velocity), z = as<S>(mode);
+    const S dry = S(p.coulomb) + S(p.stiction - p.coulomb) * S(exp(S(-(u * u))));
+    return make_loads(unless_held(z, S(-(dry * direction(z, v) + S(p.viscous) * v))));  // (1)
+  }
+  template <class C, class Z>
+  KTE_INLINE constexpr auto capacity(const C&, const Z&) const {
+    return p.stiction;
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(p.coulomb, "coulomb must be finite and not negative");
+    where.finite(p.stiction, "stiction must be finite and not below coulomb");
+    where.require(p.stiction >= p.coulomb, "stiction must be finite and not below coulomb", p.stiction);
+    where.finite(p.stribeck_velocity, "stribeck_velocity must be finite and positive");
+    where.require(p.stribeck_velocity > 0, "stribeck_velocity must be finite and positive", p.stribeck_velocity);
+    where.not_negative(p.viscous, "viscous must be finite and not negative");
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("coulomb", self.p.coulomb), visit("stiction", self.p.stiction);
+    visit("stribeck_velocity", self.p.stribeck_velocity), visit("viscous", self.p.viscous);
+  }
+};
+
+/// A brake or clutch on a coordinate that is pressed by a signal: it holds, or slides with, a force of up to u.
+struct brake_gen : holder {
+  static constexpr type_name type{"brake", kind::gen};
+  static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
+                                              {kind::internal, access::keep, "mode"},
+                                              {kind::input, access::in, "force"}}};
+
+  template <class C, class Z, class U>
+  KTE_INLINE constexpr auto doForce(const C& c, const Z& mode, const U& force) const {
+    using S = number<decltype(c.q_dot), Z, U>;
+    const S z = as<S>(mode);
+    return make_loads(unless_held(z, S(-(as<S>(force) * direction(z, as<S>(c.q_dot))))));
+  }
+  template <class C, class Z, class U>
+  KTE_INLINE constexpr auto capacity(const C&, const Z&, const U& force) const {
+    return force;
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
+}  // namespace core
+
+/// Dry friction on a coordinate that holds it at rest. `mode` is an internal state: events switch it
+/// (docs/events.md).
+template <class Q, class Z>
+constexpr auto joint_stiction_gen(const Q& coordinate, const Z& mode, const stiction_parameters& parameters) {
+  return connect(core::joint_stiction_gen(parameters), coordinate, mode);
+}
+/// A brake on a coordinate that holds up to the signal `force`, N or Nm, which is not negative.
+template <class Q, class Z, class U>
+constexpr auto brake_gen(const Q& coordinate, const Z& mode, const U& force) {
+  return connect(core::brake_gen{}, coordinate, mode, force);
+}
+
+KTE_CALL(joint_stiction_gen, "(coordinate, mode, {coulomb, stiction[, stribeck_velocity, viscous]})")
+KTE_CALL(brake_gen, "(coordinate, mode, force)")
+
+namespace detail {
+/// How model files make them.
+struct joint_stiction_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("joint_stiction_gen", [](const auto& x) {
+      return joint_stiction_gen(
+          x.name("coordinate"), x.name("mode"),
+          {x.number("coulomb"), x.number("stiction"), x.number("stribeck_velocity"), x.number("viscous")});
+    });
+    add("brake_gen", [](const auto& x) { return brake_gen(x.name("coordinate"), x.name("mode"), x.name("force")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

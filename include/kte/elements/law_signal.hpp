@@ -1,0 +1,45 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A signal that is a function of others, given by the user: y = f(u_1, u_2, ...).
+template <class Law, std::size_t N>
+struct law_signal {
+  static constexpr std::string_view type = "law_signal";
+  static constexpr std::array<port, N + 1> ports = [] {
+    constexpr std::string_view roles[]{"input1", "input2", "input3", "input4", "input5", "input6"};
+    static_assert(N >= 1 && N <= std::size(roles), "kte: a law takes one to six signals");
+    std::array<port, N + 1> p{};
+    for (std::size_t i = 0; i < N; ++i) p[i] = {kind::input, access::in, roles[i]};
+    p[N] = {kind::input, access::out, "output"};
+    return p;
+  }();
+
+  Law law;
+
+  template <class... U>
+  KTE_INLINE constexpr auto doMotion(const U&... u) const {
+    return law(u...);
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
+}  // namespace core
+
+/// A signal `output` that is a function of one to six others:
+///
+///   kte::law_signal([](const auto& t) { using std::sin; return 2.0 * sin(t); }, kte::chain_time, drive)
+///
+/// The function takes numbers of any kind, which may carry derivatives. No file can hold it.
+template <class Law, class... U>
+constexpr auto law_signal(const Law& law, const U&... inputs_and_output) {
+  return connect(core::law_signal<Law, sizeof...(U) - 1>{law}, inputs_and_output...);
+}
+
+}  // namespace kte

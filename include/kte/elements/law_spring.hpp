@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kte/elements/spring.hpp>
+
+namespace kte {
+
+namespace detail {
+/// A force by a function of the length and its energy by another.
+template <class Force, class Energy>
+struct force_and_energy : Force {
+  Energy energy_of;
+
+  constexpr force_and_energy(const Force& force, const Energy& energy) : Force(force), energy_of(energy) {}
+  template <class T>
+  KTE_INLINE constexpr auto integral(const T& length) const {
+    return energy_of(length);
+  }
+};
+}  // namespace detail
+
+namespace core {
+
+/// A spring between two coordinates whose force is any function f of its length x,
+///
+///   x = q_2 - q_1,  s = f(x),   f_1 += s,  f_2 -= s              (1)
+///
+/// or between the origins of two frames, on the line through them:
+///
+///   d = p_2 - p_1,  x = |d|,  e = d/x,   F_1 += f(x) e,  F_2 -= f(x) e          (2)
+///
+/// Positive f pulls. Where the origins coincide the line is undefined; there is no force then. V is the integral of f,
+/// if the law has one.
+template <kind Dim, class Law>
+struct law_spring {
+  static constexpr type_name type{"law_spring", Dim};
+  static constexpr std::array<port, 2> ports{{{Dim, access::on, "anchor1"}, {Dim, access::on, "anchor2"}}};
+  static constexpr bool reads_positions = is_frame(Dim);
+  static constexpr bool holds_code = true;
+
+  Law law;
+
+  template <class A, class B>
+  KTE_INLINE constexpr auto doForce(const A& a, const B& b) const {
+    if constexpr (Dim == kind::gen) {
+      const auto s = law(detail::as_number(b.q - a.q));
+      return make_loads(s, -s);  // (1)
+    } else {
+      const auto [x, e] = detail::to_polar(b.position - a.position);
+      return detail::opposite_forces(a, b, law(x) * e);  // (2)
+    }
+  }
+  /// J
+  template <class A, class B>
+  requires requires(const Law& l) { l.integral(1.0); }
+  KTE_INLINE constexpr auto potential_energy(const A& a, const B& b) const {
+    if constexpr (Dim == kind::gen) {
+      return law.integral(detail::as_number(b.q - a.q));
+    } else {
+      return law.integral(detail::to_polar(b.position - a.position).length);
+    }
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
+}  // namespace core
+
+/// A spring between two coordinates by a function of yours, of the length (m, rad): force (N, Nm), and optionally
+/// energy (J), its integral. Write it for numbers of any type, such as duals, by which derivatives are found:
+///
+///   law_spring_gen(q1, q2, [](const auto& x) { return 5.0 * x + 2.0 * x * x * x; })
+///
+/// It holds code: a model with it cannot be saved.
+template <class Q1, class Q2, class Force>
+constexpr auto law_spring_gen(const Q1& anchor1, const Q2& anchor2, const Force& force) {
+  return connect(core::law_spring<kind::gen, Force>{force}, anchor1, anchor2);
+}
+template <class Q1, class Q2, class Force, class Energy>
+constexpr auto law_spring_gen(const Q1& anchor1, const Q2& anchor2, const Force& force, const Energy& energy) {
+  using law = detail::force_and_energy<Force, Energy>;
+  return connect(core::law_spring<kind::gen, law>{law(force, energy)}, anchor1, anchor2);
+}
+/// The same between the origins of two frames in the plane.
+template <class F1, class F2, class Force>
+constexpr auto law_spring_2D(const F1& anchor1, const F2& anchor2, const Force& force) {
+  return connect(core::law_spring<kind::frame_2D, Force>{force}, anchor1, anchor2);
+}
+template <class F1, class F2, class Force, class Energy>
+constexpr auto law_spring_2D(const F1& anchor1, const F2& anchor2, const Force& force, const Energy& energy) {
+  using law = detail::force_and_energy<Force, Energy>;
+  return connect(core::law_spring<kind::frame_2D, law>{law(force, energy)}, anchor1, anchor2);
+}
+/// The same in space.
+template <class F1, class F2, class Force>
+constexpr auto law_spring_3D(const F1& anchor1, const F2& anchor2, const Force& force) {
+  return connect(core::law_spring<kind::frame_3D, Force>{force}, anchor1, anchor2);
+}
+template <class F1, class F2, class Force, class Energy>
+constexpr auto law_spring_3D(const F1& anchor1, const F2& anchor2, const Force& force, const Energy& energy) {
+  using law = detail::force_and_energy<Force, Energy>;
+  return connect(core::law_spring<kind::frame_3D, law>{law(force, energy)}, anchor1, anchor2);
+}
+
+KTE_CALL(law_spring_gen, "(anchor1, anchor2, force[, energy]); both are functions of the length")
+KTE_CALL(law_spring_2D, "(anchor1, anchor2, force[, energy]); both are functions of the length")
+KTE_CALL(law_spring_3D, "(anchor1, anchor2, force[, energy]); both are functions of the length")
+
+}  // namespace kte

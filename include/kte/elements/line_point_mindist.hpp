@@ -1,0 +1,87 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// The point of a line nearest to the origin of a frame. The line goes along the unit vector t through the point o,
+/// both in the axes in which the frame is given:
+///
+///   p' = o + t (t . (p - o)),   v' = t (t . v),   a' = t (t . a)          (1)
+///
+/// The frame of the point does not turn. A force on it comes back as the power dual, F += t (t . F'); a torque does no
+/// work.
+template <kind Dim, class Tangent, class Point>
+struct line_point_mindist {
+  static constexpr type_name type{"line_point_mindist", Dim};
+  static constexpr std::array<port, 2> ports{{{Dim, access::in, "base"}, {Dim, access::out, "end"}}};
+  static constexpr bool reads_positions = true;
+
+  Tangent tangent;
+  Point origin;
+
+  template <class Frame>
+  KTE_INLINE constexpr auto doMotion(const Frame& x) const {
+    const auto along = [&](const auto& v) KTE_INLINE_LAMBDA { return dot(tangent, x.rotation * v) * tangent; };
+    return motion{origin + dot(tangent, x.position - origin) * tangent,
+                  no_rotation{},
+                  along(x.velocity),
+                  zero3{},
+                  along(x.acceleration),
+                  zero3{}};  // (1)
+  }
+  template <class Frame, class F, class T>
+  KTE_INLINE constexpr auto doForce(const Frame& x, const wrench<F, T>& end) const {
+    return make_loads(wrench{transpose(x.rotation) * (dot(tangent, end.force) * tangent), zero3{}});
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.unit(tangent, "tangent must have length 1");
+    where.finite(origin, "origin must be finite");
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("tangent", self.tangent), visit("origin", self.origin);
+  }
+};
+
+}  // namespace core
+
+/// A frame at the point of a line that is nearest to the origin of another, for springs, dampers and measures: the line
+/// along the unit vector `tangent` through the point `origin`, in the plane.
+template <class B, class E, class Tangent, class Point>
+constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent& tangent, const Point& origin) {
+  const auto t = detail::planar(tangent), o = detail::planar(origin);
+  return connect(
+      core::line_point_mindist<kind::frame_2D, std::remove_const_t<decltype(t)>, std::remove_const_t<decltype(o)>>{t,
+                                                                                                                   o},
+      base, end);
+}
+/// The same in space.
+template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
+constexpr auto line_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& tangent,
+                                     const vec3<OX, OY, OZ>& origin) {
+  return connect(core::line_point_mindist<kind::frame_3D, vec3<X, Y, Z>, vec3<OX, OY, OZ>>{tangent, origin}, base, end);
+}
+
+KTE_CALL(line_point_mindist_2D, "(base, end, tangent, origin)")
+KTE_CALL(line_point_mindist_3D, "(base, end, tangent, origin)")
+
+namespace detail {
+/// How model files make them.
+struct line_point_mindist_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("line_point_mindist_2D", [](const auto& x) {
+      return line_point_mindist_2D(x.name("base"), x.name("end"), x.planar_vector("tangent"),
+                                   x.planar_vector("origin"));
+    });
+    add("line_point_mindist_3D", [](const auto& x) {
+      return line_point_mindist_3D(x.name("base"), x.name("end"), x.vector("tangent"), x.vector("origin"));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

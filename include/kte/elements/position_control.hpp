@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A coordinate whose motion is given by signals: q = u, q' = u', q'' = u''.
+struct position_control_gen {
+  static constexpr type_name type{"position_control", kind::gen};
+  static constexpr std::array<port, 4> ports{{{kind::input, access::in, "position"},
+                                              {kind::input, access::in, "velocity"},
+                                              {kind::input, access::in, "acceleration"},
+                                              {kind::gen, access::out, "coordinate"}}};
+
+  template <class U, class V, class A>
+  KTE_INLINE constexpr auto doMotion(const U& u, const V& v, const A& a) const {
+    return coordinate{u, v, a, skip{}, skip{}};
+  }
+  template <class U, class V, class A, class F>
+  KTE_INLINE constexpr auto doForce(const U&, const V&, const A&, const F&) const {
+    return make_loads();
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+/// A frame that moves in another, without turning, as signals say:
+///
+///   p = u,   v = u',   a = u''          in axes of the base          (1)
+///
+/// A base of the chain, if it stands on one: a shaking table.
+template <kind Dim>
+struct position_control {
+  static constexpr type_name type{"position_control", Dim};
+  static constexpr std::array<port, 5> ports{{{kind::vector, access::in, "position"},
+                                              {kind::vector, access::in, "velocity"},
+                                              {kind::vector, access::in, "acceleration"},
+                                              {Dim, access::in, "base"},
+                                              {Dim, access::out, "end"}}};
+
+  template <class U, class V, class A, class Base>
+  KTE_INLINE constexpr auto doMotion(const U& u, const V& v, const A& a, const Base& base) const {
+    return compose(base, motion{planar(u), no_rotation{}, planar(v), zero3{}, planar(a), zero3{}});
+  }
+  template <class U, class V, class A, class Base, class F, class T>
+  KTE_INLINE constexpr auto doForce(const U& u, const V&, const A&, const Base&, const wrench<F, T>& end) const {
+    return make_loads(transmit(pose{no_rotation{}, planar(u)}, end));
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+
+ private:
+  template <class V>
+  KTE_INLINE static constexpr auto planar(const V& v) {
+    if constexpr (Dim == kind::frame_2D) {
+      return vec3{v.x, v.y, zero};
+    } else {
+      return v;
+    }
+  }
+};
+
+}  // namespace core
+
+/// A coordinate that moves as three signals say: position (m, rad) and its first and second derivative.
+template <class U, class V, class A, class Q>
+constexpr auto position_control_gen(const U& position, const V& velocity, const A& acceleration, const Q& coordinate) {
+  return connect(core::position_control_gen{}, position, velocity, acceleration, coordinate);
+}
+/// A frame `end` that moves in `base` as signals of three numbers say, without turning.
+template <class U, class V, class A, class B, class E>
+constexpr auto position_control_2D(const U& position, const V& velocity, const A& acceleration, const B& base,
+                                   const E& end) {
+  return connect(core::position_control<kind::frame_2D>{}, position, velocity, acceleration, base, end);
+}
+template <class U, class V, class A, class B, class E>
+constexpr auto position_control_3D(const U& position, const V& velocity, const A& acceleration, const B& base,
+                                   const E& end) {
+  return connect(core::position_control<kind::frame_3D>{}, position, velocity, acceleration, base, end);
+}
+
+KTE_CALL(position_control_gen, "(position, velocity, acceleration, coordinate)")
+KTE_CALL(position_control_2D, "(position, velocity, acceleration, base, end)")
+KTE_CALL(position_control_3D, "(position, velocity, acceleration, base, end)")
+
+namespace detail {
+/// How model files make them.
+struct position_control_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("position_control_gen", [](const auto& x) {
+      return position_control_gen(x.name("position"), x.name("velocity"), x.name("acceleration"), x.name("coordinate"));
+    });
+    add("position_control_2D", [](const auto& x) {
+      return position_control_2D(x.name("position"), x.name("velocity"), x.name("acceleration"), x.name("base"),
+                                 x.name("end"));
+    });
+    add("position_control_3D", [](const auto& x) {
+      return position_control_3D(x.name("position"), x.name("velocity"), x.name("acceleration"), x.name("base"),
+                                 x.name("end"));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

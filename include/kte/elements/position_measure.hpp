@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// Measures a coordinate: y = q, m or rad.
+struct position_measure_gen {
+  static constexpr type_name type{"position_measure", kind::gen};
+  static constexpr std::array<port, 2> ports{
+      {{kind::gen, access::on, "coordinate"}, {kind::input, access::out, "output"}}};
+
+  template <class C>
+  KTE_INLINE constexpr auto doMotion(const C& c) const {
+    return c.q;
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+/// Measures where the origin of a frame is: y = p, m, in the axes in which bases are given.
+template <kind Dim>
+struct position_measure {
+  static constexpr type_name type{"position_measure", Dim};
+  static constexpr std::array<port, 2> ports{{{Dim, access::on, "frame"}, {kind::vector, access::out, "output"}}};
+
+  template <class Frame>
+  KTE_INLINE constexpr auto doMotion(const Frame& x) const {
+    return x.position;
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
+}  // namespace core
+
+/// Measures a coordinate.
+template <class Q, class Y>
+constexpr auto position_measure_gen(const Q& coordinate, const Y& output) {
+  return connect(core::position_measure_gen{}, coordinate, output);
+}
+/// Measures where a frame is.
+template <class F, class Y>
+constexpr auto position_measure_2D(const F& frame, const Y& output) {
+  return connect(core::position_measure<kind::frame_2D>{}, frame, output);
+}
+template <class F, class Y>
+constexpr auto position_measure_3D(const F& frame, const Y& output) {
+  return connect(core::position_measure<kind::frame_3D>{}, frame, output);
+}
+
+KTE_CALL(position_measure_gen, "(coordinate, output)")
+KTE_CALL(position_measure_2D, "(frame, output)")
+KTE_CALL(position_measure_3D, "(frame, output)")
+
+namespace detail {
+/// How model files make them.
+struct position_measure_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("position_measure_gen",
+        [](const auto& x) { return position_measure_gen(x.name("coordinate"), x.name("output")); });
+    add("position_measure_2D", [](const auto& x) { return position_measure_2D(x.name("frame"), x.name("output")); });
+    add("position_measure_3D", [](const auto& x) { return position_measure_3D(x.name("frame"), x.name("output")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,274 @@
+#include <kte/dynamics.hpp>
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/models/manipulator_dynamics_model.hpp>
+
+#include <Eigen/LU>
+
+#include <numbers>
+
+#include "catch.hpp"
+#include "chain/registered.hpp"
+#include "elements/laws.hpp"
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+
+using std::numbers::pi;
+constexpr planar_beam_section flat{.EA = 7, .EI = 3, .GA = 20};
+constexpr beam_section solid{.EA = 7, .EI_y = 2, .EI_z = 3, .GJ = 1.5, .GA_y = 20, .GA_z = 30};
+
+/// The worst violation of a law of one trial, in 20 in which the line of the ends is not turned back onto the frames:
+/// there the energy goes to infinity, and its higher derivatives with it.
+template <class S, class Element, class Violation>
+S worst_of_open(const Element& beam, const Violation& violation) {
+  S worst(0);
+  for (unsigned seed = 1, tries = 0; tries < 20; ++seed) {
+    auto x = trial_of<S>(beam, seed);
+    const auto m = detail::midway_between<Element::core_type::ports[0].what>(spatial(x.template at<0>()),
+                                                                             spatial(x.template at<1>()));
+    if (m.d.x < S(0.1)) continue;
+    ++tries;
+    worst = testing::detail::worse(worst, S(violation(x)));
+  }
+  return worst;
+}
+template <class S>
+void check_laws() {
+  random_numbers draw(1);
+  const auto check = [&](const auto& beam) {
+    CHECK(testing::loads_are_opposite<S>(beam, draw) <= 8 * rounding<S>);
+    // The law of testing/element_laws.hpp, and that of laws.hpp.
+    const S off = worst_of_open<S>(beam, [&](auto& x) {
+      x.doForce();
+      S sum(0);
+      x.for_each([&sum](const port&, auto& thing) { sum = sum + testing::detail::power(thing).first; });
+      const auto change = testing::detail::derivatives<S>([&](const S& t) {
+        auto y = x;
+        y.move(t);
+        return std::array<S, 1>{y.apply(energy_of(beam))};
+      });
+      return testing::detail::difference<S, 1>({sum}, {S(-change.first[0])});
+    });
+    CHECK(off <= 1000 * by_differences<S>);  // fifth derivatives by 1/d_x
+    CHECK(worst_of_open<S>(beam, [&](auto& x) {
+            auto y = x;
+            const auto world = trial_of<S>(beam, 99).template at<0>();
+            y.for_each([&world](const port&, auto& frame) {
+              const auto moved = compose(spatial(world), spatial(frame));
+              set_motion(frame, moved);
+            });
+            x.doForce(), y.doForce();
+            return worse(load_difference(x.template at<0>(), y.template at<0>()),
+                         load_difference(x.template at<1>(), y.template at<1>()));
+          }) <= 8 * rounding<S>);
+  };
+  check(flexible_beam_2D("a", "b", 1.5, flat));
+  check(flexible_beam_3D("a", "b", 1.5, solid));
+  const auto flat_beam = flexible_beam_2D("a", "b", 1.5, flat);
+  CHECK(worst_of_open<S>(flat_beam, [](auto& x) {
+          auto y = trial_of<S>(flexible_beam_3D("a", "b", 1.5, solid), 1);
+          set_motion(y.template at<0>(), spatial(x.template at<0>()));
+          set_motion(y.template at<1>(), spatial(x.template at<1>()));
+          x.doForce(), y.doForce();
+          return worse(load_difference(x.template at<0>(), y.template at<0>()),
+                       load_difference(x.template at<1>(), y.template at<1>()));
+        }) <= 4 * rounding<S>);
+}
+
+/// A cantilever of n beams along x from the origin, with nodes "1" to "n" that move freely.
+template <class Section>
+kte_map_chain cantilever(int n, double length, const Section& section) {
+  kte_map_chain c;
+  for (int i = 0; i < n; ++i) {
+    const auto before = i == 0 ? "wall" : std::to_string(i), node = std::to_string(i + 1);
+    if constexpr (std::is_same_v<Section, planar_beam_section>) {
+      c << free_joint_2D("at " + node, "wall", node) << flexible_beam_2D(before, node, length / n, section);
+    } else {
+      c << free_joint_3D("at " + node, "wall", node) << flexible_beam_3D(before, node, length / n, section);
+    }
+  }
+  return c;
+}
+/// Where its nodes stand at rest.
+Eigen::VectorXd straight(const kte_map_chain& c, int n, double length) {
+  Eigen::VectorXd q = neutral_configuration(c);
+  for (int i = 0; i < n; ++i) q[c.nq() / n * i] = length * (i + 1) / n;
+  return q;
+}
+/// Where all forces vanish under a load that is put on part by part, by Newton's method from q.
+template <class Load>
+Eigen::VectorXd balanced(const kte_map_chain& beams, Eigen::VectorXd q, int parts, const Load& load) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(beams.dofs());
+  for (int part = 1; part <= parts; ++part) {
+    kte_map_chain c = beams;
+    c << load(static_cast<double>(part) / parts);
+    auto s = c.make_state();
+    double size = 1;
+    for (int i = 0; size > 1e-9; ++i) {
+      REQUIRE(i < 30);
+      const auto& d = inverse_dynamics_derivatives(c, s, q, none, none);
+      const Eigen::VectorXd step = d.by_q.lu().solve(d.tau);
+      q = integrate(c, q, -step, 1.0);
+      size = step.norm();
+    }
+  }
+  return q;
+}
+template <class V>
+bool near_tip(const V& tip, const vec3<>& exact, double tolerance) {
+  return near(vec3{tip[0], tip[1], tip[2]}, exact, tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("flexible beams obey the laws", "[elements][flexible_beam]") { check_laws<double>(), check_laws<digits50>(); }
+
+TEST_CASE("small motions of one beam are those of the linear beam", "[elements][flexible_beam]") {
+  const double L = 2, P = 1e-6, EI = 3, EI_y = 2, EA = 7, GA = 20, GJ = 1.5;  // what is left out is of P^2
+  const auto small = [](double x, double exact) { return std::abs(x - exact) <= 1e-5 * std::abs(exact); };
+  auto c = cantilever(1, L, planar_beam_section{.EA = EA, .EI = EI});
+  auto q = balanced(c, straight(c, 1, L), 1, [&](double) { return constant_force_2D("1", vec2{P, P}); });
+  CHECK(small(q[0] - L, P * L / EA));
+  CHECK(small(q[1], P * L * L * L / (3 * EI)));
+  CHECK(small(q[2], P * L * L / (2 * EI)));
+  c = cantilever(1, L, planar_beam_section{.EA = EA, .EI = EI, .GA = GA});
+  q = balanced(c, straight(c, 1, L), 1, [&](double) { return constant_force_2D("1", vec2{0.0, P}); });
+  CHECK(small(q[1], P * L * L * L / (3 * EI) + P * L / GA));
+  c = cantilever(1, L, beam_section{.EA = EA, .EI_y = EI_y, .EI_z = EI, .GJ = GJ, .GA_z = GA});
+  q = balanced(c, straight(c, 1, L), 1, [&](double) {
+    return constant_force_3D("1", vec3{0.0, P, P}, vec3{P, P, 0.0});
+  });
+  CHECK(small(q[1], P * L * L * L / (3 * EI)));
+  CHECK(small(q[2], P * L * L * L / (3 * EI_y) + P * L / GA - P * L * L / (2 * EI_y)));
+  CHECK(small(2 * q[4], P * L / GJ));  // of the quaternion
+}
+
+TEST_CASE("a cantilever is rolled up by an end moment", "[elements][flexible_beam]") {
+  // 2 pi EI/L bends it to a circle, whatever its stiffness along: each of four beams to a quarter.
+  const auto c = cantilever(4, 1, planar_beam_section{.EA = 1e4, .EI = 1});
+  const auto q = balanced(c, straight(c, 4, 1), 40, [](double share) {
+    return constant_force_2D("4", vec2{zero, zero}, share * 2 * pi);
+  });
+  CHECK(near_tip(q.tail(3), {0, 0, 2 * pi}, 1e-8));
+}
+
+TEST_CASE("a beam under a force at its end is the elastica", "[elements][flexible_beam]") {
+  // Bisshopp and Drucker: P = alpha EI/L^2, x/L, y/L by elliptic integrals; inextensible, so within alpha/EA = 1e-4.
+  struct point {
+    double alpha, x, y;
+  };
+  const auto c = cantilever(8, 1, planar_beam_section{.EA = 1e5, .EI = 1});
+  for (const auto& [alpha, x, y] : {point{1, 0.943566763716623117, 0.301720773799813530},
+                                    {2, 0.839358279174832764, 0.493457480396711820},
+                                    {4, 0.671058757753154043, 0.669964181277666751},
+                                    {5, 0.612371639275570128, 0.713791523611912728},
+                                    {10, 0.445004402246248730, 0.810609024880296453}}) {
+    const auto q = balanced(c, straight(c, 8, 1), 20,
+                            [p = alpha](double share) { return constant_force_2D("8", along_y(share * p)); });
+    CHECK(near_tip(q.tail(3), {x, y, q.tail(1)[0]}, 1e-4));
+  }
+}
+
+TEST_CASE("the Princeton beam, in both planes with torsion", "[elements][flexible_beam]") {
+  // A blade of 508 mm with a weight of 13.345 N at 30 degrees: reference by shooting of the exact equations.
+  const double h = 12.3777e-3, w = 3.2024e-3, E = 71.7e9, G = E / 2.62, L = 0.508, P = 13.345;
+  const double I_y = h * w * w * w / 12, I_z = w * h * h * h / 12;
+  const beam_section blade{.EA = E * h * w,
+                           .EI_y = E * I_y,
+                           .EI_z = E * I_z,
+                           .GJ = 0.198 * G * (I_y + I_z),
+                           .GA_y = G * h * w,
+                           .GA_z = G * h * w};
+  const auto c = cantilever(8, L, blade);
+  const auto q = balanced(c, straight(c, 8, L), 10, [&](double share) {
+    return constant_force_3D("8", share * P * vec3{0.0, -std::cos(pi / 6), std::sin(pi / 6)});
+  });
+  CHECK(near_tip(q.tail(7), {0.490741077741663, -0.016989798932701, 0.118179534218106}, 1e-4));
+}
+
+TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi", "[elements][flexible_beam]") {
+  // An arc of radius 100 as eight straight beams, 600 at its tip across its plane; reference by shooting.
+  constexpr int n = 8;
+  const double a = pi / 4 / n, chord = 2 * 100 * std::sin(a / 2), EI = 1e7 / 12, GA = 1e7 / 2.4;
+  kte_map_chain c;
+  for (int i = 0; i < n; ++i) {
+    const auto before = std::to_string(i), node = std::to_string(i + 1);
+    const vec3 here{0.0, 0.0, 0.0};
+    c << free_joint_3D("at " + node, "0", node)
+      << rigid_link_3D(before, "from " + node, here, matrix(rotation_by(a / 2)))
+      << rigid_link_3D(node, "to " + node, here, matrix(rotation_by(-a / 2)))
+      << flexible_beam_3D("from " + node, "to " + node, chord, {1e7, EI, EI, EI, GA, GA});
+  }
+  Eigen::VectorXd q = neutral_configuration(c);
+  for (int i = 0; i < n; ++i) {
+    const double b = a * (i + 1);
+    q.segment(7 * i, 4) << 100 * std::sin(b), 100 * (1 - std::cos(b)), 0, std::cos(b / 2);
+    q[7 * i + 6] = std::sin(b / 2);
+  }
+  q = balanced(c, q, 10, [](double share) { return constant_force_3D(std::to_string(n), along_z(share * 300)); });
+  CHECK(near_tip(q.tail(7), {58.7788973299748, 22.2446794266758, 40.1923923322953}, 0.05));
+}
+
+TEST_CASE("a body on a beam keeps its energy", "[elements][flexible_beam]") {
+  // clang-format off
+  static constexpr struct at_   final : pose_3D_key<"at">    {} at;
+  static constexpr struct wall_ final : frame_3D_key<"wall"> {} wall;
+  static constexpr struct tip_  final : frame_3D_key<"tip">  {} tip;
+  // clang-format on
+  const auto c = chain(free_joint_3D(at, wall, tip), flexible_beam_3D(wall, tip, 1.0, {100, 2, 3, 1.5, 0, 0}),
+                       inertia_3D(tip, rigid_body{1.0, along_x(0.1), diagonal(0.1, 0.2, 0.2)}))
+                     .gravity(along_z(-9.81));
+  const manipulator_dynamics_model model(c);
+  const std::array q{1.0, 0.2, 0.1, 1.0, 0.0, 0.0, 0.0};
+  const std::array v{0.0, 1.0, -1.0, 2.0, 0.0, 1.0};
+  dormand_prince45 solver(std::cref(model), 0.0, model.make_x(q, v), {.absolute = 1e-11, .relative = 1e-11});
+  const auto before = energy(c, q, v);
+  solver.integrate(2);
+  const auto& x = solver.state();
+  const auto after = energy(c, x.head(7), x.tail(6));
+  CHECK(after.potential - before.potential == within(before.kinetic - after.kinetic, 1e-7));
+  CHECK(std::abs(after.potential - before.potential) > 0.1);
+}
+
+TEST_CASE("a beam turned round", "[elements][flexible_beam]") {
+  const auto loads = [](const mat3<vec3<>>& turn, const vec3<>& place) {
+    auto x = trial_of(flexible_beam_3D("a", "b", 2.0, solid), 1);
+    x.at<0>() = {}, x.at<1>() = {.position = place, .rotation = turn};
+    x.doForce();
+    return std::array{x.at<0>(), x.at<1>()};
+  };
+  // About its own axis the torque grows to half a turn, and then jumps.
+  const auto twisted = [&](double angle) { return loads(matrix(angle * vec3{1.0, 0.0, 0.0}), {2, 0, 0})[0].torque.x; };
+  CHECK(twisted(3.0) == within(3 * 0.75, rounding<double>));
+  CHECK(twisted(3.5) == within((3.5 - 2 * pi) * 0.75, rounding<double>));
+  // Bent to half a circle, at both sides: the end moment is EI pi / L and little else.
+  for (const double angle : {pi - 1e-12, 1e-12 - pi}) {
+    const auto bent = loads(matrix(angle * vec3{0.0, 0.0, 1.0}), {0, std::copysign(2 * 2 / pi, angle), 0});
+    CHECK(bent[0].torque.z == within(std::copysign(3 * pi / 2, angle), 0.8));  // (2) errs by 5 % there, of EA
+    CHECK(bent[0].torque.z == within(-bent[1].torque.z, 1e-10));
+  }
+  // Ends exchanged change nothing: a beam seen from its other end.
+  const auto turn = matrix(vec3{0.3, -0.7, 1.1});
+  const vec3 place{1.5, 0.4, -0.3};
+  const auto one_way = loads(turn, place);
+  const auto flip = as<double>(half_turn_z);
+  const auto other_way = loads(flip * transpose(turn) * flip, flip * (transpose(turn) * (-place)));
+  CHECK(near(flip * other_way[1].force, one_way[0].force, 16 * rounding<double>));
+  CHECK(near(flip * other_way[0].torque, one_way[1].torque, 16 * rounding<double>));
+  CHECK(std::isnan(loads(turn, {not_a_number, 0, 0})[1].torque.y));
+}
+
+TEST_CASE("flexible beams are saved and loaded, and reject what makes no sense", "[elements][flexible_beam]") {
+  kte_map_chain c;
+  c << base_2D("a") << base_2D("b") << flexible_beam_2D("a", "b", 1.5, flat) << base_3D("c") << base_3D("d")
+    << flexible_beam_3D("c", "d", 1.5, solid);
+  CHECK(record_of(models::registered(record_of(c))) == record_of(c));
+  const std::string where = "kte: flexible_beam_2D (anchor1 'a', anchor2 'b'): ";
+  const auto what = [](double length, const planar_beam_section& section) {
+    return complaint([&] { flexible_beam_2D("a", "b", length, section); });
+  };
+  CHECK(what(0, flat) == where + "rest length must be finite and positive, got 0");
+  CHECK(what(1, {.EA = 1, .EI = -2}) == where + "stiffnesses of the section must be finite and not negative, got -2");
+}

@@ -1,0 +1,174 @@
+#include <kte/dynamics.hpp>
+#include <kte/io/model_file.hpp>
+#include <kte/io/recorder.hpp>
+#include <kte/models/runtime_models.hpp>
+#include <kte/runtime_chain/from_record.hpp>
+#include <kte/runtime_chain/topology.hpp>
+
+#include "catch.hpp"
+#include "chain/registered.hpp"
+
+// Names of coordinates and signals, and names of frames, live apart: robots have joints and links of one name.
+
+using namespace kte;
+using kte::test::says;
+
+namespace {
+
+// clang-format off
+inline constexpr struct elbow_  final : coord_key<"elbow">       {} elbow;
+inline constexpr struct arm_    final : frame_3D_key<"elbow">    {} arm;    // a frame of the joint's name
+inline constexpr struct body_   final : pose_3D_key<"body">      {} body;
+inline constexpr struct trunk_  final : frame_3D_key<"body">     {} trunk;  // and of a pose's
+inline constexpr struct tool_   final : frame_3D_key<"tool">     {} tool;
+inline constexpr struct motor_  final : input_key<"tool">        {} motor;  // and of an input's
+inline constexpr struct ground_ final : frame_3D_key<"ground">   {} ground;
+// clang-format on
+
+constexpr rigid_body brick{2.5, vec3{0.1, -0.2, 0.15}, sym3{0.3, 0.02, -0.03, 0.4, 0.05, 0.35}};
+
+/// The same mechanism under names of its own, and under shared ones.
+template <class Elbow, class Arm, class Body, class Trunk, class Tool, class Motor, class Ground>
+constexpr auto mechanism(const Elbow& q, const Arm& a, const Body& b, const Trunk& t, const Tool& x, const Motor& m,
+                         const Ground& g) {
+  return boost::hana::make_tuple(free_joint_3D(b, g, t), inertia_3D(t, brick), revolute_joint_3D(q, t, a, axis::y),
+                                 inertia_3D(a, brick), rigid_link_3D(a, x, along_z(0.5)), driving_actuator_gen(q, m));
+}
+constexpr auto shared = boost::hana::unpack(mechanism(elbow, arm, body, trunk, tool, motor, ground),
+                                            [](const auto&... e) { return chain(e...).gravity(along_z(-9.81)); });
+kte_map_chain runtime(const std::string& q, const std::string& a, const std::string& b, const std::string& t,
+                      const std::string& x, const std::string& m) {
+  kte_map_chain c;
+  c.gravity(along_z(-9.81));
+  boost::hana::for_each(mechanism(q, a, b, t, x, m, std::string("ground")), [&c](const auto& e) { c << e; });
+  return c;
+}
+const kte_map_chain of_texts = runtime("elbow", "elbow", "body", "body", "tool", "tool");
+const std::array q{0.1, -0.2, 0.3, 0.5, 0.5, -0.5, 0.5, 0.7};
+const std::array v{0.1, 0.2, -0.3, 0.4, 0.5, -0.6, 0.7}, a{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0};
+
+}  // namespace
+
+TEST_CASE("a joint and a link of one name are two things", "[runtime_chain][topology]") {
+  const auto apart = runtime("q", "arm", "X", "trunk", "tip", "u");
+  const auto& together = of_texts;
+  auto s = apart.make_state();
+  auto t = together.make_state();
+  s.input("u") = t.input("tool") = 2.5;
+  CHECK(inverse_dynamics(apart, s, q, v, a) == inverse_dynamics(together, t, q, v, a));
+  CHECK(forward_dynamics(apart, s, q, v, a) == forward_dynamics(together, t, q, v, a));
+  CHECK(mass_matrix(apart, s) == mass_matrix(together, t));
+  CHECK(jacobian(apart, s, "tip") == jacobian(together, t, "tool"));
+  together.doMotion(t), apart.doMotion(s);
+  CHECK(t.coordinate("elbow").q == 0.7);
+  CHECK(t.frame_3D("elbow").position == s.frame_3D("arm").position);
+  CHECK(t.pose_3D("body").position == t.frame_3D("body").position);
+  CHECK(together.dofs() == 7);
+  const std::vector<std::string_view> known{"elbow"};
+  CHECK(hybrid_dynamics(together, t, q, v, a, known).a[6] == 7.0);
+  const manipulator_kinematics_model poses(together, {"elbow", "body"});
+  CHECK(poses.getDependentPoses(q)[1].position == vec3{0.1, -0.2, 0.3});
+}
+
+TEST_CASE("shared names in static chains, runtime chains and files", "[runtime_chain][topology]") {
+  auto s = of_texts.make_state();
+  auto t = make_state(shared);
+  s.input("tool") = t[motor] = 2.5;
+  set_positions(t, q), set_velocities(t, v), set_accelerations(t, a);
+  shared.doMotion(t), shared.clearForce(t), shared.doForce(t);
+  set_positions(s, q), set_velocities(s, v), set_accelerations(s, a);
+  of_texts.doMotion(s), of_texts.clearForce(s), of_texts.doForce(s);
+  CHECK(s.coordinate("elbow").f == t[elbow].f);
+  CHECK(s.frame_3D("elbow").position == t[arm].position);
+  CHECK(s.frame_3D("body").force == t[trunk].force);
+  CHECK(s.pose_3D("body").force == t[body].force);
+  const auto r = record_of(shared);
+  CHECK(r == record_of(of_texts));
+  CHECK(from_json(to_json(r)) == r);
+  CHECK(from_xml(to_xml(r)) == r);
+  CHECK(record_of(models::registered(r)) == r);
+  CHECK(record_of(from_record(shared, r)) == r);
+  kte_map_chain c;
+  c << shared << revolute_joint_3D("wrist", "tool", "wrist");
+  CHECK(record_of(c).elements.size() == 7);
+  auto u = c.make_state();
+  CHECK(inverse_dynamics(c, u, std::array{0.1, -0.2, 0.3, 0.5, 0.5, -0.5, 0.5, 0.7, 0.0},
+                         std::array{0.1, 0.2, -0.3, 0.4, 0.5, -0.6, 0.7, 0.0},
+                         std::array{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0, 0.0})[7] == 0);
+}
+
+TEST_CASE("what is asked for by a shared name", "[runtime_chain][topology]") {
+  const auto& c = of_texts;
+  CHECK(c.frame("elbow").what() == kind::frame_3D);
+  CHECK(c.coordinate("elbow").what() == kind::gen);
+  CHECK(c.input("tool").what() == kind::input);
+  CHECK(c.frame("tool").what() == kind::frame_3D);
+  CHECK_THROWS_MATCHES(c.coordinate("tool"), unknown_name, says("kte: 'tool' is a input, not a coordinate"));
+  CHECK_THROWS_MATCHES(c.coordinate("ground"), unknown_name, says("kte: 'ground' is a 3D frame, not a coordinate"));
+  auto s = c.make_state();
+  CHECK_THROWS_MATCHES(s.frame_2D("elbow"), unknown_name, says("kte: 'elbow' is a 3D frame, not a 2D frame"));
+  CHECK_THROWS_MATCHES(s.rotation_3D("elbow"), unknown_name, says("kte: 'elbow' is a coordinate, not a rotation"));
+  CHECK_THROWS_MATCHES(s.frame_3D("shoulder"), unknown_name, says("kte: this chain has no 3D frame 'shoulder'"));
+  // Without a kind it must be one thing.
+  const auto& t = c.wiring();
+  CHECK(t.kind_of("ground") == kind::frame_3D);
+  CHECK(t.kind_of("elbow", true) == kind::frame_3D);
+  CHECK(t.kind_of("elbow", false) == kind::gen);
+  CHECK_THROWS_MATCHES(t.kind_of("elbow"), unknown_name,
+                       says("kte: 'elbow' is a coordinate and a 3D frame: which of them is meant?"));
+  CHECK_THROWS_MATCHES(t.kind_of("shoulder"), unknown_name, says("kte: this chain has nothing of the name 'shoulder'"));
+}
+
+TEST_CASE("frames in the plane by shared names", "[runtime_chain][topology]") {
+  kte_map_chain c;
+  c << revolute_joint_2D("arm", "ground", "arm").at(along_x(0.5)) << inertia_2D("arm", point_mass(1.0, along_x(0.5)));
+  auto s = c.make_state();
+  CHECK(forward_kinematics(c, s, std::array{0.3}, "arm").position.x == 0.5);
+  CHECK(jacobian(c, s, "arm")(5, 0) == 1.0);
+  CHECK(c.frame("arm").what() == kind::frame_2D);
+}
+
+TEST_CASE("names of one family are still of one thing", "[runtime_chain][topology]") {
+  auto c = of_texts;
+  const auto fails = [&c](const auto& e, const std::string& why) {
+    CHECK_THROWS_MATCHES(c << e, bad_wiring, says(why));
+  };
+  fails(driving_actuator_gen("elbow", "elbow"), "'elbow' is a coordinate, not a input");
+  fails(free_joint_3D("elbow", "tool", "x"), "'elbow' is a coordinate, not a 3D pose");
+  fails(revolute_joint_2D("q", "elbow", "x"), "'elbow' is a 3D frame, not a 2D frame");
+  fails(rigid_link_3D("tool", "elbow", along_x(1.0)), "it writes 'elbow', which is then written twice");
+  fails(rigid_link_3D("tool", "ground", along_x(1.0)), "it writes 'ground', which is read before it is written");
+  fails(rigid_link_gen("q", "elbow", 1.0), "it writes 'elbow', which is read before it is written");
+  CHECK_NOTHROW(c << spring_gen("elbow", "ground", 0.0, 1.0));  // a coordinate of the base's name, which moves nothing
+  CHECK_THROWS_MATCHES(c.make_state(), bad_wiring,
+                       says("a force acts on coordinate 'ground', which no element moves by"));
+}
+
+TEST_CASE("shared names in recordings", "[runtime_chain][topology]") {
+  const auto columns = [](const auto& c, const std::vector<std::string>& names) {
+    return recorder(c, names).contents().names;
+  };
+  using names = std::vector<std::string>;
+  const auto check = [&](const auto& c) {
+    CHECK(columns(c, {"elbow/position/x", "tool/velocity/z"}) ==
+          names{"t", "frame:elbow/position/x", "frame:tool/velocity/z"});
+    CHECK(columns(c, {"coordinate:elbow", "coordinate:elbow/v", "signal:tool", "ground/position/x"}) ==
+          names{"t", "coordinate:elbow", "coordinate:elbow/v", "signal:tool", "ground/position/x"});
+    CHECK(columns(c, {"frame:body/position/y", "coordinate:body/position/y"}) ==
+          names{"t", "frame:body/position/y", "coordinate:body/position/y"});
+    CHECK(columns(c, {"frame:ground/position/x"}) == names{"t", "ground/position/x"});
+    const auto all = columns(c, {});
+    CHECK(std::count(all.begin(), all.end(), "coordinate:body/position/x") == 1);
+    CHECK(std::count(all.begin(), all.end(), "frame:body/position/x") == 1);
+    CHECK_THROWS_MATCHES(columns(c, {"elbow"}), unknown_name,
+                         says("kte: cannot record 'elbow', which is ambiguous: ask for 'coordinate:elbow' or "
+                              "'frame:elbow'"));
+    CHECK_THROWS_MATCHES(columns(c, {"body/velocity/x"}), unknown_name,
+                         says("ask for 'frame:body/velocity/x' or 'coordinate:body/velocity/x'"));
+    CHECK_THROWS_MATCHES(columns(c, {"elbow/colour"}), unknown_name,
+                         says("kte: cannot record 'elbow/colour': the coordinate 'elbow' has "));
+    CHECK_THROWS_MATCHES(columns(c, {"coordinate:ground"}), unknown_name, says("cannot record 'coordinate:ground'"));
+  };
+  check(shared);
+  check(of_texts);
+}
