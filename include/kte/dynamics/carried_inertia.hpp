@@ -31,6 +31,7 @@ auto carried_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Fra
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
   check_configuration<chain_type>(q);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
@@ -109,7 +110,7 @@ dense_composite_inertia<S> carried_inertia_of(const kte_map_chain& c, basic_runt
 template <class S>
 dense_composite_inertia<S> carried_inertia(const kte_map_chain& c, basic_runtime_state<S>& s,
                                            const name_or_handle& frame) {
-  detail::check_regular(c, s);
+  detail::check_regular(c, s), detail::refuse_spread_masses(c, s);
   const auto x = detail::find_frame(c, frame);
   detail::check_positions(s);
   return detail::carried_inertia_of(c, s, x);

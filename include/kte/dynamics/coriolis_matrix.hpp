@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/by_records.hpp>
 #include <kte/dynamics/detail/follower_rates.hpp>
 #include <kte/dynamics/detail/local_coriolis.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/tree/coriolis.hpp>
 
 /// The matrix of Coriolis and centrifugal forces, and how the mass matrix changes; on static and runtime chains.
@@ -59,7 +59,7 @@ auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  static_assert(sizeof(check_loads_of<chain_type>) > 0);
+  static_assert(sizeof(check_loads_of<chain_type>) > 0 && sizeof(check_bodies_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
@@ -86,14 +86,14 @@ auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V&
 /// but C v leaves out what these do.
 template <class S>
 runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::check_regular(c, s), detail::refuse_spread_masses(c, s), detail::check_state_velocities(s);
   runtime_matrix<S> m = detail::coriolis_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_result(m.data(), static_cast<std::size_t>(m.size()), [&s] { detail::blame("a matrix", s); });
   return m;
 }
 template <class S, indexable Q, indexable V>
 runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  detail::check_regular(c, s);
+  detail::check_regular(c, s), detail::refuse_spread_masses(c, s);
   detail::take(c, s, q, v);
   return coriolis_matrix(c, s);
 }

@@ -64,6 +64,15 @@ auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V
 // ---- of runtime chains, with bases as the state has them
 
 namespace detail {
+/// Throws `bad_argument` for a frame that follows others.
+template <class S>
+void refuse_following(const kte_map_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
+  if (s.tree().forest.frame(x.what, x.index).slot >= 0) [[likely]]
+    return;
+  throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
+                     c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +
+                     "' follows others");
+}
 /// At positions and rates that are good.
 template <class Axes, class S>
 jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_map_chain& c, basic_runtime_state<S>& s,
@@ -71,6 +80,7 @@ jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_ma
   using six_rows = basic_runtime_jacobian<S>;
   const auto& t = s.tree();
   const auto& place = t.forest.frame(x.what, x.index);
+  refuse_following(c, s, x);
   place_ancestors(runtime_elements{c}, s, place.slot);
   take_rates(s);
   jacobian_with_rate<six_rows> j{six_rows::Zero(6, t.plan.coordinates), six_rows::Zero(6, t.plan.coordinates)};
@@ -134,7 +144,8 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_c
   return jacobian(c, s, frame, axes);
 }
 
-/// As on static chains, by columns that change as the frame moves (tree/jacobian_rate.hpp).
+/// As on static chains, by columns that change as the frame moves (tree/jacobian_rate.hpp). Throws `bad_argument` for a
+/// frame that follows others.
 template <class S, axes_of_rates Axes = in_own_axes_t>
 basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                         Axes = {}) {

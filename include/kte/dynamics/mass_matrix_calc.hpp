@@ -64,19 +64,22 @@ class mass_matrix_calc {
 
   /// Throws `unknown_name`; `bad_argument` where there is no mass, or it has been fed already.
   mass_matrix_calc& operator<<(const inertia_on& x) {
-    const kind k = chain_.wiring().kind_of(x.name);
-    const int index = chain_.wiring().find(x.name, k);
     bool found = false;
-    for (std::size_t e = 0; e < chain_.wiring().elements.size(); ++e) {
-      const auto& at = chain_.wiring().elements[e];
-      if (at.ports[0].what == k && at.index[0] == index) found |= add_body(e);
+    for (const bool frame : {false, true}) {  // both may have the name
+      const kind k = chain_.wiring().kind_of(x.name, frame);
+      if (is_frame(k) != frame) continue;
+      const int index = chain_.wiring().find(x.name, k);
+      for (std::size_t e = 0; e < chain_.wiring().elements.size(); ++e) {
+        const auto& at = chain_.wiring().elements[e];
+        if (at.ports[0].what == k && at.index[0] == index) found |= add_body(e);
+      }
     }
     if (!found) throw bad_argument("kte: mass_matrix_calc: there is no mass on '" + x.name + "'");
     return *this;
   }
   /// Throws `unknown_name`; `bad_argument` for what is no degree of freedom, or has been fed already.
   mass_matrix_calc& operator<<(const moved_by& x) {
-    const kind k = chain_.wiring().kind_of(x.name);
+    const kind k = chain_.wiring().kind_of(x.name, false);
     const int index = chain_.wiring().find(x.name, k);
     for (const auto& f : chain_.wiring().free)
       if (f.what == k && f.slot == index) return add_coordinate(f), *this;
@@ -139,6 +142,8 @@ class mass_matrix_calc {
   bool add_body(std::size_t e) {
     const auto& at = chain_.wiring().elements[e];
     if (at.stiff) return false;
+    if (at.spreads)
+      throw bad_argument("kte: mass_matrix_calc: " + at.element->record().type + " has a mass between several things");
     const auto n = at.element->numbers();
     if (!n.has_mass && n.is != detail::part::body && n.is != detail::part::weight) return false;
     if (std::any_of(bodies_.begin(), bodies_.end(), [e](const body& b) { return b.element == e; }))

@@ -39,6 +39,7 @@ auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, 
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);

@@ -17,8 +17,9 @@ namespace kte {
 ///   const auto planar = kte::reduced(arm, q, "wrist", "elbow");
 ///
 /// Coordinates that follow none but locked ones are locked with them. A number that springs, dampers or motors act on
-/// is still there for them, as a constant, and so is their energy; masses on it are gone. Throws `unknown_name`, and
-/// `bad_argument` for what is no degree of freedom, or a rotation or pose that something besides its joint acts on.
+/// is still there for them, as a constant, and so is their energy; masses on it, and brakes, are gone. Throws
+/// `unknown_name`, and `bad_argument` for what is no degree of freedom, or a rotation or pose that something besides
+/// its joint acts on.
 template <indexable Q, text_type... Names>
 requires(!names_something<Q>) kte_map_chain reduced(const kte_map_chain& c, const Q& q, const Names&... names) {
   detail::chain_reduction r(c, q);

@@ -20,7 +20,10 @@ auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, c
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  return plain_pose<S>(pose_in_frame<branch_of<chain_type, A>, branch_of<chain_type, B>>(c, g));
+  if constexpr (moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>)
+    return plain_pose<S>(pose_in_frame<branch_of<chain_type, A>, branch_of<chain_type, B>>(c, g));
+  else
+    return plain_pose<S>(compose(inverse(plain_pose<S>(motion_at<A>(c, g))), plain_pose<S>(motion_at<B>(c, g))));
 }
 /// How B moves in A: by `relative` of the motions of both (frames/inverse.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type B, key_type A>
@@ -48,6 +51,8 @@ auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  static_assert(moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>,
+                "kte: this algorithm takes frames that joints and links move, and no frames that follow others");
   using a = branch_of<chain_type, A>;
   using b = branch_of<chain_type, B>;
   using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>, a, b>;

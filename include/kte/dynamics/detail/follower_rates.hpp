@@ -38,9 +38,8 @@ auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) 
   };
   h = select(h == S(0), S(1), h);
   const S rate = (acceleration_at(h) - acceleration_at(-h)) / (S(4) * h);  // (1)
-  auto from = before.begin();
-  for (std::size_t p = 0; p < ports.size(); ++p)
-    if (ports[p].what == kind::gen) coordinate(p) = *from++;
+  for (std::size_t p = ports.size(); p-- > 0;)  // two ports may be one coordinate, of which the first has all
+    if (ports[p].what == kind::gen) coordinate(p) = before.back(), before.pop_back();
   return rate;
 }
 /// As `hand_on`, with the rates of ratios: add(to, from, ratio, its time derivative).
@@ -49,10 +48,15 @@ void hand_on_with_rates(const Elements& c, State& s, const Add& add) {
   const auto& t = s.tree();
   for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
     const auto ports = c.ports(*f);
+    if (ports.back().what != kind::gen) continue;
     const int end = t.plan.row_of_gen[static_cast<std::size_t>(c.written(*f))];
     for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
       if (ports[p].what != kind::gen) continue;
       const int followed = c.index(*f, p);
+      bool again = false;  // as in `hand_on`
+      for (std::size_t before = 0; before < p; ++before)
+        again |= ports[before].what == kind::gen && c.index(*f, before) == followed;
+      if (again) continue;
       const auto ratio = ratio_of(c, s, *f, s.template get<kind::gen>(followed));
       add(t.plan.row_of_gen[static_cast<std::size_t>(followed)], end, ratio, ratio_rate_of(c, s, *f, p));
     }

@@ -42,7 +42,7 @@ class chain_reduction {
   /// Throws `unknown_name`, `bad_argument`.
   void lock(std::string_view name) {
     const topology& t = chain_.wiring();
-    const kind k = t.kind_of(name);
+    const kind k = t.kind_of(name, false);
     const int index = t.find(name, k);
     for (const freedom& f : t.free)
       if (f.what == k && f.slot == index) {
@@ -76,10 +76,15 @@ class chain_reduction {
       add_link(e, to);
     } else if (follows && all) {
       at(locked_, kind::gen, e.index[last]) = as_locked;
-    } else if (!(all && e.element->numbers().has_mass)) {  // masses that cannot move go
+    } else if (!needless(e, all)) {
       for (std::size_t p = 0; p < e.ports.size(); ++p) keep_constant(e.ports[p].what, e.index[p], to);
       to.append(e.element->clone());
     }
+  }
+  /// Masses that cannot move, and what holds that which is locked; `all`: it is connected to nothing else.
+  bool needless(const topology::connection& e, bool all) const {
+    const auto n = e.element->numbers();
+    return (all && n.has_mass) || (n.holds_coordinate && at(locked_, e.ports[0].what, e.index[0]) != free);
   }
   /// The pose of a joint is that of its end when its base stands at the origin.
   void add_link(const topology::connection& e, kte_map_chain& to) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/element_pose.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/jacobian_rate.hpp>
 
 /// The algorithms of dynamics/relative_motion.hpp.
 namespace kte {
@@ -33,6 +33,8 @@ inline constexpr std::size_t common_length = [] {
   while (n < A::length && n < B::length && A::elements[n] == B::elements[n]) ++n;
   return n;
 }();
+template <class Chain, class Frame>
+inline constexpr bool moved_by_joints = moves_stiffly<Chain, Frame::what, frame_slot<Frame, Chain>()>;
 template <class Chain, class Frame>
 using branch_of = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
 /// Where the end of a branch stands in that of its element N - 1.
@@ -100,7 +102,8 @@ tree::dense_pose<S> pose_between(const kte_map_chain& c, basic_runtime_state<S>&
 template <class S>
 int common_slot_of(const basic_runtime_state<S>& s, const runtime_frame& b, const runtime_frame& a) {
   const auto& f = s.tree().forest;
-  return tree::common_slot(f, f.frame(a.what, a.index).slot, f.frame(b.what, b.index).slot);
+  const int of = f.frame(b.what, b.index).slot, in = f.frame(a.what, a.index).slot;
+  return of < 0 || in < 0 ? -1 : tree::common_slot(f, in, of);  // those that follow others are in none
 }
 /// At positions that are good.
 template <class S>
@@ -124,6 +127,7 @@ basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_run
   const auto& t = s.tree();
   const auto& f = t.forest;
   const auto &at_a = f.frame(a.what, a.index), &at_b = f.frame(b.what, b.index);
+  refuse_following(c, s, a), refuse_following(c, s, b);
   const int common = common_slot_of(s, b, a);
   place_bodies(runtime_elements{c}, s);
   const auto seen =
