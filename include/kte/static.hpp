@@ -14,6 +14,8 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/elements/acceleration_measure.hpp>
+#include <kte/elements/ang_velocity_measure.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/bushing.hpp>
 #include <kte/elements/constant_force.hpp>
@@ -44,6 +46,7 @@
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotation_measure.hpp>
 #include <kte/elements/rotor.hpp>
 #include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
@@ -52,6 +55,7 @@
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/elements/universal_joint.hpp>
+#include <kte/elements/velocity_measure.hpp>
 #include <kte/frames/inverse.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>

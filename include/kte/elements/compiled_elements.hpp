@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kte/detail/compiled.hpp>
+#include <kte/elements/acceleration_measure.hpp>
+#include <kte/elements/ang_velocity_measure.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/bushing.hpp>
 #include <kte/elements/constant_force.hpp>
@@ -28,6 +30,7 @@
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotation_measure.hpp>
 #include <kte/elements/rotor.hpp>
 #include <kte/elements/screw_joint.hpp>
 #include <kte/elements/slider_crank.hpp>
@@ -36,6 +39,7 @@
 #include <kte/elements/table_spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
+#include <kte/elements/velocity_measure.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 
 /// The list of the elements of this library: those that files have, and as runtime chains have them, of plain numbers
@@ -145,6 +149,15 @@ KTE_ELEMENT(position_control<kind::frame_3D>);
 KTE_ELEMENT(position_measure_gen);
 KTE_ELEMENT(position_measure<kind::frame_2D>);
 KTE_ELEMENT(position_measure<kind::frame_3D>);
+KTE_ELEMENT(velocity_measure_gen);
+KTE_ELEMENT(velocity_measure<kind::frame_2D>);
+KTE_ELEMENT(velocity_measure<kind::frame_3D>);
+KTE_ELEMENT(rotation_measure_2D);
+KTE_ELEMENT(rotation_measure_3D);
+KTE_ELEMENT(ang_velocity_measure_2D);
+KTE_ELEMENT(ang_velocity_measure_3D);
+KTE_ELEMENT(acceleration_measure<kind::frame_2D>);
+KTE_ELEMENT(acceleration_measure<kind::frame_3D>);
 #  undef KTE_ELEMENT
 #endif
 
@@ -153,14 +166,15 @@ template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
-    families<base_family, bushing_family, constant_force_family, damper_family, differential_family,
-             driving_actuator_family, dry_revolute_joint_family, flexible_beam_family, fluid_drag_family,
-             four_bar_family, free_joint_family, inertia_family, inertial_beam_family, joint_backlash_family,
-             joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
-             joint_stiction_family, line_point_mindist_family, mimic_family, planar_joint_family,
-             position_control_family, position_measure_family, prismatic_joint_family, revolute_joint_family,
-             rigid_link_family, rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family,
-             spring_family, table_spring_family, torsion_damper_family, torsion_spring_family>;
+    families<acceleration_measure_family, ang_velocity_measure_family, base_family, bushing_family,
+             constant_force_family, damper_family, differential_family, driving_actuator_family,
+             dry_revolute_joint_family, flexible_beam_family, fluid_drag_family, four_bar_family, free_joint_family,
+             inertia_family, inertial_beam_family, joint_backlash_family, joint_elasto_plastic_family,
+             joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
+             line_point_mindist_family, mimic_family, planar_joint_family, position_control_family,
+             position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family,
+             rotation_measure_family, rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family,
+             spring_family, table_spring_family, torsion_damper_family, torsion_spring_family, velocity_measure_family>;
 }  // namespace detail
 
 }  // namespace kte

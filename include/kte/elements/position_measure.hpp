@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/no_parameters.hpp>
 #include <kte/contract/transmission.hpp>
 
 namespace kte {
@@ -7,7 +8,7 @@ namespace kte {
 namespace core {
 
 /// Measures a coordinate: y = q, m or rad.
-struct position_measure_gen {
+struct position_measure_gen : no_parameters {
   static constexpr type_name type{"position_measure", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::input, access::out, "output"}}};
@@ -16,13 +17,10 @@ struct position_measure_gen {
   KTE_INLINE constexpr auto doMotion(const C& c) const {
     return c.q;
   }
-  constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit>
-  static constexpr void parameters(Self&, Visit&&) {}
 };
 /// Measures where the origin of a frame is: y = p, m, in the axes in which bases are given.
 template <kind Dim>
-struct position_measure {
+struct position_measure : no_parameters {
   static constexpr type_name type{"position_measure", Dim};
   static constexpr std::array<port, 2> ports{{{Dim, access::on, "frame"}, {kind::vector, access::out, "output"}}};
 
@@ -30,9 +28,6 @@ struct position_measure {
   KTE_INLINE constexpr auto doMotion(const Frame& x) const {
     return x.position;
   }
-  constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit>
-  static constexpr void parameters(Self&, Visit&&) {}
 };
 
 }  // namespace core

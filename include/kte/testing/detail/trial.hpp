@@ -94,6 +94,7 @@ kte::detail::thing_of<K, S> random_thing(Draw& draw) {
 template <class S, class Core>
 class trial {
  public:
+  using scalar = S;
   static constexpr std::size_t ports = port_count<Core>;
 
   template <class Draw>

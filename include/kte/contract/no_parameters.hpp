@@ -1,0 +1,14 @@
+#pragma once
+
+#include <kte/contract/parameter_check.hpp>
+
+namespace kte {
+
+/// A core that has no parameters derives from this.
+struct no_parameters {
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
+}  // namespace kte

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <kte/contract/no_parameters.hpp>
+#include <kte/contract/transmission.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// Measures how fast a frame in the plane turns: y = w, rad/s.
+struct ang_velocity_measure_2D : no_parameters {
+  static constexpr type_name type{"ang_velocity_measure", kind::frame_2D};
+  static constexpr std::array<port, 2> ports{
+      {{kind::frame_2D, access::on, "frame"}, {kind::input, access::out, "output"}}};
+
+  template <class Frame>
+  KTE_INLINE constexpr auto doMotion(const Frame& x) const {
+    return x.ang_velocity.z;
+  }
+};
+/// Measures how fast a frame in space turns: y = R w, rad/s, in the axes in which bases are given, as all measures.
+struct ang_velocity_measure_3D : no_parameters {
+  static constexpr type_name type{"ang_velocity_measure", kind::frame_3D};
+  static constexpr std::array<port, 2> ports{
+      {{kind::frame_3D, access::on, "frame"}, {kind::vector, access::out, "output"}}};
+
+  template <class Frame>
+  KTE_INLINE constexpr auto doMotion(const Frame& x) const {
+    return x.rotation * x.ang_velocity;
+  }
+};
+
+}  // namespace core
+
+/// Measures the angular velocity of a frame.
+template <class F, class Y>
+constexpr auto ang_velocity_measure_2D(const F& frame, const Y& output) {
+  return connect(core::ang_velocity_measure_2D{}, frame, output);
+}
+template <class F, class Y>
+constexpr auto ang_velocity_measure_3D(const F& frame, const Y& output) {
+  return connect(core::ang_velocity_measure_3D{}, frame, output);
+}
+
+KTE_CALL(ang_velocity_measure_2D, "(frame, output)")
+KTE_CALL(ang_velocity_measure_3D, "(frame, output)")
+
+namespace detail {
+/// How model files make them.
+struct ang_velocity_measure_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("ang_velocity_measure_2D",
+        [](const auto& x) { return ang_velocity_measure_2D(x.name("frame"), x.name("output")); });
+    add("ang_velocity_measure_3D",
+        [](const auto& x) { return ang_velocity_measure_3D(x.name("frame"), x.name("output")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

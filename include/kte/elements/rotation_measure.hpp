@@ -1,0 +1,62 @@
+#pragma once
+
+#include <kte/contract/no_parameters.hpp>
+#include <kte/contract/transmission.hpp>
+#include <kte/kernels/relative_turn.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// Measures how a frame in the plane is turned: y = its angle, in [-pi, pi], rad.
+struct rotation_measure_2D : no_parameters {
+  static constexpr type_name type{"rotation_measure", kind::frame_2D};
+  static constexpr std::array<port, 2> ports{
+      {{kind::frame_2D, access::on, "frame"}, {kind::input, access::out, "output"}}};
+
+  template <class Frame>
+  KTE_INLINE constexpr auto doMotion(const Frame& x) const {
+    return detail::turn_of(x.rotation * rotation_2D{one, zero}).z;
+  }
+};
+/// Measures how a frame in space is turned: y = the rotation vector of R, axis times angle, of length <= pi, rad. Its
+/// numbers are the same in axes of the frame and of the world. At half turns the sign of the axis is free.
+struct rotation_measure_3D : no_parameters {
+  static constexpr type_name type{"rotation_measure", kind::frame_3D};
+  static constexpr std::array<port, 2> ports{
+      {{kind::frame_3D, access::on, "frame"}, {kind::vector, access::out, "output"}}};
+
+  template <class Frame>
+  KTE_INLINE constexpr auto doMotion(const Frame& x) const {
+    return detail::turn_of(matrix(x.rotation));
+  }
+};
+
+}  // namespace core
+
+/// Measures the angle of a frame in the plane.
+template <class F, class Y>
+constexpr auto rotation_measure_2D(const F& frame, const Y& output) {
+  return connect(core::rotation_measure_2D{}, frame, output);
+}
+/// Measures the rotation vector of a frame in space.
+template <class F, class Y>
+constexpr auto rotation_measure_3D(const F& frame, const Y& output) {
+  return connect(core::rotation_measure_3D{}, frame, output);
+}
+
+KTE_CALL(rotation_measure_2D, "(frame, output)")
+KTE_CALL(rotation_measure_3D, "(frame, output)")
+
+namespace detail {
+/// How model files make them.
+struct rotation_measure_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("rotation_measure_2D", [](const auto& x) { return rotation_measure_2D(x.name("frame"), x.name("output")); });
+    add("rotation_measure_3D", [](const auto& x) { return rotation_measure_3D(x.name("frame"), x.name("output")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte
