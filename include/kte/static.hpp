@@ -15,6 +15,7 @@
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/acceleration_measure.hpp>
+#include <kte/elements/ang_velocity_control.hpp>
 #include <kte/elements/ang_velocity_measure.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/bushing.hpp>
@@ -46,6 +47,7 @@
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotation_control.hpp>
 #include <kte/elements/rotation_measure.hpp>
 #include <kte/elements/rotor.hpp>
 #include <kte/elements/screw_joint.hpp>
@@ -55,6 +57,7 @@
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/elements/universal_joint.hpp>
+#include <kte/elements/velocity_control.hpp>
 #include <kte/elements/velocity_measure.hpp>
 #include <kte/frames/inverse.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>

@@ -2,6 +2,7 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/elements/acceleration_measure.hpp>
+#include <kte/elements/ang_velocity_control.hpp>
 #include <kte/elements/ang_velocity_measure.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/bushing.hpp>
@@ -30,6 +31,7 @@
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/elements/rotation_control.hpp>
 #include <kte/elements/rotation_measure.hpp>
 #include <kte/elements/rotor.hpp>
 #include <kte/elements/screw_joint.hpp>
@@ -39,6 +41,7 @@
 #include <kte/elements/table_spring.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
+#include <kte/elements/velocity_control.hpp>
 #include <kte/elements/velocity_measure.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 
@@ -158,6 +161,10 @@ KTE_ELEMENT(ang_velocity_measure_2D);
 KTE_ELEMENT(ang_velocity_measure_3D);
 KTE_ELEMENT(acceleration_measure<kind::frame_2D>);
 KTE_ELEMENT(acceleration_measure<kind::frame_3D>);
+KTE_ELEMENT(rotation_control_2D);
+KTE_ELEMENT(rotation_control_3D);
+KTE_ELEMENT(velocity_control_gen);
+KTE_ELEMENT(ang_velocity_control_2D);
 #  undef KTE_ELEMENT
 #endif
 
@@ -166,15 +173,16 @@ template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
-    families<acceleration_measure_family, ang_velocity_measure_family, base_family, bushing_family,
-             constant_force_family, damper_family, differential_family, driving_actuator_family,
+    families<acceleration_measure_family, ang_velocity_control_family, ang_velocity_measure_family, base_family,
+             bushing_family, constant_force_family, damper_family, differential_family, driving_actuator_family,
              dry_revolute_joint_family, flexible_beam_family, fluid_drag_family, four_bar_family, free_joint_family,
              inertia_family, inertial_beam_family, joint_backlash_family, joint_elasto_plastic_family,
              joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
              line_point_mindist_family, mimic_family, planar_joint_family, position_control_family,
              position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family,
-             rotation_measure_family, rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family,
-             spring_family, table_spring_family, torsion_damper_family, torsion_spring_family, velocity_measure_family>;
+             rotation_control_family, rotation_measure_family, rotor_family, screw_joint_family, slider_crank_family,
+             spherical_joint_family, spring_family, table_spring_family, torsion_damper_family, torsion_spring_family,
+             velocity_control_family, velocity_measure_family>;
 }  // namespace detail
 
 }  // namespace kte

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/no_parameters.hpp>
 #include <kte/contract/transmission.hpp>
 
 namespace kte {
@@ -7,7 +8,7 @@ namespace kte {
 namespace core {
 
 /// A coordinate whose motion is given by signals: q = u, q' = u', q'' = u''.
-struct position_control_gen {
+struct position_control_gen : no_parameters {
   static constexpr type_name type{"position_control", kind::gen};
   static constexpr std::array<port, 4> ports{{{kind::input, access::in, "position"},
                                               {kind::input, access::in, "velocity"},
@@ -22,9 +23,6 @@ struct position_control_gen {
   KTE_INLINE constexpr auto doForce(const U&, const V&, const A&, const F&) const {
     return make_loads();
   }
-  constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit>
-  static constexpr void parameters(Self&, Visit&&) {}
 };
 /// A frame that moves in another, without turning, as signals say:
 ///
@@ -32,7 +30,7 @@ struct position_control_gen {
 ///
 /// A base of the chain, if it stands on one: a shaking table.
 template <kind Dim>
-struct position_control {
+struct position_control : no_parameters {
   static constexpr type_name type{"position_control", Dim};
   static constexpr std::array<port, 5> ports{{{kind::vector, access::in, "position"},
                                               {kind::vector, access::in, "velocity"},
@@ -48,9 +46,6 @@ struct position_control {
   KTE_INLINE constexpr auto doForce(const U& u, const V&, const A&, const Base&, const wrench<F, T>& end) const {
     return make_loads(transmit(pose{no_rotation{}, planar(u)}, end));
   }
-  constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit>
-  static constexpr void parameters(Self&, Visit&&) {}
 
  private:
   template <class V>
