@@ -41,6 +41,7 @@
 #include <kte/elements/law_spring.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/mimic.hpp>
+#include <kte/elements/pid_control.hpp>
 #include <kte/elements/planar_joint.hpp>
 #include <kte/elements/position_control.hpp>
 #include <kte/elements/position_measure.hpp>

@@ -25,6 +25,7 @@
 #include <kte/elements/joint_stiction.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/mimic.hpp>
+#include <kte/elements/pid_control.hpp>
 #include <kte/elements/planar_joint.hpp>
 #include <kte/elements/position_control.hpp>
 #include <kte/elements/position_measure.hpp>
@@ -161,6 +162,7 @@ KTE_ELEMENT(ang_velocity_measure_2D);
 KTE_ELEMENT(ang_velocity_measure_3D);
 KTE_ELEMENT(acceleration_measure<kind::frame_2D>);
 KTE_ELEMENT(acceleration_measure<kind::frame_3D>);
+KTE_ELEMENT(pid_control_gen);
 KTE_ELEMENT(rotation_control_2D);
 KTE_ELEMENT(rotation_control_3D);
 KTE_ELEMENT(velocity_control_gen);
@@ -178,7 +180,7 @@ using all_families =
              dry_revolute_joint_family, flexible_beam_family, fluid_drag_family, four_bar_family, free_joint_family,
              inertia_family, inertial_beam_family, joint_backlash_family, joint_elasto_plastic_family,
              joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
-             line_point_mindist_family, mimic_family, planar_joint_family, position_control_family,
+             line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family, position_control_family,
              position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family,
              rotation_control_family, rotation_measure_family, rotor_family, screw_joint_family, slider_crank_family,
              spherical_joint_family, spring_family, table_spring_family, torsion_damper_family, torsion_spring_family,

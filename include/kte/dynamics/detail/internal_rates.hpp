@@ -36,27 +36,57 @@ KTE_INLINE auto with_signals(const Base& base, const S& time, const S* inputs, c
   return base_with_signals<Wiring, Base, S>{base, time, inputs, internals};
 }
 
+/// The same where the whole chain moves: with positions too.
+template <class Base>
+struct base_in_motion : Base {
+  template <kind, int>
+  KTE_INLINE static constexpr auto at() {
+    return motion{zero3{}, no_rotation{}, zero3{}, zero3{}, zero3{}, zero3{}};
+  }
+};
+
 /// Whether element I sees only what comes from outside: degrees of freedom and signals.
 template <class Chain, std::size_t I>
 inline constexpr bool sees_coordinates_only = [] {
   using core = typename Chain::template core_type<I>;
   using wiring = typename Chain::wiring;
-  for (std::size_t p = 0; p < port_count<core>; ++p) {
+  for (std::size_t p = 0; p < input_count<core>; ++p) {
     const kind k = wiring::what(I, p);
-    if (!is_signal(k) && (is_frame(k) || wiring::writer(k, wiring::slot(I, p)) >= 0)) return false;
+    if (k != kind::internal && (is_frame(k) || wiring::writer(k, wiring::slot(I, p)) >= 0)) return false;
   }
   return true;
 }();
 
-/// z_dot[i] of every internal state i, at q and v.
-template <class S, class Chain, class At, class Base>
-class internal_rates_of {
+/// What elements see of degrees of freedom and signals from outside.
+template <class Chain, class Given>
+class outside {
+  using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
-  using given_type = given<At, each<S, const S*>, same<zero_t>, Base>;
-  using types = local_types<Chain, given_type>;
 
  public:
-  internal_rates_of(const Chain& c, const given_type& g, S* z_dot) : chain_(c), given_(g), z_dot_(z_dot) {}
+  outside(const Chain&, const Given& g) : given_(g) {}
+  template <std::size_t I, std::size_t P>
+  auto seen() const {
+    return types::template given<wiring::what(I, P), wiring::slot(I, P)>(given_);
+  }
+
+ private:
+  const Given& given_;
+};
+/// What they see of all that a chain moves. There are no accelerations.
+template <class Chain, class Given>
+struct inside : local_motion<Chain, Given> {
+  using local_motion<Chain, Given>::local_motion;
+  using local_motion<Chain, Given>::seen;
+};
+
+/// z_dot[i] of every internal state i, at what elements see.
+template <class Chain, class Seen, class S>
+class internal_rates_of {
+  using wiring = typename Chain::wiring;
+
+ public:
+  internal_rates_of(const Chain& c, const Seen& seen, S* z_dot) : chain_(c), seen_(seen), z_dot_(z_dot) {}
   void compute() const { all(std::make_index_sequence<Chain::size>{}); }
 
  private:
@@ -68,18 +98,12 @@ class internal_rates_of {
   template <std::size_t I>
   void one() const {
     using core = typename Chain::template core_type<I>;
-    if constexpr (kept_count < core >> 0) {
-      static_assert(sees_coordinates_only<Chain, I>,
-                    "kte: an element with an internal state must be on degrees of freedom for this; others move by "
-                    "doMotion on a state of the chain");
-      compute<I>(std::make_index_sequence<input_count<core>>{});
-    }
+    if constexpr (kept_count < core >> 0) compute<I>(std::make_index_sequence<input_count<core>>{});
   }
   template <std::size_t I, std::size_t... P>
   void compute(std::index_sequence<P...>) const {
     using core = typename Chain::template core_type<I>;
-    const auto rates =
-        chain_.template core<I>().z_dot(types::template given<wiring::what(I, P), wiring::slot(I, P)>(given_)...);
+    const auto rates = chain_.template core<I>().z_dot(seen_.template seen<I, P>()...);
     [&]<std::size_t... N>(std::index_sequence<N...>) {
       const int done[]{(z_dot_[wiring::slot(I, kept_port<core, N>)] = as<S>(rate_of_kept<N>(rates)), 0)...};
       (void)done;
@@ -88,13 +112,38 @@ class internal_rates_of {
   }
 
   const Chain& chain_;
-  const given_type& given_;
+  const Seen& seen_;
   S* z_dot_;
 };
+/// Whether all elements with internal states see only what comes from outside; whether some signal is of accelerations.
+template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
+struct kept_states_of;
+template <class Chain, std::size_t... I>
+struct kept_states_of<Chain, std::index_sequence<I...>> {
+  template <std::size_t J>
+  using core = typename Chain::template core_type<J>;
+  static constexpr bool outside_only = ((kept_count<core<I>> == 0 || sees_coordinates_only<Chain, I>)&&...);
+  static constexpr bool of_accelerations = (reads_accelerations<core<I>> || ...);
+};
+
 template <class S, class Chain, class At, class Base>
 void internal_rates(const Chain& c, const At& at, const S* v, const Base& base, S* z_dot) {
-  const given<At, each<S, const S*>, same<zero_t>, Base> g{at, each<S, const S*>{v}, {}, base};
-  internal_rates_of<S, Chain, At, Base>(c, g, z_dot).compute();
+  using numbers = each<S, const S*>;
+  const auto put = [&](const auto& seen) {
+    internal_rates_of<Chain, std::remove_cvref_t<decltype(seen)>, S>(c, seen, z_dot).compute();
+  };
+  if constexpr (kept_states_of<Chain>::outside_only) {
+    using given_type = given<At, numbers, same<zero_t>, Base>;
+    const given_type g{at, numbers{v}, {}, base};
+    put(outside<Chain, given_type>(c, g));
+  } else {
+    static_assert(!kept_states_of<Chain>::of_accelerations,
+                  "kte: rates of internal states that depend on frames or signals are not known in a static chain that "
+                  "measures accelerations");
+    using given_type = given<At, numbers, same<zero_t>, base_in_motion<Base>, true>;
+    const given_type g{at, numbers{v}, {}, base_in_motion<Base>{base}};
+    put(inside<Chain, given_type>(c, g));
+  }
 }
 
 }  // namespace kte::detail
