@@ -25,9 +25,11 @@
 #include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
+#include <kte/elements/external_force.hpp>
 #include <kte/elements/fixed_joint.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/fluid_drag.hpp>
+#include <kte/elements/force_actuator.hpp>
 #include <kte/elements/force_law.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>

@@ -11,8 +11,10 @@
 #include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
+#include <kte/elements/external_force.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/fluid_drag.hpp>
+#include <kte/elements/force_actuator.hpp>
 #include <kte/elements/four_bar.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
@@ -118,6 +120,13 @@ KTE_ELEMENT(bushing_3D);
 KTE_ELEMENT(flexible_beam<kind::frame_2D>);
 KTE_ELEMENT(flexible_beam<kind::frame_3D>);
 KTE_ELEMENT(driving_actuator_gen);
+KTE_ELEMENT(driving_actuator<kind::frame_2D>);
+KTE_ELEMENT(driving_actuator<kind::frame_3D>);
+KTE_ELEMENT(external_force<kind::frame_2D>);
+KTE_ELEMENT(external_force<kind::frame_3D>);
+KTE_ELEMENT(force_actuator_gen);
+KTE_ELEMENT(force_actuator<kind::frame_2D>);
+KTE_ELEMENT(force_actuator<kind::frame_3D>);
 KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
 KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(follower_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
@@ -177,14 +186,14 @@ struct families {};
 using all_families =
     families<acceleration_measure_family, ang_velocity_control_family, ang_velocity_measure_family, base_family,
              bushing_family, constant_force_family, damper_family, differential_family, driving_actuator_family,
-             dry_revolute_joint_family, flexible_beam_family, fluid_drag_family, four_bar_family, free_joint_family,
-             inertia_family, inertial_beam_family, joint_backlash_family, joint_elasto_plastic_family,
-             joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
-             line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family, position_control_family,
-             position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family,
-             rotation_control_family, rotation_measure_family, rotor_family, screw_joint_family, slider_crank_family,
-             spherical_joint_family, spring_family, table_spring_family, torsion_damper_family, torsion_spring_family,
-             velocity_control_family, velocity_measure_family>;
+             dry_revolute_joint_family, external_force_family, flexible_beam_family, fluid_drag_family,
+             force_actuator_family, four_bar_family, free_joint_family, inertia_family, inertial_beam_family,
+             joint_backlash_family, joint_elasto_plastic_family, joint_friction_family, joint_limit_family,
+             joint_lugre_family, joint_stiction_family, line_point_mindist_family, mimic_family, pid_control_family,
+             planar_joint_family, position_control_family, position_measure_family, prismatic_joint_family,
+             revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family, rotor_family,
+             screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, table_spring_family,
+             torsion_damper_family, torsion_spring_family, velocity_control_family, velocity_measure_family>;
 }  // namespace detail
 
 }  // namespace kte

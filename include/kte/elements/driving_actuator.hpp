@@ -1,13 +1,27 @@
 #pragma once
 
+#include <kte/contract/no_parameters.hpp>
 #include <kte/contract/transmission.hpp>
 
 namespace kte {
 
+namespace detail {
+constexpr kind kind_of_torque(kind frame) { return frame == kind::frame_2D ? kind::input : kind::vector; }
+/// A force and a torque that are signals. In the plane the force's third number does not count, and the torque is one.
+template <kind Dim, class U, class T>
+KTE_INLINE constexpr auto wrench_of_signals(const U& u, const T& t) {
+  if constexpr (Dim == kind::frame_2D) {
+    return wrench{vec3{u.x, u.y, zero}, vec3{zero, zero, t}};
+  } else {
+    return wrench{u, t};
+  }
+}
+}  // namespace detail
+
 namespace core {
 
 /// A motor on a coordinate: f += u, with u an input of the chain, N or Nm.
-struct driving_actuator_gen {
+struct driving_actuator_gen : no_parameters {
   static constexpr type_name type{"driving_actuator", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::input, access::in, "input"}}};
@@ -16,9 +30,20 @@ struct driving_actuator_gen {
   KTE_INLINE constexpr auto doForce(const C&, const U& u) const {
     return make_loads(u);
   }
-  constexpr void check(const parameter_check&) const {}
-  template <class Self, class Visit>
-  static constexpr void parameters(Self&, Visit&&) {}
+};
+/// Thrusters on a frame: F += u, T += t, in axes of the frame, at its origin; u and t are signals, N and Nm. Nothing
+/// reacts to them in the chain.
+template <kind Dim>
+struct driving_actuator : no_parameters {
+  static constexpr type_name type{"driving_actuator", Dim};
+  static constexpr std::array<port, 3> ports{{{Dim, access::on, "frame"},
+                                              {kind::vector, access::in, "force"},
+                                              {detail::kind_of_torque(Dim), access::in, "torque"}}};
+
+  template <class Frame, class U, class T>
+  KTE_INLINE constexpr auto doForce(const Frame&, const U& u, const T& t) const {
+    return make_loads(detail::wrench_of_signals<Dim>(u, t));
+  }
 };
 
 }  // namespace core
@@ -29,7 +54,20 @@ constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
   return connect(core::driving_actuator_gen{}, coordinate, input);
 }
 
+/// Thrusters on a frame: signals `force` (three numbers, N) and `torque` (a number in the plane, three in space; Nm),
+/// in axes of the frame.
+template <class F, class U, class T>
+constexpr auto driving_actuator_2D(const F& frame, const U& force, const T& torque) {
+  return connect(core::driving_actuator<kind::frame_2D>{}, frame, force, torque);
+}
+template <class F, class U, class T>
+constexpr auto driving_actuator_3D(const F& frame, const U& force, const T& torque) {
+  return connect(core::driving_actuator<kind::frame_3D>{}, frame, force, torque);
+}
+
 KTE_CALL(driving_actuator_gen, "(coordinate, input)")
+KTE_CALL(driving_actuator_2D, "(frame, force, torque)")
+KTE_CALL(driving_actuator_3D, "(frame, force, torque)")
 
 namespace detail {
 /// How model files make them.
@@ -38,6 +76,10 @@ struct driving_actuator_family {
   static void add_to(const Add& add) {
     add("driving_actuator_gen",
         [](const auto& x) { return driving_actuator_gen(x.name("coordinate"), x.name("input")); });
+    add("driving_actuator_2D",
+        [](const auto& x) { return driving_actuator_2D(x.name("frame"), x.name("force"), x.name("torque")); });
+    add("driving_actuator_3D",
+        [](const auto& x) { return driving_actuator_3D(x.name("frame"), x.name("force"), x.name("torque")); });
   }
 };
 }  // namespace detail

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <kte/elements/driving_actuator.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A load from outside on a frame, by signals u (N) and t (Nm) in axes of the world, at the origin of the frame:
+///
+///   F += R^T u,  T += R^T t          (1)
+template <kind Dim>
+struct external_force : no_parameters {
+  static constexpr type_name type{"external_force", Dim};
+  static constexpr auto ports = driving_actuator<Dim>::ports;
+  static constexpr bool reads_positions = true;
+
+  template <class Frame, class U, class T>
+  KTE_INLINE constexpr auto doForce(const Frame& x, const U& u, const T& t) const {
+    const auto to_own = transpose(x.rotation);
+    const auto in_world = detail::wrench_of_signals<Dim>(u, t);
+    return make_loads(wrench{to_own * in_world.force, to_own * in_world.torque});  // (1)
+  }
+};
+
+}  // namespace core
+
+/// A load from outside on a frame: signals `force` (three numbers, N) and `torque` (a number in the plane, three in
+/// space; Nm), in axes of the world.
+template <class F, class U, class T>
+constexpr auto external_force_2D(const F& frame, const U& force, const T& torque) {
+  return connect(core::external_force<kind::frame_2D>{}, frame, force, torque);
+}
+template <class F, class U, class T>
+constexpr auto external_force_3D(const F& frame, const U& force, const T& torque) {
+  return connect(core::external_force<kind::frame_3D>{}, frame, force, torque);
+}
+
+KTE_CALL(external_force_2D, "(frame, force, torque)")
+KTE_CALL(external_force_3D, "(frame, force, torque)")
+
+namespace detail {
+/// How model files make them.
+struct external_force_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("external_force_2D",
+        [](const auto& x) { return external_force_2D(x.name("frame"), x.name("force"), x.name("torque")); });
+    add("external_force_3D",
+        [](const auto& x) { return external_force_3D(x.name("frame"), x.name("force"), x.name("torque")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte
