@@ -22,6 +22,7 @@
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/cylindrical_joint.hpp>
 #include <kte/elements/damper.hpp>
+#include <kte/elements/dc_motor.hpp>
 #include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
@@ -57,6 +58,7 @@
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/table_spring.hpp>
+#include <kte/elements/torque_speed_motor.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/elements/universal_joint.hpp>

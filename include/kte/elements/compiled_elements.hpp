@@ -8,6 +8,7 @@
 #include <kte/elements/bushing.hpp>
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
+#include <kte/elements/dc_motor.hpp>
 #include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
@@ -42,6 +43,7 @@
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/table_spring.hpp>
+#include <kte/elements/torque_speed_motor.hpp>
 #include <kte/elements/torsion_damper.hpp>
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/elements/velocity_control.hpp>
@@ -127,6 +129,8 @@ KTE_ELEMENT(external_force<kind::frame_3D>);
 KTE_ELEMENT(force_actuator_gen);
 KTE_ELEMENT(force_actuator<kind::frame_2D>);
 KTE_ELEMENT(force_actuator<kind::frame_3D>);
+KTE_ELEMENT(dc_motor_gen);
+KTE_ELEMENT(torque_speed_motor_gen);
 KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
 KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(follower_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
@@ -185,15 +189,16 @@ struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
     families<acceleration_measure_family, ang_velocity_control_family, ang_velocity_measure_family, base_family,
-             bushing_family, constant_force_family, damper_family, differential_family, driving_actuator_family,
-             dry_revolute_joint_family, external_force_family, flexible_beam_family, fluid_drag_family,
-             force_actuator_family, four_bar_family, free_joint_family, inertia_family, inertial_beam_family,
-             joint_backlash_family, joint_elasto_plastic_family, joint_friction_family, joint_limit_family,
-             joint_lugre_family, joint_stiction_family, line_point_mindist_family, mimic_family, pid_control_family,
-             planar_joint_family, position_control_family, position_measure_family, prismatic_joint_family,
-             revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family, rotor_family,
-             screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, table_spring_family,
-             torsion_damper_family, torsion_spring_family, velocity_control_family, velocity_measure_family>;
+             bushing_family, constant_force_family, damper_family, dc_motor_family, differential_family,
+             driving_actuator_family, dry_revolute_joint_family, external_force_family, flexible_beam_family,
+             fluid_drag_family, force_actuator_family, four_bar_family, free_joint_family, inertia_family,
+             inertial_beam_family, joint_backlash_family, joint_elasto_plastic_family, joint_friction_family,
+             joint_limit_family, joint_lugre_family, joint_stiction_family, line_point_mindist_family, mimic_family,
+             pid_control_family, planar_joint_family, position_control_family, position_measure_family,
+             prismatic_joint_family, revolute_joint_family, rigid_link_family, rotation_control_family,
+             rotation_measure_family, rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family,
+             spring_family, table_spring_family, torque_speed_motor_family, torsion_damper_family,
+             torsion_spring_family, velocity_control_family, velocity_measure_family>;
 }  // namespace detail
 
 }  // namespace kte

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+
+namespace kte {
+
+/// The parameters of a motor with brushes, or of one that is driven like it.
+struct dc_motor_parameters {
+  double resistance;       ///< R, Ohm; not negative
+  double inductance;       ///< L, H; positive
+  double torque_constant;  ///< k, Nm/A, which is Vs
+  double ratio = 1;        ///< r: so many times as fast as the coordinate the motor turns; rad/m of a length
+};
+
+namespace core {
+
+/// A direct-current motor that turns at w = r q' behind a gear without losses. Its voltage u is a signal (V), its
+/// current i (A) an internal state:
+///
+///   L i' = u - R i - k w            (1)
+///   f += r k i                      (2)
+///
+/// so that of the power u i the heat is R i^2, what the coil takes d(L i^2 / 2)/dt, and the rest is that of f. It has
+/// no inertia: that of its rotor is a `rotor_3D`.
+struct dc_motor_gen {
+  static constexpr type_name type{"dc_motor", kind::gen};
+  static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
+                                              {kind::input, access::in, "voltage"},
+                                              {kind::internal, access::keep, "current"}}};
+
+  dc_motor_parameters p;
+
+  template <class C, class U, class I>
+  KTE_INLINE constexpr auto z_dot(const C& c, const U& u, const I& i) const {
+    return (1 / p.inductance) * (u - p.resistance * i - (p.torque_constant * p.ratio) * c.q_dot);  // (1)
+  }
+  template <class C, class U, class I>
+  KTE_INLINE constexpr auto doForce(const C&, const U&, const I& i) const {
+    return make_loads((p.ratio * p.torque_constant) * i);  // (2)
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(p.resistance, "resistance must be finite and not negative");
+    where.positive(p.inductance, "inductance must be finite and positive");
+    where.finite(p.torque_constant, "torque_constant must be finite");
+    where.finite(p.ratio, "ratio must be finite");
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("resistance", self.p.resistance), visit("inductance", self.p.inductance);
+    visit("torque_constant", self.p.torque_constant), visit("ratio", self.p.ratio);
+  }
+};
+
+}  // namespace core
+
+/// A direct-current motor on a coordinate:
+///
+///   dc_motor_gen(q, volts, amperes, {.resistance = 0.6, .inductance = 1e-4, .torque_constant = 0.03, .ratio = 50})
+template <class Q, class U, class I>
+constexpr auto dc_motor_gen(const Q& coordinate, const U& voltage, const I& current, const dc_motor_parameters& p) {
+  return connect(core::dc_motor_gen{p}, coordinate, voltage, current);
+}
+
+KTE_CALL(dc_motor_gen, "(coordinate, voltage, current, parameters)")
+
+namespace detail {
+/// How model files make them.
+struct dc_motor_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("dc_motor_gen", [](const auto& x) {
+      return dc_motor_gen(
+          x.name("coordinate"), x.name("voltage"), x.name("current"),
+          {x.number("resistance"), x.number("inductance"), x.number("torque_constant"), x.number("ratio")});
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte
