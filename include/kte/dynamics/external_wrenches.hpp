@@ -1,0 +1,111 @@
+#pragma once
+
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/runtime_frames.hpp>
+
+#include <vector>
+
+/// Dynamics under loads from outside on frames, by their Jacobians J:
+///
+///   Q = sum J^T (F, T)          (1)
+///
+/// F (N) and T (Nm) act on the mechanism at the origin of a frame, in its axes. As elements of a chain such loads are
+/// `driving_actuator_3D` and `external_force_3D`, which cost less where there are many.
+namespace kte {
+
+/// A load from outside on a frame of a runtime chain: `{"tool", {0, 0, -5}}`. The text or handle must live as long.
+struct external_wrench {
+  name_or_handle frame;
+  vec3<> force{};   ///< N
+  vec3<> torque{};  ///< Nm
+};
+/// The same of a static chain, made by `wrench_on(tool, force, torque)`.
+template <key_type Frame>
+struct wrench_on_frame {
+  vec3<> force{};
+  vec3<> torque{};
+};
+template <key_type Frame>
+constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const vec3<>& force, const vec3<>& torque = {}) {
+  return {force, torque};
+}
+
+namespace detail {
+/// As six numbers in the order of the rows of J. Throws `bad_argument`.
+template <class S, class W>
+Eigen::Matrix<S, 6, 1> six_numbers(const W& w) {
+  const double all[]{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
+  check_finite(all, 6, "kte: a force or torque from outside is no finite number");
+  Eigen::Matrix<S, 6, 1> x;
+  for (int i = 0; i < 6; ++i) x[i] = S(all[i]);
+  return x;
+}
+template <class... Core>
+inline constexpr bool no_reactions_read = (!reads_reaction<Core> && ...);
+}  // namespace detail
+
+/// The forces of virtual power of loads on frames on the degrees of freedom, N and Nm: Q of (1). Throws `bad_argument`
+/// where the friction of a joint depends on what it carries, for then it depends on more than Q.
+template <class S, indexable Q>
+runtime_vector<S> external_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                  const std::vector<external_wrench>& loads) {
+  c.check(s);
+  if (!s.tree().readers.empty())
+    throw bad_argument(
+        "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the chain");
+  runtime_vector<S> sum = runtime_vector<S>::Zero(s.dofs());
+  for (const auto& w : loads) sum += jacobian(c, s, q, w.frame).transpose() * detail::six_numbers<S>(w);
+  return sum;
+}
+/// The same of a static chain.
+template <class Gravity, class... E, indexable Q, key_type... Frames>
+auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wrench_on_frame<Frames>&... loads) {
+  static_assert(
+      detail::no_reactions_read<typename E::core_type...>,
+      "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the "
+      "chain");
+  using S = value_of<Q>;
+  joint_vector<S, static_chain<Gravity, E...>::dofs> sum;
+  sum.setZero();
+  ((sum += jacobian(c, q, Frames{}).transpose() * detail::six_numbers<S>(loads)), ...);
+  return sum;
+}
+
+/// `inverse_dynamics` under loads from outside: tau = M a + C v + g - Q of elements - Q of (1).
+///
+///   inverse_dynamics(arm, s, q, v, a, {{"tool", {0, 0, -5}}})
+///   inverse_dynamics(arm, q, v, a, wrench_on(tool, {0, 0, -5}))
+template <class S, indexable Q, indexable V, indexable A>
+runtime_vector<S> inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                   const A& a, const std::vector<external_wrench>& loads) {
+  const runtime_vector<S> from_outside = external_forces(c, s, q, loads);
+  return inverse_dynamics(c, s, q, v, a) - from_outside;
+}
+template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type First, key_type... Frames>
+auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                      const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
+  auto tau = inverse_dynamics(c, q, v, a);
+  tau -= external_forces(c, q, load, loads...);
+  return tau;
+}
+
+/// `forward_dynamics` under loads from outside besides tau.
+template <class S, indexable Q, indexable V, indexable T>
+runtime_vector<S> forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                   const T& tau, const std::vector<external_wrench>& loads) {
+  check_size(static_cast<std::size_t>(c.dofs()), tau, "tau");
+  runtime_vector<S> all = external_forces(c, s, q, loads);
+  for (Eigen::Index i = 0; i < all.size(); ++i) all[i] += static_cast<S>(tau[static_cast<std::size_t>(i)]);
+  return forward_dynamics(c, s, q, v, all);
+}
+template <class Gravity, class... E, indexable Q, indexable V, indexable T, key_type First, key_type... Frames>
+auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,
+                      const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
+  constexpr int n = static_chain<Gravity, E...>::dofs;
+  check_size<n>(tau, "tau");
+  auto all = external_forces(c, q, load, loads...);
+  for (int i = 0; i < n; ++i) all[i] += value_of<Q>(tau[static_cast<std::size_t>(i)]);
+  return forward_dynamics(c, q, v, all);
+}
+
+}  // namespace kte
