@@ -34,6 +34,10 @@ constexpr struct drive_   final : input_key<"drive">       {} drive;
 constexpr struct sum_     final : internal_key<"sum">      {} sum;
 constexpr struct where_   final : internal_key<"where">    {} where;
 constexpr struct nothing_ final : vector_key<"nothing">    {} nothing;
+constexpr struct part_e_  final : internal_key<"e">      {} part_e;
+constexpr struct part_x_  final : internal_key<"x">      {} part_x;
+constexpr struct part_y_  final : internal_key<"y">      {} part_y;
+constexpr struct part_z_  final : internal_key<"z">      {} part_z;
 // clang-format on
 
 constexpr pid_gains gains{.proportional = 80, .integral = 40, .derivative = 6, .limit = 20, .tracking = 0.0125};
@@ -298,6 +302,74 @@ TEST_CASE("a coordinate at a given rate is one at a given position", "[signals]"
   CHECK(slopes[2] == 0.4);
   CHECK(difference_of(slopes, Eigen::Vector3d(at_run_time(0.0, Eigen::VectorXd(Eigen::Vector3d(0.3, 1.1, 0.25))))) <
         1e-14);
+}
+
+TEST_CASE("frames at given rates", "[signals]") {
+  // where their internal states put them they move as if signals had
+  auto by_rate = trial_of(velocity_control_3D("v", "a", "x", "y", "z", "base", "end"), 3);
+  auto by_position = trial_of(position_control_3D("p", "v", "a", "base", "end"), 4);
+  by_position.at<0>() = {by_rate.at<2>().z, by_rate.at<3>().z, by_rate.at<4>().z};
+  by_position.at<1>() = by_rate.at<0>(), by_position.at<2>() = by_rate.at<1>();
+  by_position.at<3>() = by_rate.at<5>();
+  by_position.doMotion(), by_rate.doMotion();
+  CHECK(near(by_rate.output().position, by_position.output().position, 0.0));
+  CHECK(near(by_rate.output().acceleration, by_position.output().acceleration, 0.0));
+  CHECK(by_rate.at<3>().z_dot == by_rate.at<0>().y);
+  CHECK(by_rate.at<4>().z_dot == by_rate.at<0>().z);
+  random_numbers draw(5);
+  testing::detail::load_randomly(by_rate.output(), draw);
+  by_position.output().force = by_rate.output().force, by_position.output().torque = by_rate.output().torque;
+  by_rate.doForce(), by_position.doForce();
+  CHECK(load_difference(by_rate.at<5>(), by_position.at<3>()) == 0);
+  auto flat = trial_of(velocity_control_2D("v", "a", "x", "y", "base", "end"), 3);
+  flat.at<4>() = {};
+  flat.doMotion();
+  CHECK(flat.output().position.y == flat.at<3>().z);
+  CHECK(flat.output().velocity.y == flat.at<0>().y);
+  CHECK(flat.at<3>().z_dot == flat.at<0>().y);
+
+  auto turns = trial_of<digits50>(ang_velocity_control_3D("w", "al", "e", "x", "y", "z", "base", "end"), 6);
+  turns.at<6>() = {};
+  turns.doMotion();
+  const auto R = turns.output().rotation;
+  const auto later = [&turns](const digits50& t) {
+    auto y = turns;
+    y.move(t);
+    y.doMotion();
+    return y.output().rotation;
+  };
+  CHECK(
+      near(derivative_of([&](const digits50& t) { return later(t).x; }), cross(R.x, turns.at<0>()), digits50("1e-28")));
+  CHECK(
+      near(derivative_of([&](const digits50& t) { return later(t).z; }), cross(R.z, turns.at<0>()), digits50("1e-28")));
+  CHECK(near(turns.output().ang_velocity, turns.at<0>(), digits50(0)));
+  const digits50 norm_rate = (1 + turns.at<2>().z) * turns.at<2>().z_dot + turns.at<3>().z * turns.at<3>().z_dot +
+                             turns.at<4>().z * turns.at<4>().z_dot + turns.at<5>().z * turns.at<5>().z_dot;
+  CHECK(abs(norm_rate) < digits50("1e-48"));
+}
+
+TEST_CASE("a top on a frame that turns: static and at run time, and half a turn by integration", "[signals]") {
+  const auto all = [](const auto& name, const auto& to) {
+    return to(ang_velocity_control_3D(name(w), name(al), name(part_e), name(part_x), name(part_y), name(part_z),
+                                      name(ground), name(table)),
+              revolute_joint_3D(name(q), name(table), name(arm), axis::y), inertia_3D(name(arm), body));
+  };
+  manipulator_dynamics_model model(all(key_itself, to_static));
+  manipulator_dynamics_model at_run_time(all(text_of_key, to_runtime));
+  Eigen::VectorXd u(6);
+  u << 0.6, 0.0, 0.8, 0.0, 0.0, 0.0;
+  model.setInput(u), at_run_time.setInput(u);
+  const auto start = model.make_x(std::array{0.2}, std::array{-0.3}, std::array{0.1, -0.2, 0.3, 0.4});
+  CHECK(difference_of(model(0.0, start), Eigen::Matrix<double, 6, 1>(at_run_time(0.0, Eigen::VectorXd(start)))) <
+        1e-14);
+  dormand_prince45 solver(std::ref(model), 0.0, model.make_x(std::array{0.2}, std::array{-0.3}),
+                          {.absolute = 1e-12, .relative = 1e-12});
+  solver.integrate(3.0);  // by 3 rad about (0.6, 0, 0.8)
+  const auto& at_end = solver.state();
+  CHECK(at_end[2] == within(std::cos(1.5) - 1, 1e-10));
+  CHECK(at_end[3] == within(0.6 * std::sin(1.5), 1e-10));
+  CHECK(at_end[4] == within(0, 1e-15));
+  CHECK(at_end[5] == within(0.8 * std::sin(1.5), 1e-10));
 }
 
 TEST_CASE("gains that make no sense", "[signals]") {

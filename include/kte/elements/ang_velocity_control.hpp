@@ -31,6 +31,51 @@ struct ang_velocity_control_2D : no_parameters {
     return rotation_control_2D{}.doForce(z, w, al, base, end);
   }
 };
+/// A frame in space that turns in another about its origin at a given angular velocity w, in axes of the end. Internal
+/// states are those of a quaternion q, less that of no rotation, which is where all are 0:
+///
+///   q = (1 + e, x, y, z),   q' = q (0, w) / 2,   R = R(q / |q|),   al = w'          (1)
+///
+/// R' = R [w]x whatever |q| is, which no exact integration would change.
+struct ang_velocity_control_3D : no_parameters {
+  static constexpr type_name type{"ang_velocity_control", kind::frame_3D};
+  static constexpr std::array<port, 8> ports{{{kind::vector, access::in, "ang_velocity"},
+                                              {kind::vector, access::in, "ang_acceleration"},
+                                              {kind::internal, access::keep, "e"},
+                                              {kind::internal, access::keep, "x"},
+                                              {kind::internal, access::keep, "y"},
+                                              {kind::internal, access::keep, "z"},
+                                              {kind::frame_3D, access::in, "base"},
+                                              {kind::frame_3D, access::out, "end"}}};
+
+  template <class W, class AL, class Z, class Base>
+  KTE_INLINE constexpr auto doMotion(const W& w, const AL& al, const Z& e, const Z& x, const Z& y, const Z& z,
+                                     const Base& base) const {
+    return compose(base, motion{zero3{}, turn(e, x, y, z), zero3{}, w, zero3{}, al});
+  }
+  template <class W, class AL, class Z, class Base>
+  KTE_INLINE constexpr auto z_dot(const W& w, const AL&, const Z& e, const Z& x, const Z& y, const Z& z,
+                                  const Base&) const {
+    const vec3 u{x, y, z};
+    const auto rate = (one + e) * w + cross(u, w);
+    return make_rates(-detail::half(dot(u, w)), detail::half(rate.x), detail::half(rate.y), detail::half(rate.z));
+  }
+  template <class W, class AL, class Z, class Base, class Load>
+  KTE_INLINE constexpr auto doForce(const W&, const AL&, const Z& e, const Z& x, const Z& y, const Z& z, const Base&,
+                                    const Load& end) const {
+    return make_loads(transmit(pose{turn(e, x, y, z), zero3{}}, end));
+  }
+
+ private:
+  template <class Z>
+  KTE_INLINE static constexpr auto turn(const Z& e, const Z& x, const Z& y, const Z& z) {
+    if constexpr (std::is_same_v<Z, zero_t>) {
+      return no_rotation{};
+    } else {
+      return matrix_of_any_length(unit_quaternion<Z>{Z(1) + e, x, y, z});
+    }
+  }
+};
 
 }  // namespace core
 
@@ -41,7 +86,16 @@ constexpr auto ang_velocity_control_2D(const W& ang_velocity, const AL& ang_acce
                                        const E& end) {
   return connect(core::ang_velocity_control_2D{}, ang_velocity, ang_acceleration, angle, base, end);
 }
+/// A frame `end` in space that turns in `base` at the rate that a signal of three numbers says (rad/s, in axes of the
+/// end), of which `ang_acceleration` is the derivative, from where a quaternion (1 + e, x, y, z) of internal states
+/// says.
+template <class W, class AL, class Q0, class Q1, class Q2, class Q3, class B, class E>
+constexpr auto ang_velocity_control_3D(const W& ang_velocity, const AL& ang_acceleration, const Q0& e, const Q1& x,
+                                       const Q2& y, const Q3& z, const B& base, const E& end) {
+  return connect(core::ang_velocity_control_3D{}, ang_velocity, ang_acceleration, e, x, y, z, base, end);
+}
 
+KTE_CALL(ang_velocity_control_3D, "(ang_velocity, ang_acceleration, e, x, y, z, base, end)")
 KTE_CALL(ang_velocity_control_2D, "(ang_velocity, ang_acceleration, angle, base, end)")
 
 namespace detail {
@@ -52,6 +106,10 @@ struct ang_velocity_control_family {
     add("ang_velocity_control_2D", [](const auto& x) {
       return ang_velocity_control_2D(x.name("ang_velocity"), x.name("ang_acceleration"), x.name("angle"),
                                      x.name("base"), x.name("end"));
+    });
+    add("ang_velocity_control_3D", [](const auto& x) {
+      return ang_velocity_control_3D(x.name("ang_velocity"), x.name("ang_acceleration"), x.name("e"), x.name("x"),
+                                     x.name("y"), x.name("z"), x.name("base"), x.name("end"));
     });
   }
 };

@@ -179,7 +179,10 @@ KTE_ELEMENT(pid_control_gen);
 KTE_ELEMENT(rotation_control_2D);
 KTE_ELEMENT(rotation_control_3D);
 KTE_ELEMENT(velocity_control_gen);
+KTE_ELEMENT(velocity_control_2D);
+KTE_ELEMENT(velocity_control_3D);
 KTE_ELEMENT(ang_velocity_control_2D);
+KTE_ELEMENT(ang_velocity_control_3D);
 #  undef KTE_ELEMENT
 #endif
 

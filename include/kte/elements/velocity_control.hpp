@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kte/contract/no_parameters.hpp>
-#include <kte/contract/transmission.hpp>
+#include <kte/elements/position_control.hpp>
 
 namespace kte {
 
@@ -31,6 +30,60 @@ struct velocity_control_gen : no_parameters {
     return make_loads();
   }
 };
+/// A frame in the plane that moves in another at a given velocity, without turning; where it is, internal states know:
+///
+///   p = (x, y),   v = u,   a = u',   (x', y') = u          in axes of the base          (1)
+struct velocity_control_2D : no_parameters {
+  static constexpr type_name type{"velocity_control", kind::frame_2D};
+  static constexpr std::array<port, 6> ports{{{kind::vector, access::in, "velocity"},
+                                              {kind::vector, access::in, "acceleration"},
+                                              {kind::internal, access::keep, "x"},
+                                              {kind::internal, access::keep, "y"},
+                                              {kind::frame_2D, access::in, "base"},
+                                              {kind::frame_2D, access::out, "end"}}};
+  using at_position = position_control<kind::frame_2D>;
+
+  template <class V, class A, class X, class Y, class Base>
+  KTE_INLINE constexpr auto doMotion(const V& v, const A& a, const X& x, const Y& y, const Base& base) const {
+    return at_position{}.doMotion(vec3{x, y, zero}, v, a, base);
+  }
+  template <class V, class A, class X, class Y, class Base>
+  KTE_INLINE constexpr auto z_dot(const V& v, const A&, const X&, const Y&, const Base&) const {
+    return make_rates(v.x, v.y);
+  }
+  template <class V, class A, class X, class Y, class Base, class Load>
+  KTE_INLINE constexpr auto doForce(const V& v, const A& a, const X& x, const Y& y, const Base& base,
+                                    const Load& end) const {
+    return at_position{}.doForce(vec3{x, y, zero}, v, a, base, end);
+  }
+};
+/// The same in space.
+struct velocity_control_3D : no_parameters {
+  static constexpr type_name type{"velocity_control", kind::frame_3D};
+  static constexpr std::array<port, 7> ports{{{kind::vector, access::in, "velocity"},
+                                              {kind::vector, access::in, "acceleration"},
+                                              {kind::internal, access::keep, "x"},
+                                              {kind::internal, access::keep, "y"},
+                                              {kind::internal, access::keep, "z"},
+                                              {kind::frame_3D, access::in, "base"},
+                                              {kind::frame_3D, access::out, "end"}}};
+  using at_position = position_control<kind::frame_3D>;
+
+  template <class V, class A, class X, class Y, class Z, class Base>
+  KTE_INLINE constexpr auto doMotion(const V& v, const A& a, const X& x, const Y& y, const Z& z,
+                                     const Base& base) const {
+    return at_position{}.doMotion(vec3{x, y, z}, v, a, base);
+  }
+  template <class V, class A, class X, class Y, class Z, class Base>
+  KTE_INLINE constexpr auto z_dot(const V& v, const A&, const X&, const Y&, const Z&, const Base&) const {
+    return make_rates(v.x, v.y, v.z);
+  }
+  template <class V, class A, class X, class Y, class Z, class Base, class Load>
+  KTE_INLINE constexpr auto doForce(const V& v, const A& a, const X& x, const Y& y, const Z& z, const Base& base,
+                                    const Load& end) const {
+    return at_position{}.doForce(vec3{x, y, z}, v, a, base, end);
+  }
+};
 
 }  // namespace core
 
@@ -40,7 +93,21 @@ template <class V, class A, class Z, class Q>
 constexpr auto velocity_control_gen(const V& velocity, const A& acceleration, const Z& position, const Q& coordinate) {
   return connect(core::velocity_control_gen{}, velocity, acceleration, position, coordinate);
 }
+/// A frame `end` that moves in `base`, without turning, at the velocity that a signal of three numbers says (m/s), of
+/// which `acceleration` is the derivative, from where its internal states x, y (m) say.
+template <class V, class A, class X, class Y, class B, class E>
+constexpr auto velocity_control_2D(const V& velocity, const A& acceleration, const X& x, const Y& y, const B& base,
+                                   const E& end) {
+  return connect(core::velocity_control_2D{}, velocity, acceleration, x, y, base, end);
+}
+template <class V, class A, class X, class Y, class Z, class B, class E>
+constexpr auto velocity_control_3D(const V& velocity, const A& acceleration, const X& x, const Y& y, const Z& z,
+                                   const B& base, const E& end) {
+  return connect(core::velocity_control_3D{}, velocity, acceleration, x, y, z, base, end);
+}
 
+KTE_CALL(velocity_control_2D, "(velocity, acceleration, x, y, base, end)")
+KTE_CALL(velocity_control_3D, "(velocity, acceleration, x, y, z, base, end)")
 KTE_CALL(velocity_control_gen, "(velocity, acceleration, position, coordinate)")
 
 namespace detail {
@@ -50,6 +117,14 @@ struct velocity_control_family {
   static void add_to(const Add& add) {
     add("velocity_control_gen", [](const auto& x) {
       return velocity_control_gen(x.name("velocity"), x.name("acceleration"), x.name("position"), x.name("coordinate"));
+    });
+    add("velocity_control_2D", [](const auto& x) {
+      return velocity_control_2D(x.name("velocity"), x.name("acceleration"), x.name("x"), x.name("y"), x.name("base"),
+                                 x.name("end"));
+    });
+    add("velocity_control_3D", [](const auto& x) {
+      return velocity_control_3D(x.name("velocity"), x.name("acceleration"), x.name("x"), x.name("y"), x.name("z"),
+                                 x.name("base"), x.name("end"));
     });
   }
 };
