@@ -1,14 +1,25 @@
 #pragma once
 
 /// All algorithms on static and runtime chains: those of kte.hpp, and derivatives of inverse and forward dynamics, the
-/// inverse of the mass matrix, hybrid dynamics, generalized momenta, the regressor of inertial parameters. (Many states
-/// at once: kte/dynamics/batch.hpp.)
+/// inverse of the mass matrix, hybrid dynamics, generalized momenta, the regressor of inertial parameters, rates of
+/// Jacobians, motion Jacobians as values, relative motion, the Coriolis matrix, joint reactions, rates of momenta, what
+/// frames carry and stand on, random and interpolated configurations, chains with locked joints. (Many states at once:
+/// kte/dynamics/batch.hpp.)
 #include <kte/contract/checks.hpp>
+#include <kte/dynamics/carried_inertia.hpp>
+#include <kte/dynamics/configurations.hpp>
+#include <kte/dynamics/coriolis_matrix.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/joint_reactions.hpp>
+#include <kte/dynamics/mass_matrix_calc.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/momentum.hpp>
+#include <kte/dynamics/momentum_rate.hpp>
+#include <kte/dynamics/reduced.hpp>
 #include <kte/dynamics/regressor.hpp>
+#include <kte/dynamics/relative_motion.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_regressor.hpp>
+#include <kte/dynamics/support.hpp>
 #include <kte/kte.hpp>

@@ -1,4 +1,11 @@
+#include <kte/dynamics/carried_inertia.hpp>
+#include <kte/dynamics/configurations.hpp>
+#include <kte/dynamics/coriolis_matrix.hpp>
+#include <kte/dynamics/jacobian_rate.hpp>
+#include <kte/dynamics/joint_reactions.hpp>
+#include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/regressor.hpp>
+#include <kte/dynamics/relative_motion.hpp>
 
 #include "allocations.hpp"
 #include "catch.hpp"
@@ -28,6 +35,14 @@ TEST_CASE("static chains allocate nothing") {
   CHECK(during([&] { (void)kte::forward_kinematics(c, x, robots::iiwa14_names::tool); }) == 0);
   CHECK(during([&] { (void)kte::torque_regressor(c, x, x, x); }) == 0);
   CHECK(during([&] { (void)kte::inertial_parameters(c); }) == 0);
+  const auto& tool = robots::iiwa14_names::tool;
+  CHECK(during([&] { (void)kte::coriolis_matrix(c, x, x), (void)kte::mass_matrix_rate(c, x, x); }) == 0);
+  CHECK(during([&] { (void)kte::jacobian_rate(c, x, x, tool), (void)kte::bias_acceleration(c, x, x, tool); }) == 0);
+  CHECK(during([&] { (void)kte::relative_jacobian(c, x, tool, tool); }) == 0);
+  CHECK(during([&] { (void)kte::relative_motion(c, x, x, x, tool, tool); }) == 0);
+  CHECK(during([&] { (void)kte::joint_reaction(c, x, x, x, tool), (void)kte::carried_inertia(c, x, tool); }) == 0);
+  CHECK(during([&] { (void)kte::centroidal_momentum_rate(c, x, x, x); }) == 0);
+  CHECK(during([&] { (void)kte::interpolate(c, x, x, 0.5), (void)kte::distance(c, x, x); }) == 0);
 }
 
 TEST_CASE("runtime chains allocate nothing once their state is made and has room for M") {

@@ -1,5 +1,9 @@
+#include <kte/dynamics/carried_inertia.hpp>
+#include <kte/dynamics/coriolis_matrix.hpp>
+#include <kte/dynamics/jacobian_rate.hpp>
+#include <kte/dynamics/momentum_rate.hpp>
+#include <kte/dynamics/relative_motion.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/math/pack.hpp>
 
@@ -60,6 +64,12 @@ results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const 
   add(centroidal_map(c, s, q));
   add_vector(centre_of_mass(c, s, q).position), add_vector(centre_of_mass_velocity(c, s, q, v));
   add_vector(centroidal_momentum(c, s, q, v).angular);
+  const auto rate = centroidal_momentum_rate(c, s, q, v, a);  // whose moments nearly cancel here
+  all.push_back({rate.linear.x, rate.linear.y, rate.linear.z, rate.angular.x, rate.angular.y, rate.angular.z});
+  add(centre_of_mass_jacobian(c, s, q));
+  add(coriolis_matrix(c, s, q, v)), add(jacobian_rate(c, s, q, v, "hand", at_world_origin));
+  add(relative_jacobian(c, s, q, "hand", "shank")), add_vector(relative_pose(c, s, q, "hand", "shank").position);
+  add_vector(carried_inertia(c, s, q, "trunk").moment);
   return all;
 }
 

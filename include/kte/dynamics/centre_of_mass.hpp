@@ -112,13 +112,10 @@ KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum, const Blame& why
   return r;
 }
 
-/// The sum of the momenta of all bodies at rest bases, at their origin and in their axes.
-template <class S, class Chain, class At, class V>
-KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
-  using wiring = typename Chain::wiring;
-  const given g{at, v, same<skip>{}, base_with_velocity};
-  const with_loads<Chain, momenta<S>> bodies{c};
-  const local_pass<with_loads<Chain, momenta<S>>, std::remove_const_t<decltype(g)>> pass(bodies, g);
+/// The sum of the loads that a pass has put on bases, which have one origin and one set of axes.
+template <class Pass>
+KTE_INLINE auto load_on_bases(const Pass& pass) {
+  using wiring = typename Pass::chain_type::wiring;
   const auto on = [&pass]<kind K, int Slot>() KTE_INLINE_LAMBDA {
     if constexpr (wiring::writer(K, Slot) < 0) {
       return pass.template load<K, Slot>();
@@ -133,6 +130,13 @@ KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
   }
   (std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{},
    std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+}
+/// The sum of the momenta of all bodies at rest bases, at their origin and in their axes.
+template <class S, class Chain, class At, class V>
+KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
+  const given g{at, v, same<skip>{}, base_with_velocity};
+  const with_loads<Chain, momenta<S>> bodies{c};
+  return load_on_bases(local_pass<with_loads<Chain, momenta<S>>, std::remove_const_t<decltype(g)>>(bodies, g));
 }
 
 }  // namespace detail

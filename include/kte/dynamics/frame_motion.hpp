@@ -72,6 +72,7 @@ KTE_INLINE auto motion_at(const Chain& c, const Given& g) {
 }
 
 inline constexpr same_base base_with_pose{motion{zero3{}, no_rotation{}, skip{}, skip{}, skip{}, skip{}}};
+inline constexpr same_base base_at_rest{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, zero3{}, zero3{}}};
 inline constexpr same_base base_with_velocity{motion{skip{}, skip{}, zero3{}, zero3{}, skip{}, skip{}}};
 inline constexpr same_base base_with_acceleration{motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
 

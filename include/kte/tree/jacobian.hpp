@@ -4,13 +4,15 @@
 
 namespace kte::tree {
 
-/// The pose of a frame in its base, which is returned as a slot. Only the records on the way are read.
+/// The pose of a frame in its base, or in the body of slot `top` where it stands on that; the slot is returned. Only
+/// the records on the way are read.
 template <class P, class S>
-int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x) {
+int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
+                 int top = -1) {
   mat3<vec3<S>> rotation = as<S>(frame.at.rotation);
   vec3<S> p = as<S>(frame.at.position);
   int slot = frame.slot;
-  while (slot >= f.bases) {
+  while (slot >= f.bases && slot != top) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const placed at{f.records[i], m.spots[i]};
     rotation = at.columns_out(rotation), p = at.at.position + at.out(p);
@@ -20,19 +22,19 @@ int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>
   return slot;
 }
 
-/// The columns of the Jacobian of a frame in its own axes, from the frame to its base: with the frame at R, p in a body
-/// whose joint has the axis s (Siciliano et al., Robotics, 2009, section 3.1.3),
+/// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top`: with the frame at R, p
+/// in a body whose joint has the axis s (Siciliano et al., Robotics, 2009, section 3.1.3),
 ///
 ///   put(k, R^T (s_v + s_w x p), R^T s_w)          (1)
 ///
 /// Returns as `pose_in_base`.
-template <class P, class S, class Put>
-int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
-                     const Put& put) {
+template <class P, class S, class N, class Put>
+int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
+                     const Put& put, int top = -1) {
   mat3<vec3<S>> rotation = as<S>(frame.at.rotation);
   vec3<S> p = as<S>(frame.at.position);
   int slot = frame.slot;
-  while (slot >= f.bases) {
+  while (slot >= f.bases && slot != top) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
@@ -65,6 +67,17 @@ int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_plac
   }
   x = {rotation, p};
   return slot;
+}
+
+/// The last body that two slots stand on, which may be one of them; -1 where they have different bases.
+template <class P>
+int common_slot(const forest<P>& f, int a, int b) {
+  while (a != b) {  // parents come first
+    int& later = a > b ? a : b;
+    if (later < f.bases) return -1;
+    later = f.records[static_cast<std::size_t>(later - f.bases)].parent;
+  }
+  return a;
 }
 
 }  // namespace kte::tree

@@ -79,14 +79,18 @@ void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F&
   tree::momenta(f, s.work, about,
                 [&](int k, const tree::dense_wrench<S>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
 }
+/// Coordinates that are given rest.
+template <class S>
+void rest_given_coordinates(basic_runtime_state<S>& s) {
+  for (const auto& r : s.tree().forest.records)
+    if (r.what == kind::gen && !r.yields && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
+      s.work.rate[static_cast<std::size_t>(r.first)] = s.work.acceleration[static_cast<std::size_t>(r.first)] = S(0);
+}
 /// Momentum about a point of the world, after `carry`; coordinates that are given rest.
 template <class S>
 tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
   const auto& f = s.tree().forest;
-  take_rates(s);
-  for (const auto& r : f.records)
-    if (r.what == kind::gen && !r.yields && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
-      s.work.rate[static_cast<std::size_t>(r.first)] = S(0);
+  take_rates(s), rest_given_coordinates(s);
   tree::dense_wrench<S> sum{};
   tree::momenta(f, s.work, about, [&](int k, const tree::dense_wrench<S>& h) {
     const S& r = s.work.rate[static_cast<std::size_t>(k)];

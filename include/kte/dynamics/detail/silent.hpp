@@ -21,6 +21,7 @@ constexpr auto no_load() {
 /// An element that puts no loads.
 template <class Core>
 struct silent {
+  static constexpr auto& type = Core::type;
   static constexpr auto& ports = Core::ports;
 
   template <class... Inputs>

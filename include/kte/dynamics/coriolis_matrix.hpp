@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kte/dynamics/detail/by_records.hpp>
+#include <kte/dynamics/detail/follower_rates.hpp>
+#include <kte/dynamics/detail/local_coriolis.hpp>
+#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/tree/coriolis.hpp>
+
+/// The matrix of Coriolis and centrifugal forces, and how the mass matrix changes; on static and runtime chains.
+namespace kte {
+
+namespace detail {
+/// In the working memory of a state that has its coordinates and bases and is found good.
+template <class Elements, class State>
+auto coriolis_of_coordinates(const Elements& c, State& s) {
+  using S = typename State::scalar;
+  using square = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  const auto& t = s.tree();
+  place_bodies(c, s);
+  take_rates(s), place_in_world(s);
+  for_each_base(s, [&s](const auto& m, std::size_t slot) {
+    const mat3<vec3<S>>& r = s.work.world[slot].rotation;
+    s.work.bodies[slot].velocity = r * as<S>(m.velocity), s.work.bodies[slot].ang_velocity = r * as<S>(m.ang_velocity);
+  });
+  const int n = t.plan.coordinates;
+  square coriolis = square::Zero(n, n), mass = coriolis;
+  tree::coriolis_of_records(t.forest, s.work, [&](int j, int k, const S& c_jk, const S& m_jk) {
+    const int row = t.forest.row[static_cast<std::size_t>(j)], column = t.forest.row[static_cast<std::size_t>(k)];
+    coriolis(row, column) += c_jk, mass(row, column) += m_jk;
+  });
+  for (int i = 0; i < n; ++i) mass(i, i) += S(t.own_mass[static_cast<std::size_t>(i)]);
+  // Of coordinates by their ratios E to those that they follow:  E^T (C E + M dE/dt)
+  hand_on_with_rates(c, s, [&](int to, int from, const S& ratio, const S& rate) {
+    coriolis.col(to) += ratio * coriolis.col(from) + rate * mass.col(from);
+    mass.col(to) += ratio * mass.col(from);
+    coriolis.row(to) += ratio * coriolis.row(from);
+    mass.row(to) += ratio * mass.row(from);
+  });
+  coriolis.conservativeResize(s.dofs(), s.dofs());
+  return coriolis;
+}
+inline constexpr same_base base_with_velocity_and_axes{motion{skip{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
+template <class Matrix>
+Matrix with_transpose(const Matrix& m) {
+  const Matrix sum = m + m.transpose();
+  check_result(sum.data(), static_cast<std::size_t>(sum.size()), too_large{"a matrix"});
+  return sum;
+}
+}  // namespace detail
+
+/// C(q, v), of which C v are the `coriolis_forces`, made of Christoffel's symbols, by which
+///
+///   dM/dt - 2 C  is skew-symmetric,   dM/dt = C + C^T          (1)
+///
+/// as controllers need it that follow a trajectory or adapt (tree/coriolis.hpp). Bases rest; elements that have a mass
+/// and a law of their own count by that mass. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
+template <class Gravity, class... E, indexable Q, indexable V>
+auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  static_assert(sizeof(check_loads_of<chain_type>) > 0 && sizeof(check_bodies_of<chain_type>) > 0);
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const joint_matrix<S, chain_type::dofs> m = [&]() -> joint_matrix<S, chain_type::dofs> {
+    if constexpr (is_unrolled<chain_type, S> && is_tree_of_joints<chain_type>) {
+      const given g{at, each<S, V>{v}, same<skip>{}, base_with_velocity_and_axes};
+      return local_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
+    } else {
+      return by_records<S>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest},
+                           [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });
+    }
+  }();
+  check_result(m.data(), static_cast<std::size_t>(m.size()),
+               [&]() { blame<typename chain_type::wiring>("a matrix", at.q, each<S, V>{v}, same<zero_t>{}, "a"); });
+  return m;
+}
+/// How M changes where the chain moves by v: (1).
+template <class Gravity, class... E, indexable Q, indexable V>
+auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+  return detail::with_transpose(coriolis_matrix(c, q, v));
+}
+
+/// At the positions and rates of a state, with its moving bases and coordinates that are given: (1) holds then, too,
+/// but C v leaves out what these do.
+template <class S>
+runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::refuse_spread_masses(c, s), detail::check_state_velocities(s);
+  runtime_matrix<S> m = detail::coriolis_of_coordinates(detail::runtime_elements{c}, s);
+  detail::check_result(m.data(), static_cast<std::size_t>(m.size()), [&s] { detail::blame("a matrix", s); });
+  return m;
+}
+template <class S, indexable Q, indexable V>
+runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  detail::check_regular(c, s), detail::refuse_spread_masses(c, s);
+  detail::take(c, s, q, v);
+  return coriolis_matrix(c, s);
+}
+template <class S>
+runtime_matrix<S> mass_matrix_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  return detail::with_transpose(coriolis_matrix(c, s));
+}
+template <class S, indexable Q, indexable V>
+runtime_matrix<S> mass_matrix_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::with_transpose(coriolis_matrix(c, s, q, v));
+}
+
+}  // namespace kte

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/runtime.hpp>
+#include <kte/elements/base.hpp>
+#include <kte/elements/rigid_link.hpp>
+
+#include <array>
+#include <string>
+#include <tuple>
+#include <vector>
+
+/// The elements of a chain in which joints are locked.
+namespace kte::detail {
+
+/// The pose of a link in the plane and in space, of a type that links have.
+template <kind Dim, class M>
+constexpr auto link_at(const M& m) {
+  if constexpr (Dim == kind::frame_2D) {
+    const auto r = as<double>(m.rotation * rotation_2D{one, zero});
+    const auto p = in_plane(vec2<double>{as<double>(m.position.x), as<double>(m.position.y)});
+    return core::rigid_link<Dim, rotation_2D<>, vec3<double, double, zero_t>>(p, r);
+  } else {
+    return core::rigid_link<Dim, mat3<vec3<>>, vec3<>>(as<double>(m.position), as<double>(matrix(m.rotation)));
+  }
+}
+
+/// Goes through the elements of a runtime chain, in order, at a configuration.
+class chain_reduction {
+  enum lock_state : char { free = 0, as_locked, as_constant };  ///< gone; or there again, as a constant
+  template <class Lists>
+  static auto& at(Lists& lists, kind k, int i) {
+    return lists[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+  }
+
+ public:
+  template <class Q>
+  chain_reduction(const kte_map_chain& c, const Q& q) : chain_(c), state_(c.make_state()) {
+    take(c, state_, q);
+    for (std::size_t k = 0; k < kinds; ++k) locked_[k].resize(c.wiring().names[k].size());
+  }
+  /// Throws `unknown_name`, `bad_argument`.
+  void lock(std::string_view name) {
+    const topology& t = chain_.wiring();
+    const kind k = t.kind_of(name, false);
+    const int index = t.find(name, k);
+    for (const freedom& f : t.free)
+      if (f.what == k && f.slot == index) {
+        at(locked_, k, index) = as_locked;
+        return;
+      }
+    throw bad_argument("kte: '" + std::string(name) + "' is no degree of freedom, which could be locked");
+  }
+  kte_map_chain make() {
+    kte_map_chain r;
+    r.gravity(chain_.gravity());
+    for (const auto& e : chain_.wiring().elements) add(e, r);
+    return r;
+  }
+
+ private:
+  const std::string& name(kind k, int i) const { return at(chain_.wiring().names, k, i); }
+
+  void add(const topology::connection& e, kte_map_chain& to) {
+    const std::size_t last = e.ports.size() - 1;
+    const bool follows = !e.stiff && e.ports[last].how == access::out && e.ports[last].what == kind::gen;
+    bool any = false, all = true;
+    for (std::size_t p = 0; p < (follows ? last : last + 1); ++p) {
+      const bool is = is_coordinate(e.ports[p].what) && at(locked_, e.ports[p].what, e.index[p]) != free;
+      any |= is, all &= is;
+    }
+    if (follows) e.element->doMotion(state_);  // where joints read it
+    if (!any) {
+      to.append(e.element->clone());
+    } else if (e.stiff) {
+      add_link(e, to);
+    } else if (follows && all) {
+      at(locked_, kind::gen, e.index[last]) = as_locked;
+    } else if (!needless(e, all)) {
+      for (std::size_t p = 0; p < e.ports.size(); ++p) keep_constant(e.ports[p].what, e.index[p], to);
+      to.append(e.element->clone());
+    }
+  }
+  /// Masses that cannot move, and what holds that which is locked; `all`: it is connected to nothing else.
+  bool needless(const topology::connection& e, bool all) const {
+    const auto n = e.element->numbers();
+    return (all && n.has_mass) || (n.holds_coordinate && at(locked_, e.ports[0].what, e.index[0]) != free);
+  }
+  /// The pose of a joint is that of its end when its base stands at the origin.
+  void add_link(const topology::connection& e, kte_map_chain& to) {
+    const auto& base = name(e.ports[1].what, e.index[1]);
+    const auto& end = name(e.ports[2].what, e.index[2]);
+    if (e.ports[1].what == kind::frame_2D) {
+      state_.get<kind::frame_2D>(e.index[1]) = {};
+      e.element->doMotion(state_);
+      to << connect(link_at<kind::frame_2D>(spatial(state_.get<kind::frame_2D>(e.index[2]))), base, end);
+    } else {
+      state_.get<kind::frame_3D>(e.index[1]) = {};
+      e.element->doMotion(state_);
+      to << connect(link_at<kind::frame_3D>(state_.get<kind::frame_3D>(e.index[2])), base, end);
+    }
+  }
+  /// A locked coordinate that an element acts on stands at a constant distance from nothing.
+  void keep_constant(kind k, int i, kte_map_chain& to) {
+    if (!is_coordinate(k) || at(locked_, k, i) != as_locked) return;
+    if (k != kind::gen)
+      throw bad_argument("kte: '" + name(k, i) + "' cannot be locked: an element besides its joint acts on it");
+    const std::string origin = "origin of " + name(k, i);
+    to << base_gen(origin) << rigid_link_gen(origin, name(k, i), state_.get<kind::gen>(i).q);
+    at(locked_, k, i) = as_constant;
+  }
+
+  const kte_map_chain& chain_;
+  runtime_state state_;
+  std::array<std::vector<lock_state>, kinds> locked_;  ///< of things, by kind
+};
+
+template <class Locked, class Core, class... Keys>
+inline constexpr bool reads_key = [] {
+  const bool each[]{std::is_same_v<Locked, Keys>..., false};
+  for (const bool same : each)
+    if (same) return true;
+  return false;
+}();
+template <class Chain, class Given, class... Locked>
+struct static_reduction {
+  using types = local_types<Chain, Given>;
+  using wiring = typename Chain::wiring;
+  const Chain& chain;
+  const Given& given;
+
+  template <class Core, class... Keys>
+  constexpr auto operator()(const element<Core, Keys...>& e) const {
+    constexpr bool locked = (reads_key<Locked, Core, Keys...> || ...);
+    if constexpr (!locked) {
+      return e;
+    } else {
+      static_assert(
+          is_transmission<Core>,
+          "kte: an element besides its joint acts on a coordinate that is to be locked: leave it out, or use a "
+          "runtime chain");
+      constexpr kind k = coordinate_kind<Core>;
+      constexpr int slot = wiring::template find<first_of<Keys...>>();
+      const auto m = e.core.relative(position_only(motion_of<types, k, slot>(chain, given)));
+      return link<Core::ports[1].what>(m, static_cast<const std::tuple<Keys...>*>(nullptr));
+    }
+  }
+
+ private:
+  template <class First, class...>
+  struct first {
+    using type = First;
+  };
+  template <class... Keys>
+  using first_of = typename first<Keys...>::type;
+  template <kind Dim, class M, class Q, class B, class E>
+  static constexpr auto link(const M& m, const std::tuple<Q, B, E>*) {
+    return connect(link_at<Dim>(m), B{}, E{});
+  }
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
+
+/// How the centre of mass and the momentum of a chain change, static and runtime: bases at rest, without gravity, axes
+/// of the base.
+namespace kte {
+
+namespace detail {
+template <class S, class Chain, class At, class V, class A>
+KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, const A& a) {
+  using bodies = with_loads<Chain, bodies_alone>;
+  const given g{at, v, a, base_at_rest};
+  const bodies b{c};
+  const auto w = load_on_bases(local_pass<bodies, std::remove_const_t<decltype(g)>>(b, g));
+  return wrench{-w.force, -w.torque};
+}
+}  // namespace detail
+
+/// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. The linear rows of `centroidal_map`,
+/// by mass.
+template <class Gravity, class... E, indexable Q>
+auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
+  using S = value_of<Q>;
+  constexpr int n = static_chain<Gravity, E...>::dofs;
+  const auto map = centroidal_map(c, q);
+  return Eigen::Matrix<S, 3, n>(map.template topRows<3>() / centre_of_mass(c, q).mass);
+}
+
+/// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces that bodies need for their motion,
+/// and that of their moments n about the origin,
+///
+///   p' = f,   k_G' = n - c x f          (1)
+///
+/// with c the centre of mass; what acts on the chain from outside, gravity and bases, makes just that.
+template <class Gravity, class... E, indexable Q, indexable V, indexable A>
+auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  check_rates<chain_type>(a, "a", "an acceleration");
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const auto why = [&]() { blame<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
+  const auto w = weight_of<S>(c, at);
+  const auto h = momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a});
+  return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);  // (1)
+}
+/// The acceleration of the centre of mass, m/s^2: p' by mass.
+template <class Gravity, class... E, indexable Q, indexable V, indexable A>
+auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+  using S = value_of<Q>;
+  const S mass = centre_of_mass(c, q).mass;
+  const vec3<S> f = centroidal_momentum_rate(c, q, v, a).linear;
+  return vec3<S>{f.x / mass, f.y / mass, f.z / mass};
+}
+
+namespace detail {
+/// What all bodies need for the motion of coordinates, about a point of the world. After `carry`.
+template <class S>
+tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
+  const auto& f = s.tree().forest;
+  auto& w = s.work;
+  take_rates(s), rest_given_coordinates(s);
+  for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) w.bodies[b] = {};
+  tree::move_bodies<false>(f, w);
+  tree::dense_wrench<S> sum{};
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    const std::size_t slot = static_cast<std::size_t>(f.bases) + i;
+    const auto& x = w.bodies[slot];
+    const auto& at = w.world[slot];
+    const vec3<S> h = as<S>(f.records[i].weight.moment), &u = x.ang_velocity;
+    const sym3<S> inertia = as<S>(f.records[i].weight.inertia);
+    const vec3<S> force = at.rotation * (S(f.records[i].weight.mass) * x.acceleration + cross(x.ang_acceleration, h) +
+                                         cross(u, cross(u, h)));
+    const vec3<S> torque =
+        at.rotation * (inertia * x.ang_acceleration + cross(u, inertia * u) + cross(h, x.acceleration));
+    sum = {sum.force + force, sum.torque + torque + cross(at.position - about, force)};
+  }
+  return sum;
+}
+}  // namespace detail
+
+// ---- of runtime chains; coordinates that are given rest, as for `centroidal_momentum`
+
+template <class S>
+runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  const auto map = centroidal_map(c, s);
+  return map.topRows(3) / centre_of_mass(c, s).mass;
+}
+template <class S>
+linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  const auto h = detail::momentum_rate_of_coordinates(s, detail::divided_by_mass<S>(w.mass, w.moment));
+  return detail::checked<S>(h.force, h.torque);
+}
+template <class S>
+vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  const S mass = centre_of_mass(c, s).mass;
+  const vec3<S> f = centroidal_momentum_rate(c, s).linear;
+  return {f.x / mass, f.y / mass, f.z / mass};
+}
+// The same at q, v, a, which are put into the state.
+template <class S, indexable Q>
+runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::check_regular(c, s), detail::take(c, s, q);
+  return centre_of_mass_jacobian(c, s);
+}
+template <class S, indexable Q, indexable V, indexable A>
+linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                           const A& a) {
+  detail::check_regular(c, s), detail::take(c, s, q, v, a);
+  return centroidal_momentum_rate(c, s);
+}
+template <class S, indexable Q, indexable V, indexable A>
+vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                    const A& a) {
+  detail::check_regular(c, s), detail::take(c, s, q, v, a);
+  return centre_of_mass_acceleration(c, s);
+}
+
+}  // namespace kte

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <kte/dynamics/detail/relative_motion.hpp>
+
+/// How a frame B stands and moves in another frame A of the same chain, static or runtime: as frames do in their
+/// parents (frames/motion.hpp), with the position in axes of A and rates in axes of B. Frames in the plane are given as
+/// frames in space.
+namespace kte {
+
+// ---- of static chains
+
+/// Where B stands in A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m; by the elements between them alone. Of a runtime chain
+/// that has elements which are more than records say, `relative_motion` knows it.
+template <class Gravity, class... E, indexable Q, key_type B, key_type A>
+auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  if constexpr (moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>)
+    return plain_pose<S>(pose_in_frame<branch_of<chain_type, A>, branch_of<chain_type, B>>(c, g));
+  else
+    return plain_pose<S>(compose(inverse(plain_pose<S>(motion_at<A>(c, g))), plain_pose<S>(motion_at<B>(c, g))));
+}
+/// How B moves in A: by `relative` of the motions of both (frames/inverse.hpp).
+template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type B, key_type A>
+auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& a, const B&, const A&) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q), check_velocities<chain_type>(v);
+  check_rates<chain_type>(a, "a", "an acceleration");
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const given g{at, each<S, V>{v}, each<S, X>{a}, base_at_rest};
+  return checked_motion(in_numbers<S>(motion_at<A>(c, g)), in_numbers<S>(motion_at<B>(c, g)), [&]() {
+    blame<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
+  });
+}
+/// The Jacobian of the motion of B in A, in axes of B: the velocity and angular velocity of `relative_motion` are J v.
+/// Joints that move both have zeros.
+template <class Gravity, class... E, indexable Q, key_type B, key_type A>
+auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
+  using S = value_of<Q>;
+  check_configuration<chain_type>(q);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  static_assert(moved_by_joints<chain_type, A> && moved_by_joints<chain_type, B>,
+                "kte: this algorithm takes frames that joints and links move, and no frames that follow others");
+  using a = branch_of<chain_type, A>;
+  using b = branch_of<chain_type, B>;
+  using pass = local_relative_jacobian<S, chain_type, std::remove_const_t<decltype(g)>, a, b>;
+  typename pass::matrix_type j;
+  pass(c, g, j).fill(pose_in_frame<a, b>(c, g));
+  return j;
+}
+
+// ---- of runtime chains, with bases as the state has them
+
+template <class S>
+pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
+                                           const name_or_handle& a) {
+  detail::check_regular(c, s);
+  const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
+  detail::check_positions(s);
+  return detail::relative_pose_of(c, s, of, in);
+}
+template <class S, indexable Q>
+requires(!names_something<Q>) pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c,
+                                                                         basic_runtime_state<S>& s, const Q& q,
+                                                                         const name_or_handle& b,
+                                                                         const name_or_handle& a) {
+  detail::check_regular(c, s);
+  const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
+  detail::take(c, s, q);
+  return detail::relative_pose_of(c, s, of, in);
+}
+template <class S>
+dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
+                                const name_or_handle& a) {
+  c.check(s);
+  const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
+  detail::check_state_velocities(s);
+  return detail::relative_motion_of(c, s, of, in);
+}
+template <class S, indexable Q, indexable V, indexable X>
+dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v, const X& x,
+                                const name_or_handle& b, const name_or_handle& a) {
+  const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
+  detail::take(c, s, q, v, x);
+  return detail::relative_motion_of(c, s, of, in);
+}
+template <class S>
+basic_runtime_jacobian<S> relative_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
+                                            const name_or_handle& a) {
+  detail::check_regular(c, s);
+  const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
+  detail::check_positions(s);
+  return detail::relative_jacobian_of(c, s, of, in);
+}
+template <class S, indexable Q>
+requires(!names_something<Q>) basic_runtime_jacobian<S> relative_jacobian(const kte_map_chain& c,
+                                                                          basic_runtime_state<S>& s, const Q& q,
+                                                                          const name_or_handle& b,
+                                                                          const name_or_handle& a) {
+  detail::check_regular(c, s);
+  const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
+  detail::take(c, s, q);
+  return detail::relative_jacobian_of(c, s, of, in);
+}
+
+}  // namespace kte

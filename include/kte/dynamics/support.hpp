@@ -1,0 +1,113 @@
+#pragma once
+
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/detail/static_plan.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What frames stand on, on static and runtime chains; from their wiring alone.
+namespace kte {
+
+namespace detail {
+using thing_of_chain = std::pair<kind, int>;
+/// A frame and all that it stands on, to its base: of what writes a frame the last port but one.
+template <class Connections>
+std::vector<thing_of_chain> stands_on(const Connections& c, thing_of_chain frame) {
+  std::vector<thing_of_chain> all{frame};
+  for (int e = c.writer(frame.first, frame.second); e >= 0; e = c.writer(frame.first, frame.second)) {
+    const auto by = static_cast<std::size_t>(e);
+    const std::size_t base = c.ports(by).size() - 2;
+    frame = {c.ports(by)[base].what, c.index(by, base)};
+    all.push_back(frame);
+  }
+  return all;
+}
+/// The first of them that both have, or {gen, -1}.
+template <class Connections>
+thing_of_chain find_common_ancestor(const Connections& c, thing_of_chain a, thing_of_chain b) {
+  const auto of_b = stands_on(c, b);
+  for (const auto& x : stands_on(c, a))
+    if (std::find(of_b.begin(), of_b.end(), x) != of_b.end()) return x;
+  return {kind::gen, -1};
+}
+/// Marks the rates that move a frame: of coordinates that are read on the way to it, and of those that they follow.
+template <class Connections, class Mask>
+void mark_support(const Connections& c, thing_of_chain frame, Mask& moves) {
+  std::vector<thing_of_chain> ahead{frame};
+  while (!ahead.empty()) {
+    const auto [k, i] = ahead.back();
+    ahead.pop_back();
+    if (is_signal(k)) continue;
+    const int e = c.writer(k, i);
+    if (e >= 0) {
+      const auto by = static_cast<std::size_t>(e);
+      for (std::size_t p = 0; p + 1 < c.ports(by).size(); ++p) ahead.emplace_back(c.ports(by)[p].what, c.index(by, p));
+    } else {
+      for (std::size_t f = 0; f < c.freedoms(); ++f) {
+        const freedom at = c.freedom_at(f);
+        if (at.what != k || at.slot != i) continue;
+        for (int n = 0; n < nv_of(k); ++n) moves[static_cast<std::size_t>(at.v + n)] = true;
+      }
+    }
+  }
+}
+/// The text of thing i of kind k.
+template <class Wiring, class... E>
+std::string_view name_of_thing(kind k, int i) {
+  std::string_view found;
+  std::size_t port = 0;
+  const auto look = [&]<class Core, class... Keys>(const element<Core, Keys...>*) {
+    const std::string_view own[]{Keys::name...};
+    for (const auto& name : own) {
+      if (Wiring::table.what[port] == k && Wiring::table.slot[port] == i) found = name;
+      ++port;
+    }
+    return 0;
+  };
+  const int done[]{look(static_cast<const E*>(nullptr))..., 0};
+  (void)done;
+  return found;
+}
+}  // namespace detail
+
+/// Which degrees of freedom move a frame: for each number of v, whether its column of `jacobian` can be anything but
+/// zero.
+template <class Gravity, class... E, key_type Frame>
+auto support(const static_chain<Gravity, E...>&, const Frame&) {
+  using chain_type = static_chain<Gravity, E...>;
+  std::array<bool, std::size_t{chain_type::dofs}> moves{};
+  detail::mark_support(detail::static_connections<chain_type>{}, {Frame::what, detail::frame_slot<Frame, chain_type>()},
+                       moves);
+  return moves;
+}
+/// As on static chains. Throws `unknown_name`.
+inline std::vector<bool> support(const kte_map_chain& c, const name_or_handle& frame) {
+  const auto x = detail::find_frame(c, frame);
+  std::vector<bool> moves(static_cast<std::size_t>(c.dofs()));
+  detail::mark_support(detail::runtime_connections{c.wiring()}, {x.what, x.index}, moves);
+  return moves;
+}
+
+/// The name of the last frame that two frames stand on, by links and joints, which may be one of them; empty where they
+/// have different bases.
+template <class Gravity, class... E, key_type A, key_type B>
+std::string_view common_ancestor(const static_chain<Gravity, E...>&, const A&, const B&) {
+  using chain_type = static_chain<Gravity, E...>;
+  const auto [k, i] = detail::find_common_ancestor(detail::static_connections<chain_type>{},
+                                                   {A::what, detail::frame_slot<A, chain_type>()},
+                                                   {B::what, detail::frame_slot<B, chain_type>()});
+  return i < 0 ? std::string_view() : detail::name_of_thing<typename chain_type::wiring, E...>(k, i);
+}
+/// As on static chains. Throws `unknown_name`.
+inline std::string common_ancestor(const kte_map_chain& c, const name_or_handle& a, const name_or_handle& b) {
+  const auto x = detail::find_frame(c, a), y = detail::find_frame(c, b);
+  const auto [k, i] =
+      detail::find_common_ancestor(detail::runtime_connections{c.wiring()}, {x.what, x.index}, {y.what, y.index});
+  return i < 0 ? std::string() : c.wiring().names[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+}
+
+}  // namespace kte

@@ -1,0 +1,105 @@
+#include <kte/dynamics/relative_motion.hpp>
+
+#include <limits>
+
+#include "dynamics/small_chains.hpp"
+
+// Motion of one frame in another: against their motions in the world, against the Jacobian, static against runtime.
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double rounding = 200 * eps;  // as for rates of Jacobians: motions along at most 8 poses, twice
+
+template <class S>
+Eigen::Matrix<S, 6, 1> rates_of(const dense_motion<S>& m) {
+  return eigen(linear_angular<S>{m.velocity, m.ang_velocity});
+}
+
+template <class Chain, class B, class A>
+void check(const Chain& c, const B& b, const A& a, unsigned seed) {
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  random_numbers random(seed);
+  for (int round = 0; round < 3; ++round) {
+    const random_motion_of<double, Chain> m(c, random);
+    const auto x = relative_motion(c, m.q, m.v, m.a, b, a);
+    const auto j = relative_jacobian(c, m.q, b, a);
+    CHECK(gap(j * m.v, rates_of(x)) < rounding);
+    const auto p = relative_pose(c, m.q, b, a);
+    CHECK(gap(eigen(p.position), eigen(x.position)) < rounding);
+    CHECK(gap(to_eigen<double>(p.rotation), to_eigen<double>(x.rotation)) < rounding);
+    // The motion of A in B is the other way round.
+    const auto back = compose(x, relative_motion(c, m.q, m.v, m.a, a, b));
+    CHECK(gap(eigen(back.acceleration), Eigen::Vector3d::Zero()) < rounding * 100);  // of numbers below 100
+    // By differences of the pose and of the rates.
+    const double h = 1e-5;
+    const auto at = [&](double t) { return relative_pose(c, position_at(c, m, t), b, a); };
+    const Eigen::Vector3d v = (eigen(at(h).position) - eigen(at(-h).position)) / (2 * h);
+    CHECK(gap(eigen(vec3<>(x.rotation * x.velocity)), v) < 1e-7);
+    // Runtime.
+    CHECK(gap(relative_jacobian(model, s, m.q, b.name, a.name), j) < rounding);
+    CHECK(gap(relative_jacobian(model, s, b.name, a.name), j) < rounding);
+    const auto y = relative_motion(model, s, m.q, m.v, m.a, b.name, a.name);
+    CHECK(gap(rates_of(y), rates_of(x)) < rounding);
+    CHECK(gap(eigen(y.acceleration), eigen(x.acceleration)) < rounding);
+    CHECK(gap(eigen(y.ang_acceleration), eigen(x.ang_acceleration)) < rounding);
+    CHECK(gap(rates_of(relative_motion(model, s, b.name, a.name)), rates_of(y)) == 0);
+    CHECK(gap(eigen(relative_pose(model, s, m.q, b.name, a.name).position), eigen(p.position)) < rounding);
+    CHECK(gap(eigen(relative_pose(model, s, b.name, a.name).position), eigen(p.position)) < rounding);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("relative motion of frames by identities, differences and runtime chains") {
+  check(floating, tip, aside, 1);    // on two branches
+  check(floating, hand, tip, 2);     // the one on the other
+  check(floating, body, ground, 3);  // a frame in its base
+  check(planar, disc, cart, 4);
+  check(geared, palm, hand, 5);
+}
+
+TEST_CASE("relative Jacobians have zeros for what moves both frames") {
+  const auto q = random_configuration<double>(floating, *std::make_unique<random_numbers>(6));
+  const auto j = relative_jacobian(floating, q, tip, aside);
+  CHECK(j.leftCols<6>().isZero(0));  // of the trunk
+  const auto model = models::element_by_element(floating);
+  auto s = model.make_state();
+  CHECK(relative_jacobian(model, s, q, "tip", "aside").leftCols(6).isZero(0));
+  CHECK(relative_jacobian(floating, q, tip, tip).isZero(0));
+  CHECK(relative_jacobian(model, s, q, "tip", "tip").isZero(0));
+}
+
+TEST_CASE("relative motion of frames on different bases") {
+  kte_map_chain c;
+  c << base_2D("other") << revolute_joint_2D("q1", "one", "a") << prismatic_joint_2D("q2", "other", "b", axis::x);
+  auto s = c.make_state();
+  s.frame_2D("other").position = {1.0, 2.0};
+  const std::array q{0.0, 0.5}, v{1.0, 3.0}, a{0.0, 0.0};
+  const auto m = relative_motion(c, s, q, v, a, "b", "a");
+  CHECK(m.position.x == within(1.5, eps));
+  CHECK(m.position.y == within(2.0, eps));
+  // In axes that turn by 1 rad/s the point moves by (3, 0) - w x p.
+  CHECK(m.velocity.x == within(3 + 2, 4 * eps));
+  CHECK(m.velocity.y == within(-1.5, 4 * eps));
+  const Eigen::VectorXd rates = relative_jacobian(c, s, q, "b", "a") * Eigen::Vector2d(1, 3);
+  CHECK(rates[0] == within(5, 4 * eps));
+  CHECK(rates[1] == within(-1.5, 4 * eps));
+  CHECK(rates[5] == -1);
+}
+
+TEST_CASE("relative motion of bad arguments") {
+  const auto model = models::element_by_element(planar);
+  auto s = model.make_state();
+  const std::array<double, 4> q{0.1, 0.2, 0.3, 0.4}, nan{0.1, 0.2, 0.3, std::numeric_limits<double>::quiet_NaN()};
+  CHECK_THROWS_AS(relative_pose(model, s, q, "disc", "crt"), unknown_name);
+  CHECK_THROWS_AS(relative_jacobian(model, s, q, "dsc", "cart"), unknown_name);
+  CHECK_THROWS_AS(relative_motion(model, s, q, q, q, "q1", "cart"), unknown_name);
+  CHECK_THROWS_AS(relative_jacobian(planar, nan, disc, cart), bad_argument);
+  CHECK_THROWS_AS(relative_motion(planar, q, nan, q, disc, cart), bad_argument);
+  CHECK_THROWS_AS(relative_motion(model, s, q, q, nan, "disc", "cart"), bad_argument);
+}

@@ -1,0 +1,49 @@
+#include <kte/dynamics/support.hpp>
+
+#include "dynamics/small_chains.hpp"
+
+// What moves a frame, against the columns of its Jacobian; the frames that two stand on.
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+template <class Chain, class Frame>
+void check(const Chain& c, const Frame& frame, unsigned seed) {
+  random_numbers random(seed);
+  const auto j = jacobian(c, random_configuration<double>(c, random), frame);
+  const auto moves = support(c, frame);
+  const auto model = models::element_by_element(c);
+  const auto at_run_time = support(model, frame.name);
+  REQUIRE(at_run_time.size() == moves.size());
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    CHECK(moves[k] == !j.col(static_cast<Eigen::Index>(k)).isZero(0));
+    CHECK(at_run_time[k] == moves[k]);
+  }
+}
+}  // namespace
+
+TEST_CASE("what moves a frame are the columns of its Jacobian that are not zero") {
+  check(floating, tip, 1);
+  check(floating, aside, 2);
+  check(floating, ground, 3);
+  check(planar, cart, 4);
+  check(geared, hand, 5);  // by a coordinate that follows another
+  check(models::tree, models::hand, 6);
+}
+
+TEST_CASE("common ancestors") {
+  CHECK(common_ancestor(floating, tip, aside) == "body");
+  CHECK(common_ancestor(floating, tip, hand) == "hand");
+  CHECK(common_ancestor(floating, tip, tip) == "tip");
+  CHECK(common_ancestor(floating, ground, tip) == "ground");
+  const auto model = models::element_by_element(floating);
+  CHECK(common_ancestor(model, "tip", "aside") == "body");
+  CHECK(common_ancestor(model, model.frame("hand"), "tip") == "hand");
+  CHECK(common_ancestor(model, "socket", "aside") == "body");
+  kte_map_chain two;
+  two << base_2D("b") << revolute_joint_2D("p", "a", "x") << revolute_joint_2D("q", "b", "y");
+  CHECK(common_ancestor(two, "x", "y").empty());
+  CHECK_THROWS_AS(common_ancestor(model, "tip", "q1"), unknown_name);
+  CHECK_THROWS_AS(support(model, "tpi"), unknown_name);
+}
