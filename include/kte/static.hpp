@@ -28,6 +28,7 @@
 #include <kte/elements/force_law.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
+#include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>

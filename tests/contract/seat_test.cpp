@@ -127,6 +127,10 @@ TEST_CASE("places of joints in files", "[contract][seat]") {
   CHECK(record_of(from_record(c, r)) == r);
   CHECK(record_of(models::registered(r)) == r);
 
+  const auto dry = record_of(chain(dry_revolute_joint_3D(q, ground, arm, axis::y, 0.25).at(position, rotation)));
+  CHECK(names_of(dry.elements[0]) == names{"axis", "friction_radius", "smoothing", "position", "rotation"});
+  CHECK(record_of(models::registered(dry)) == dry);
+
   // One of them alone, which is enough.
   auto without = r;
   without.elements[0].parameters.pop_back();

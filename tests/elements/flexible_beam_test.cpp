@@ -2,6 +2,7 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <numbers>
@@ -125,6 +126,19 @@ bool near_tip(const V& tip, const vec3<>& exact, double tolerance) {
 
 TEST_CASE("flexible beams obey the laws", "[elements][flexible_beam]") { check_laws<double>(), check_laws<digits50>(); }
 
+TEST_CASE("flexible beams in numbers of fewer and of more digits", "[elements][flexible_beam]") {
+  const auto off = []<class S>(const S&) {
+    auto x = trial_of<S>(flexible_beam_3D("a", "b", 1.5, solid), 4);
+    auto exact = trial_of<digits50>(flexible_beam_3D("a", "b", 1.5, solid), 4);
+    x.doForce(), exact.doForce();
+    const auto f = as<digits50>(x.template at<1>().torque) - exact.template at<1>().torque;
+    return static_cast<double>(sqrt(dot(f, f)) / eps<S>);
+  };
+  CHECK(off(1.0f) < 200);  // of torques up to 10
+  CHECK(off(1.0) < 200);
+  CHECK(off(1.0L) < 200);
+}
+
 TEST_CASE("small motions of one beam are those of the linear beam", "[elements][flexible_beam]") {
   const double L = 2, P = 1e-6, EI = 3, EI_y = 2, EA = 7, GA = 20, GJ = 1.5;  // what is left out is of P^2
   const auto small = [](double x, double exact) { return std::abs(x - exact) <= 1e-5 * std::abs(exact); };
@@ -160,14 +174,18 @@ TEST_CASE("a beam under a force at its end is the elastica", "[elements][flexibl
     double alpha, x, y;
   };
   const auto c = cantilever(8, 1, planar_beam_section{.EA = 1e5, .EI = 1});
+  auto q = straight(c, 8, 1);
+  double before = 0;
   for (const auto& [alpha, x, y] : {point{1, 0.943566763716623117, 0.301720773799813530},
                                     {2, 0.839358279174832764, 0.493457480396711820},
                                     {4, 0.671058757753154043, 0.669964181277666751},
                                     {5, 0.612371639275570128, 0.713791523611912728},
                                     {10, 0.445004402246248730, 0.810609024880296453}}) {
-    const auto q = balanced(c, straight(c, 8, 1), 20,
-                            [p = alpha](double share) { return constant_force_2D("8", along_y(share * p)); });
+    q = balanced(c, q, static_cast<int>(2 * (alpha - before)), [from = before, to = alpha](double share) {
+      return constant_force_2D("8", along_y(from + share * (to - from)));
+    });
     CHECK(near_tip(q.tail(3), {x, y, q.tail(1)[0]}, 1e-4));
+    before = alpha;
   }
 }
 
@@ -209,6 +227,23 @@ TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi", "[elements][flexible_
   }
   q = balanced(c, q, 10, [](double share) { return constant_force_3D(std::to_string(n), along_z(share * 300)); });
   CHECK(near_tip(q.tail(7), {58.7788973299748, 22.2446794266758, 40.1923923322953}, 0.05));
+}
+
+TEST_CASE("a pushed beam buckles at Euler's load", "[elements][flexible_beam]") {
+  // pi^2 EI/(4 L^2) of a cantilever; two beams err by 5e-4.
+  const auto c = cantilever(2, 1, planar_beam_section{.EA = 1e6, .EI = 1});
+  const auto stiffness = [&](double push) {
+    const auto load = constant_force_2D("2", along_x(-push));
+    const auto q = balanced(c, straight(c, 2, 1), 1, [&](double) { return load; });
+    auto loaded = c;
+    loaded << load;
+    auto s = loaded.make_state();
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(loaded.dofs());
+    return Eigen::MatrixXd(inverse_dynamics_derivatives(loaded, s, q, none, none).by_q);
+  };
+  const double critical = pi * pi / 4;
+  CHECK(Eigen::LLT<Eigen::MatrixXd>(stiffness(0.999 * critical)).info() == Eigen::Success);
+  CHECK(Eigen::LLT<Eigen::MatrixXd>(stiffness(1.001 * critical)).info() != Eigen::Success);
 }
 
 TEST_CASE("a body on a beam keeps its energy", "[elements][flexible_beam]") {

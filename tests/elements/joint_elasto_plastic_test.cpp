@@ -94,6 +94,7 @@ TEST_CASE("elasto-plastic friction is as in the paper", "[elements][joint_elasto
     CHECK(x.force == within_relative(-(std::copysign(g, v) + 0.4 * v), 1e-13));
   }
   CHECK(std::isnan(answer_to(not_a_number, 1e-5).force));
+  CHECK(static_cast<double>(answer_to(1e-3f, 8e-6f).force) == within(answer_to(1e-3, 8e-6).force, 1e-5));
   auto sharp = dry;  // gives way at once where it does
   sharp.stiction = 1, sharp.breakaway = 1 / 1e5;
   CHECK(answer_to(1e-3, 1 / 1e5, sharp).z_dot == 1e-3);

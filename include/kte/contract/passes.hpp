@@ -271,7 +271,8 @@ struct stored_element {
   KTE_INLINE constexpr void add(const Loads& l) const {
     if constexpr (at<P>.what == kind::gen) {
       auto& x = stored<P>();
-      x.f = x.f + boost::hana::at_c<load_index<Core, P>>(l);
+      using S = std::remove_cvref_t<decltype(x.f)>;
+      x.f = S(x.f + boost::hana::at_c<load_index<Core, P>>(l));  // parameters may be of more digits
     } else if constexpr (!is_signal(at<P>.what)) {
       add_load(stored<P>(), boost::hana::at_c<load_index<Core, P>>(l));
     }

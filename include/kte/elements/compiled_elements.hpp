@@ -10,8 +10,10 @@
 #include <kte/elements/dry_revolute_joint.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/fluid_drag.hpp>
+#include <kte/elements/four_bar.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
+#include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>
@@ -28,6 +30,7 @@
 #include <kte/elements/rigid_link.hpp>
 #include <kte/elements/rotor.hpp>
 #include <kte/elements/screw_joint.hpp>
+#include <kte/elements/slider_crank.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/elements/table_spring.hpp>
@@ -73,18 +76,18 @@ KTE_ELEMENT(screw_joint<vec3<one_t, zero_t, zero_t>, double>);
 KTE_ELEMENT(screw_joint<vec3<zero_t, one_t, zero_t>, double>);
 KTE_ELEMENT(screw_joint<vec3<zero_t, zero_t, one_t>, double>);
 KTE_ELEMENT(screw_joint<vec3<>, double>);
-KTE_ELEMENT(placed_2D<revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
-KTE_ELEMENT(placed_2D<prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>);
-KTE_ELEMENT(placed_2D<free_joint<kind::frame_2D>>);
-KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<one_t, zero_t, zero_t>>>);
-KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>>);
-KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>>);
-KTE_ELEMENT(placed_3D<revolute_joint<kind::frame_3D, vec3<>>>);
-KTE_ELEMENT(placed_3D<prismatic_joint<kind::frame_3D, vec3<>>>);
-KTE_ELEMENT(placed_3D<spherical_joint>);
-KTE_ELEMENT(placed_3D<free_joint<kind::frame_3D>>);
-KTE_ELEMENT(placed_3D<planar_joint>);
-KTE_ELEMENT(placed_3D<screw_joint<vec3<>, double>>);
+KTE_ELEMENT(placed_2D<core::revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(placed_2D<core::prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>);
+KTE_ELEMENT(placed_2D<core::free_joint<kind::frame_2D>>);
+KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<one_t, zero_t, zero_t>>>);
+KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>>);
+KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(placed_3D<core::revolute_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<core::prismatic_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<core::spherical_joint>);
+KTE_ELEMENT(placed_3D<core::free_joint<kind::frame_3D>>);
+KTE_ELEMENT(placed_3D<core::planar_joint>);
+KTE_ELEMENT(placed_3D<core::screw_joint<vec3<>, double>>);
 KTE_ELEMENT(inertia_gen<double>);
 KTE_ELEMENT(inertia<kind::frame_2D, double, vec3<double, double, zero_t>,
                     sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);
@@ -122,11 +125,18 @@ KTE_ELEMENT(joint_stiction_gen);
 KTE_ELEMENT(brake_gen);
 KTE_ELEMENT(mimic<double, double>);
 KTE_ELEMENT(differential<double, double>);
+KTE_ELEMENT(inertial_beam<kind::frame_2D, double, sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);
+KTE_ELEMENT(inertial_beam<kind::frame_3D, double, sym3<>>);
+KTE_ELEMENT(four_bar_coupler);
+KTE_ELEMENT(four_bar_rocker);
+KTE_ELEMENT(slider_crank_rod);
+KTE_ELEMENT(slider_crank_slider);
 KTE_ELEMENT(rotor<vec3<>, double, double>);
 KTE_ELEMENT(dry_revolute_joint<vec3<one_t, zero_t, zero_t>>);
 KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, one_t, zero_t>>);
 KTE_ELEMENT(dry_revolute_joint<vec3<zero_t, zero_t, one_t>>);
 KTE_ELEMENT(dry_revolute_joint<vec3<>>);
+KTE_ELEMENT(placed_3D<core::dry_revolute_joint<vec3<>>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(position_control_gen);
@@ -145,12 +155,12 @@ struct families {};
 using all_families =
     families<base_family, bushing_family, constant_force_family, damper_family, differential_family,
              driving_actuator_family, dry_revolute_joint_family, flexible_beam_family, fluid_drag_family,
-             free_joint_family, inertia_family, joint_backlash_family, joint_elasto_plastic_family,
-             joint_friction_family, joint_limit_family, joint_lugre_family, joint_stiction_family,
-             line_point_mindist_family, mimic_family, planar_joint_family, position_control_family,
-             position_measure_family, prismatic_joint_family, revolute_joint_family, rigid_link_family, rotor_family,
-             screw_joint_family, spherical_joint_family, spring_family, table_spring_family, torsion_damper_family,
-             torsion_spring_family>;
+             four_bar_family, free_joint_family, inertia_family, inertial_beam_family, joint_backlash_family,
+             joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
+             joint_stiction_family, line_point_mindist_family, mimic_family, planar_joint_family,
+             position_control_family, position_measure_family, prismatic_joint_family, revolute_joint_family,
+             rigid_link_family, rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family,
+             spring_family, table_spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte

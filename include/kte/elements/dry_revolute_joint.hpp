@@ -70,10 +70,12 @@ struct dry_revolute_joint_family {
   template <class Add>
   static void add_to(const Add& add) {
     add("dry_revolute_joint_3D", [](const auto& x) {
-      return x.with_axis("axis", [&](const auto& n) {
-        return x.adapt(dry_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n,
-                                             x.number("friction_radius"), x.number("smoothing")));
-      });
+      const auto about = [&](const auto& n) {
+        return dry_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n,
+                                     x.number("friction_radius"), x.number("smoothing"));
+      };
+      if (x.is_placed()) return x.placed(about(x.vector("axis")));
+      return x.with_axis("axis", [&](const auto& n) { return x.adapt(about(n)); });
     });
   }
 };

@@ -2,24 +2,9 @@
 
 #include <kte/elements/spring.hpp>
 #include <kte/kernels/midway.hpp>
+#include <kte/math/beam_section.hpp>
 
 namespace kte {
-
-/// The stiffness of a beam in the plane, of a section of area A and second moment I, of a material E, G.
-struct planar_beam_section {
-  double EA;      ///< N
-  double EI;      ///< N m^2
-  double GA = 0;  ///< stiffness in shear, N: k G A of Timoshenko's beam; 0: none, stiff as Bernoulli's
-};
-/// The same in space: y and z are principal axes of the section, x is along the beam.
-struct beam_section {
-  double EA;        ///< N
-  double EI_y;      ///< of bending about y, in the plane x-z, N m^2
-  double EI_z;      ///< of bending about z, in the plane x-y, N m^2
-  double GJ;        ///< of torsion, N m^2
-  double GA_y = 0;  ///< stiffness in shear along y, N; 0: none, stiff
-  double GA_z = 0;  ///< along z
-};
 
 namespace core {
 
@@ -40,7 +25,7 @@ namespace core {
 /// The loads are those of V. For small motions they are those of the linear beam, 12 EI/L^3 and so on; a force N along
 /// the beam adds N L/12 and N L/5 to its stiffnesses in r and s, by which a pulled beam is stiff like a string and a
 /// pushed one buckles. An end moment bends it to an arc of the exact angle. Equal ends: exchange of the frames changes
-/// nothing. A chain of n beams converges as 1/n^4 where it is bent in a plane.
+/// nothing. A chain of n beams errs as 1/n^4 where it is bent in a plane, as 1/n^2 in space.
 ///
 /// At half a turn between the ends, r and with it the torque jumps to the other side, as of any spring of rotations. As
 /// the line of the ends turns back onto the frames, d along -x, V grows without bound.
@@ -62,7 +47,7 @@ struct flexible_beam {
     const auto m = detail::midway_between<Dim>(a, b);
     const auto x = shape_of(m);
     using S = std::remove_cvref_t<decltype(x.h)>;
-    const S L(rest_length), N = S(all().EA) * x.e;
+    const S L = S(rest_length), N = S(section.EA) * x.e;
     const auto [y, z, twist] = stiffness<S>();
     const auto h = vec3{twist * m.r.x, S(y.r + N * L / S(12)) * m.r.y, S(z.r + N * L / S(12)) * m.r.z};
     const auto q_y = S(y.s + N * L * y.share / S(5)) * x.s_y;
@@ -79,7 +64,7 @@ struct flexible_beam {
     using S = std::remove_cvref_t<decltype(x.h)>;
     const auto [y, z, twist] = stiffness<S>();
     const auto bent = twist * m.r.x * m.r.x + y.r * m.r.y * m.r.y + z.r * m.r.z * m.r.z;
-    return S(S(0.5) * (S(rest_length) * S(all().EA) * x.e * x.e + bent + y.s * x.s_y * x.s_y + z.s * x.s_z * x.s_z));
+    return S(S(0.5) * (S(rest_length) * S(section.EA) * x.e * x.e + bent + y.s * x.s_y * x.s_y + z.s * x.s_z * x.s_z));
   }
   constexpr void check(const parameter_check& where) const {
     where.positive(rest_length, "rest length must be finite and positive");
@@ -99,32 +84,9 @@ struct flexible_beam {
   }
 
  private:
-  constexpr beam_section all() const {
-    if constexpr (Dim == kind::frame_2D) {
-      return {section.EA, 0, section.EI, 0, section.GA, 0};
-    } else {
-      return section;
-    }
-  }
-  /// About one axis: in r, in s, and by how much s shortens with shear.
   template <class S>
-  struct bending {
-    S r, s, share;
-    constexpr bending(double EI, double GA, const S& L) {
-      const S f = GA > 0 ? S(S(12) * S(EI) / (S(GA) * L * L)) : S(0);
-      r = S(EI) / L, s = S(12) * r / (S(1) + f), share = S(1) / ((S(1) + f) * (S(1) + f));
-    }
-  };
-  template <class S>
-  struct stiffnesses {
-    bending<S> y, z;
-    S twist;
-  };
-  template <class S>
-  KTE_INLINE constexpr stiffnesses<S> stiffness() const {
-    const auto k = all();
-    const S L(rest_length);
-    return {bending<S>(k.EI_y, k.GA_z, L), bending<S>(k.EI_z, k.GA_y, L), S(S(k.GJ) / L)};
+  KTE_INLINE constexpr auto stiffness() const {
+    return detail::beam_stiffness<S>(detail::in_space(section), rest_length);
   }
   /// h = 2 / (D + d_x), d/D, (1), (2)
   template <class S, class Along, class Y, class Z>
@@ -140,7 +102,7 @@ struct flexible_beam {
     const auto [D, along] = detail::to_polar(m.d);
     using S = std::remove_cvref_t<decltype(m.half.s + D)>;
     const auto [y, z, twist] = stiffness<S>();
-    const S L(rest_length), h = S(2) / (D + m.d.x);
+    const S L = S(rest_length), h = S(2) / (D + m.d.x);
     const auto s_y = -(h * m.d.z);
     const auto s_z = h * m.d.y;  // (1)
     const S e = (D - L) / L + (m.r.y * m.r.y + m.r.z * m.r.z) / S(24) +

@@ -69,15 +69,16 @@ struct inertial_beam {
 
 }  // namespace core
 
-/// The inertia of a uniform bar between two frames in the plane: its mass, kg, and on request the rotary inertia of each
-/// half, kg m^2, at its end.
+/// The inertia of a uniform bar between two frames in the plane: its mass, kg, and on request the rotary inertia of
+/// each half, kg m^2, at its end.
 template <class F1, class F2, variable M, entry J = zero_t>
 constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& mass, const J& inertia = {}) {
   const auto m = real(mass);
   const sym3 about{zero, zero, zero, zero, zero, real(inertia)};
-  return connect(core::inertial_beam<kind::frame_2D, std::remove_const_t<decltype(m)>,
-                                     std::remove_const_t<decltype(about)>>{m, about},
-                 anchor1, anchor2);
+  return connect(
+      core::inertial_beam<kind::frame_2D, std::remove_const_t<decltype(m)>, std::remove_const_t<decltype(about)>>{
+          m, about},
+      anchor1, anchor2);
 }
 /// The same in space; the rotary inertia of each half in axes of its end.
 template <class F1, class F2, variable M, class Inertia = decltype(diagonal(zero, zero, zero))>
@@ -96,7 +97,9 @@ struct inertial_beam_family {
   template <class Add>
   static void add_to(const Add& add) {
     add("inertial_beam_2D", [](const auto& x) {
-      return inertial_beam_2D(x.name("anchor1"), x.name("anchor2"), x.number("mass"), x.planar_inertia("inertia"));
+      const auto i = x.symmetric("inertia");
+      if (i.xx != 0 || i.xy != 0 || i.xz != 0 || i.yy != 0 || i.yz != 0) x.fail("has inertia out of the plane");
+      return inertial_beam_2D(x.name("anchor1"), x.name("anchor2"), x.number("mass"), i.zz);
     });
     add("inertial_beam_3D", [](const auto& x) {
       return inertial_beam_3D(x.name("anchor1"), x.name("anchor2"), x.number("mass"), x.symmetric("inertia"));

@@ -68,7 +68,7 @@ struct joint_elasto_plastic_gen {
       using number = std::remove_cvref_t<decltype(v / p.stribeck_velocity + z)>;
       using plain = detail::plain_scalar<number>;
       const auto g = detail::stribeck_force(v, p.coulomb, p.stiction, p.stribeck_velocity);
-      const number rate_now(v), deflection(as<number>(z)), z_s(g / p.sigma0), z_b(p.breakaway);
+      const number rate_now(v), deflection(as<number>(z)), z_s = number(g / p.sigma0), z_b = number(p.breakaway);
       const number u = select(rate_now < number(0), number(-deflection), deflection);  // (1)
       const number pi(plain(acos(plain(-1)))), range = z_s - z_b, over = u - z_b;
       const auto sharp = range <= number(0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/holder.hpp>
+#include <kte/kernels/stribeck.hpp>
 
 namespace kte {
 
@@ -32,10 +33,9 @@ struct joint_stiction_gen : holder {
 
   template <class C, class Z>
   KTE_INLINE constexpr auto doForce(const C& c, const Z& mode) const {
-    using std::exp;
     using S = number<decltype(c.q_dot), Z>;
-    const S v = as<S>(c.q_dot), u = v / S(p.stribeck_velocity), z = as<S>(mode);
-    const S dry = S(p.coulomb) + S(p.stiction - p.coulomb) * S(exp(S(-(u * u))));
+    const S v = as<S>(c.q_dot), z = as<S>(mode);
+    const S dry(detail::stribeck_force(v, p.coulomb, p.stiction, p.stribeck_velocity));
     return make_loads(unless_held(z, S(-(dry * direction(z, v) + S(p.viscous) * v))));  // (1)
   }
   template <class C, class Z>
@@ -46,8 +46,7 @@ struct joint_stiction_gen : holder {
     where.not_negative(p.coulomb, "coulomb must be finite and not negative");
     where.finite(p.stiction, "stiction must be finite and not below coulomb");
     where.require(p.stiction >= p.coulomb, "stiction must be finite and not below coulomb", p.stiction);
-    where.finite(p.stribeck_velocity, "stribeck_velocity must be finite and positive");
-    where.require(p.stribeck_velocity > 0, "stribeck_velocity must be finite and positive", p.stribeck_velocity);
+    where.positive(p.stribeck_velocity, "stribeck_velocity must be finite and positive");
     where.not_negative(p.viscous, "viscous must be finite and not negative");
   }
   template <class Self, class Visit>

@@ -10,6 +10,7 @@ namespace core {
 template <class Law, std::size_t N>
 struct law_follower : coordinate_follower<law_follower<Law, N>> {
   static constexpr type_name type{"law_follower", kind::gen};
+  static constexpr bool holds_code = true;
   static constexpr std::array<port, N + 1> ports = [] {
     constexpr std::string_view roles[]{"base1", "base2", "base3", "base4", "base5", "base6"};
     static_assert(N >= 1 && N <= std::size(roles), "kte: a coordinate follows one to six others");

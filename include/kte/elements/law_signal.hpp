@@ -10,6 +10,7 @@ namespace core {
 template <class Law, std::size_t N>
 struct law_signal {
   static constexpr std::string_view type = "law_signal";
+  static constexpr bool holds_code = true;
   static constexpr std::array<port, N + 1> ports = [] {
     constexpr std::string_view roles[]{"input1", "input2", "input3", "input4", "input5", "input6"};
     static_assert(N >= 1 && N <= std::size(roles), "kte: a law takes one to six signals");

@@ -39,8 +39,9 @@ namespace detail {
 struct spherical_joint_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("spherical_joint_3D",
-        [](const auto& x) { return x.placed(spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"))); });
+    add("spherical_joint_3D", [](const auto& x) {
+      return x.placed(spherical_joint_3D(x.name("coordinate"), x.name("base"), x.name("end")));
+    });
   }
 };
 }  // namespace detail

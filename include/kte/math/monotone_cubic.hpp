@@ -79,13 +79,13 @@ class monotone_cubic {
   }
   template <class T>
   constexpr both<T> straight(std::size_t i, const T& at) const {
-    const T u = at - T(x[i]), m(slope_[i]), start(y[i]);
+    const T u = at - T(x[i]), m = T(slope_[i]), start = T(y[i]);
     return {T(start + m * u), T(T(area_[i]) + u * (start + m * u / T(2)))};
   }
   template <class T>
   constexpr both<T> piece(std::size_t i, const T& at) const {
-    const T h = T(x[i + 1]) - T(x[i]), u = at - T(x[i]), t = u / h, start(y[i]);
-    const T m(slope_[i]), next(slope_[i + 1]), d = (T(y[i + 1]) - start) / h;
+    const T h = T(x[i + 1]) - T(x[i]), u = at - T(x[i]), t = u / h, start = T(y[i]);
+    const T m = T(slope_[i]), next = T(slope_[i + 1]), d = (T(y[i + 1]) - start) / h;
     const T square = T(3) * d - T(2) * m - next, cube = m + next - T(2) * d;
     return {T(start + u * (m + t * (square + t * cube))),
             T(T(area_[i]) + u * (start + u * (m / T(2) + t * (square / T(3) + t * cube / T(4)))))};

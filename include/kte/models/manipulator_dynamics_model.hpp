@@ -190,10 +190,10 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   S capacity_of(State& s, std::size_t element, std::index_sequence<I...>) const {
     S most(0);
     const auto ask = [&]<std::size_t J>() {
-      using core = typename chain_type::template core_type<J>;
-      const detail::stored_element<core, State, detail::by_index> on{
+      using element_core = typename chain_type::template core_type<J>;
+      const detail::stored_element<element_core, State, detail::by_index> on{
           this->template core<J>(), s, {wiring::table.slot.data() + wiring::first[J]}};
-      if (J == element) most = as<S>(on.capacity(std::make_index_sequence<input_count<core>>{}));
+      if (J == element) most = as<S>(on.capacity(std::make_index_sequence<input_count<element_core>>{}));
       return 0;
     };
     const int done[]{ask.template operator()<I>()...};

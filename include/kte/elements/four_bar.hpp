@@ -1,0 +1,122 @@
+#pragma once
+
+#include <kte/contract/coordinate_follower.hpp>
+#include <kte/elements/joint_series.hpp>
+#include <kte/kernels/dyad.hpp>
+
+namespace kte {
+
+/// A four-bar linkage in the plane: a crank turns about a pivot of the ground, a rocker about another, and a coupler is
+/// between their ends.
+struct four_bar_lengths {
+  vec2<double> pivot;  ///< of the rocker, from that of the crank, in axes of the ground, m
+  double crank;        ///< from pivot to coupler, m, along x of the crank
+  double coupler;      ///< from crank to rocker, m, along x of the coupler
+  double rocker;       ///< from pivot to coupler, m, along x of the rocker
+  double side = 1;     ///< 1: the coupler meets the rocker to the left of the way from crank to pivot, -1: to the right
+};
+
+namespace core {
+
+/// What both coordinates that follow have. Their joint is where bars of the lengths of coupler and rocker meet
+/// (kernels/dyad.hpp).
+struct four_bar_parameters {
+  four_bar_lengths lengths;
+
+  constexpr void check(const parameter_check& where) const {
+    where.finite(lengths.pivot.x, "pivot must be finite"), where.finite(lengths.pivot.y, "pivot must be finite");
+    for (const double length : {lengths.crank, lengths.coupler, lengths.rocker}) {
+      where.finite(length, "lengths must be finite and positive");
+      where.require(length > 0, "lengths must be finite and positive", length);
+    }
+    where.require(lengths.side == 1 || lengths.side == -1, "side must be 1 or -1", lengths.side);
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("pivot_x", self.lengths.pivot.x), visit("pivot_y", self.lengths.pivot.y);
+    visit("crank", self.lengths.crank), visit("coupler", self.lengths.coupler);
+    visit("rocker", self.lengths.rocker), visit("side", self.lengths.side);
+  }
+
+ protected:
+  /// From the end of the crank at c, s = cos q, sin q to the joint of coupler and rocker, and to the pivot.
+  template <class S>
+  constexpr std::pair<vec2<S>, vec2<S>> joint(const S& c, const S& s) const {
+    const auto& [pivot, crank, coupler, rocker, side] = lengths;
+    const vec2<S> r{S(pivot.x) - S(crank) * c, S(pivot.y) - S(crank) * s};
+    return {detail::dyad(r, S(coupler), S(rocker), S(side),
+                         "kte: a four_bar_2D of these lengths cannot be closed at this angle of its crank"),
+            r};
+  }
+};
+
+/// The angle of the coupler in the crank.
+struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parameters {
+  static constexpr type_name type{"four_bar_coupler", kind::frame_2D};
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "coupler"}}};
+
+  constexpr explicit four_bar_coupler(const four_bar_lengths& l) : four_bar_parameters{l} {}
+
+  template <class S>
+  constexpr S value(const S& q) const {
+    using std::atan2;
+    using std::cos;
+    using std::sin;
+    const S c = cos(q), s = sin(q);
+    const auto [w, r] = joint(c, s);
+    return atan2(S(c * w.y - s * w.x), S(c * w.x + s * w.y));
+  }
+};
+/// The angle of the rocker in the ground.
+struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_parameters {
+  static constexpr type_name type{"four_bar_rocker", kind::frame_2D};
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rocker"}}};
+
+  constexpr explicit four_bar_rocker(const four_bar_lengths& l) : four_bar_parameters{l} {}
+
+  template <class S>
+  constexpr S value(const S& q) const {
+    using std::atan2;
+    using std::cos;
+    using std::sin;
+    const auto [w, r] = joint(S(cos(q)), S(sin(q)));
+    return atan2(S(w.y - r.y), S(w.x - r.x));
+  }
+};
+
+}  // namespace core
+
+/// The angles of coupler (in the crank) and rocker (in the ground) of a four-bar linkage, which follow that of the
+/// crank: three revolute joints in a row and beside it then move as the loop does, exactly. Two elements. Angles lie
+/// between -pi and pi, where they jump by a turn.
+template <class Q, class C, class R>
+constexpr auto four_bar_2D(const Q& crank, const C& coupler, const R& rocker, const four_bar_lengths& lengths) {
+  return detail::in_series(connect(core::four_bar_coupler(lengths), crank, coupler),
+                           connect(core::four_bar_rocker(lengths), crank, rocker));
+}
+
+KTE_CALL(four_bar_2D, "(crank, coupler, rocker, lengths); lengths are {.pivot = {0.3, 0.0}, .crank = 0.1, ...}")
+
+namespace detail {
+/// How model files make them.
+struct four_bar_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    const auto lengths = [](const auto& x) {
+      return four_bar_lengths{{x.number("pivot_x"), x.number("pivot_y")},
+                              x.number("crank"),
+                              x.number("coupler"),
+                              x.number("rocker"),
+                              x.number("side")};
+    };
+    add("four_bar_coupler_2D", [lengths](const auto& x) {
+      return connect(core::four_bar_coupler(lengths(x)), x.name("crank"), x.name("coupler"));
+    });
+    add("four_bar_rocker_2D", [lengths](const auto& x) {
+      return connect(core::four_bar_rocker(lengths(x)), x.name("crank"), x.name("rocker"));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <kte/contract/coordinate_follower.hpp>
+#include <kte/elements/joint_series.hpp>
+#include <kte/errors.hpp>
+#include <kte/math/select.hpp>
+
+namespace kte {
+
+/// A slider-crank in the plane: a crank turns about a pivot of the ground, and a rod leads from its end to a slider on
+/// a line.
+struct slider_crank_lengths {
+  double crank;       ///< from pivot to rod, m, along x of the crank
+  double rod;         ///< from crank to slider, m, along x of the rod
+  double offset = 0;  ///< of the line from the pivot, m, to the left of its direction, which is x of the ground
+  double side = 1;    ///< 1: the slider is ahead of the crank's end, -1: behind it
+};
+
+namespace core {
+
+/// What both coordinates that follow have: with the end of the crank at a (cos q, sin q),
+///
+///   d = sqrt(b^2 - (h - a sin q)^2),   x = a cos q + s d          (1)
+struct slider_crank_parameters {
+  slider_crank_lengths lengths;
+
+  constexpr void check(const parameter_check& where) const {
+    for (const double length : {lengths.crank, lengths.rod}) {
+      where.finite(length, "lengths must be finite and positive");
+      where.require(length > 0, "lengths must be finite and positive", length);
+    }
+    where.finite(lengths.offset, "offset must be finite");
+    where.require(lengths.side == 1 || lengths.side == -1, "side must be 1 or -1", lengths.side);
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("crank", self.lengths.crank), visit("rod", self.lengths.rod), visit("offset", self.lengths.offset);
+    visit("side", self.lengths.side);
+  }
+
+ protected:
+  /// From the end of the crank to the slider.
+  template <class S>
+  constexpr vec2<S> along_rod(const S& s) const {
+    using std::sqrt;
+    const S b(lengths.rod), across = S(lengths.offset) - S(lengths.crank) * s, k = (b - across) * (b + across);
+    if (!all(k >= S(0))) [[unlikely]]
+      detail::raise<bad_argument>("kte: the rod of a slider_crank_2D is too short for this angle of its crank");
+    return {S(lengths.side) * S(sqrt(k)), across};  // (1)
+  }
+};
+
+/// Where the slider is along its line.
+struct slider_crank_slider : coordinate_follower<slider_crank_slider>, slider_crank_parameters {
+  static constexpr type_name type{"slider_crank_slider", kind::frame_2D};
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "slider"}}};
+
+  constexpr explicit slider_crank_slider(const slider_crank_lengths& l) : slider_crank_parameters{l} {}
+
+  template <class S>
+  constexpr S value(const S& q) const {
+    using std::cos;
+    using std::sin;
+    return S(lengths.crank) * S(cos(q)) + along_rod(S(sin(q))).x;
+  }
+};
+/// The angle of the rod in the crank.
+struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_parameters {
+  static constexpr type_name type{"slider_crank_rod", kind::frame_2D};
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "crank"}, {kind::gen, access::out, "rod"}}};
+
+  constexpr explicit slider_crank_rod(const slider_crank_lengths& l) : slider_crank_parameters{l} {}
+
+  template <class S>
+  constexpr S value(const S& q) const {
+    using std::atan2;
+    using std::cos;
+    using std::sin;
+    const S c = cos(q), s = sin(q);
+    const vec2<S> w = along_rod(s);
+    return atan2(S(c * w.y - s * w.x), S(c * w.x + s * w.y));
+  }
+};
+
+}  // namespace core
+
+/// The angle of the rod (in the crank) and the way of the slider, m, of a slider-crank, which follow the angle of the
+/// crank. Two elements.
+template <class Q, class R, class X>
+constexpr auto slider_crank_2D(const Q& crank, const R& rod, const X& slider, const slider_crank_lengths& lengths) {
+  return detail::in_series(connect(core::slider_crank_rod(lengths), crank, rod),
+                           connect(core::slider_crank_slider(lengths), crank, slider));
+}
+
+KTE_CALL(slider_crank_2D, "(crank, rod, slider, lengths); lengths are {.crank = 0.1, .rod = 0.3}")
+
+namespace detail {
+/// How model files make them.
+struct slider_crank_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    const auto lengths = [](const auto& x) {
+      return slider_crank_lengths{x.number("crank"), x.number("rod"), x.number("offset"), x.number("side")};
+    };
+    add("slider_crank_rod_2D", [lengths](const auto& x) {
+      return connect(core::slider_crank_rod(lengths(x)), x.name("crank"), x.name("rod"));
+    });
+    add("slider_crank_slider_2D", [lengths](const auto& x) {
+      return connect(core::slider_crank_slider(lengths(x)), x.name("crank"), x.name("slider"));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

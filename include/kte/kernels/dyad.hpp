@@ -1,0 +1,27 @@
+#pragma once
+
+#include <kte/errors.hpp>
+#include <kte/math/select.hpp>
+#include <kte/math/vec.hpp>
+
+#include <cmath>
+
+namespace kte::detail {
+
+/// Two bars in the plane, of lengths b and c, between two points r apart: from the first point to where they meet,
+///
+///   w = (u r + s sqrt(b^2 |r|^2 - u^2) n) / |r|^2,   u = (b^2 - c^2 + |r|^2) / 2          (1)
+///
+/// n: r turned by a right angle, to the left; s = 1 or -1: on which side. Throws `bad_argument` where the bars are too
+/// short, or their difference too long, by name of the element.
+template <class S>
+constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, const char* cannot) {
+  using std::sqrt;
+  const S rr = r.x * r.x + r.y * r.y, u = (b * b - c * c + rr) / S(2), k = b * b * rr - u * u;
+  if (!all(k >= S(0))) [[unlikely]]
+    raise<bad_argument>(cannot);
+  const S h = side * S(sqrt(k));
+  return {(u * r.x - h * r.y) / rr, (u * r.y + h * r.x) / rr};
+}
+
+}  // namespace kte::detail

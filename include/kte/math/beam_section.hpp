@@ -1,0 +1,48 @@
+#pragma once
+
+namespace kte {
+
+/// The stiffness of a beam in the plane, of a section of area A and second moment I, of a material E, G.
+struct planar_beam_section {
+  double EA;      ///< N
+  double EI;      ///< N m^2
+  double GA = 0;  ///< stiffness in shear, N: k G A of Timoshenko's beam; 0: none, stiff as Bernoulli's
+};
+/// The same in space: y and z are principal axes of the section, x is along the beam.
+struct beam_section {
+  double EA;        ///< N
+  double EI_y;      ///< of bending about y, in the plane x-z, N m^2
+  double EI_z;      ///< of bending about z, in the plane x-y, N m^2
+  double GJ;        ///< of torsion, N m^2
+  double GA_y = 0;  ///< stiffness in shear along y, N; 0: none, stiff
+  double GA_z = 0;  ///< along z
+};
+
+namespace detail {
+
+constexpr beam_section in_space(const planar_beam_section& s) { return {s.EA, 0, s.EI, 0, s.GA, 0}; }
+constexpr const beam_section& in_space(const beam_section& s) { return s; }
+
+/// The stiffness of a beam of length L in bending about one axis: by r, the turn of its ends against each other, and by
+/// s to both sides, which shear softens; and how much less s then shortens it.
+///
+///   r: EI/L,   s: 12 EI/(L (1 + f)),   share: 1/(1 + f)^2,   f = 12 EI/(GA L^2)
+template <class S>
+struct bending_stiffness {
+  S r, s, share;
+  constexpr bending_stiffness(double EI, double GA, const S& L) {
+    const S f = GA > 0 ? S(S(12) * S(EI) / (S(GA) * L * L)) : S(0);
+    r = S(EI) / L, s = S(12) * r / (S(1) + f), share = S(1) / ((S(1) + f) * (S(1) + f));
+  }
+};
+template <class S>
+struct beam_stiffness {
+  bending_stiffness<S> y, z;
+  S twist;
+  constexpr beam_stiffness(const beam_section& k, double length)
+      : y(k.EI_y, k.GA_z, S(length)), z(k.EI_z, k.GA_y, S(length)), twist(S(k.GJ) / S(length)) {}
+};
+
+}  // namespace detail
+
+}  // namespace kte
