@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/detail/compiled.hpp>
 #include <kte/math/dual.hpp>
 
 #include <concepts>
@@ -8,7 +7,7 @@
 
 /// Dual numbers whose arithmetic is not inlined: for the many formulas of elements in derivatives of runtime chains,
 /// which would else take ten times as long to compile as the formulas themselves (docs/decisions/12-compiled.md).
-namespace kte::detail {
+namespace kte {
 
 template <class D>
 struct lean {
@@ -39,7 +38,7 @@ struct lean {
 
 template <class D>
 [[gnu::noinline]] void sincos(const lean<D>& x, lean<D>& sine, lean<D>& cosine) {
-  kte::sincos(x.number, sine.number, cosine.number);
+  sincos(x.number, sine.number, cosine.number);
 }
 #define KTE_LEAN(function)                               \
   template <class D>                                     \
@@ -82,7 +81,7 @@ bool isnan(const lean<D>& x) {
   return isnan(x.number);
 }
 
-}  // namespace kte::detail
+}  // namespace kte
 
 template <class D>
-struct std::numeric_limits<kte::detail::lean<D>> : std::numeric_limits<D> {};
+struct std::numeric_limits<kte::lean<D>> : std::numeric_limits<D> {};
