@@ -142,6 +142,19 @@ TEST_CASE("a motor within its torque-speed line", "[actuators]") {
         }).find("max_speed must be finite and positive, got 0") != std::string::npos);
 }
 
+TEST_CASE("where the torque-speed line begins to limit a motor is an event", "[actuators]") {
+  const auto c = chain(torque_speed_motor_gen(lift, volts, {.max_torque = 40, .max_speed = 8}),
+                       prismatic_joint_3D(lift, base, tool, axis::x), inertia_3D(tool, point_mass(2.0)));
+  manipulator_dynamics_model model(c);
+  model.input(volts) = 30;
+  dormand_prince45 solver(std::ref(model), 0.0, model.make_x(std::array{0.0}, std::array{0.0}),
+                          {.absolute = 1e-12, .relative = 1e-12});
+  const auto report = integrate(solver, 0.4, element_events(model));
+  REQUIRE(report.events.size() == 1);
+  CHECK(report.events[0].time == within(2 / 15.0, 1e-10));  // at 2 m/s
+  CHECK(solver.state()[1] == within(8 - 6 * std::exp(-2.5 * (0.4 - 2 / 15.0)), 1e-10));
+}
+
 TEST_CASE("loads from outside are those of actuators on frames", "[actuators][external_wrenches]") {
   const auto c = arm_with(driving_actuator_3D(tool, push, twist));
   const auto r = named(revolute_joint_3D("q", "base", "arm", axis::y), inertia_3D("arm", body),

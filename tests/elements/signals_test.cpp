@@ -219,7 +219,17 @@ TEST_CASE("an arm on a table that turns, with measures and a controller: static 
   CHECK(forward_dynamics(c, s)[0] == within(forward_dynamics(x, t)[0], 1e-12));
   CHECK(mass_matrix(c, s)(0, 0) == within(mass_matrix(x, t)(0, 0), 1e-15));
 
-  // an accelerometer in free fall and at rest
+  // derivatives go through the controller
+  const auto exact = inverse_dynamics_derivatives(c, s);
+  const auto exact_at_run_time = inverse_dynamics_derivatives(x, t, at, v, a);
+  const std::array<double, 1> above{0.4 + 1e-5}, below{0.4 - 1e-5};
+  const double rise = inverse_dynamics(x, t, above, v, a)[0],
+               slope = (rise - inverse_dynamics(x, t, below, v, a)[0]) / 2e-5;
+  CHECK(exact.by_q(0, 0) == within(exact_at_run_time.by_q(0, 0), 1e-12));
+  CHECK(exact.by_v(0, 0) == within(exact_at_run_time.by_v(0, 0), 1e-12));
+  CHECK(exact.by_q(0, 0) == within(slope, 1e-7));
+
+  // an accelerometer at rest
   auto rest = make_state(c);
   c.doMotion(rest);
   CHECK(near(rest[seen_a], vec3<>{-0.3, 0.4, 9.81}, 1e-15));
