@@ -8,6 +8,7 @@
 #include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
+#include <kte/elements/dyad.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/fluid_drag.hpp>
 #include <kte/elements/four_bar.hpp>
@@ -15,6 +16,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
+#include <kte/elements/joint_backlash_mode.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
@@ -23,6 +25,7 @@
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/mimic.hpp>
 #include <kte/elements/planar_joint.hpp>
+#include <kte/elements/plane_point_mindist.hpp>
 #include <kte/elements/position_control.hpp>
 #include <kte/elements/position_measure.hpp>
 #include <kte/elements/prismatic_joint.hpp>
@@ -120,6 +123,7 @@ KTE_ELEMENT(joint_lugre_gen);
 KTE_ELEMENT(joint_elasto_plastic_gen);
 KTE_ELEMENT(joint_friction_gen);
 KTE_ELEMENT(joint_backlash_gen<double>);
+KTE_ELEMENT(joint_backlash_mode_gen<double>);
 KTE_ELEMENT(joint_limit_gen);
 KTE_ELEMENT(joint_stiction_gen);
 KTE_ELEMENT(brake_gen);
@@ -129,6 +133,8 @@ KTE_ELEMENT(inertial_beam<kind::frame_2D, double, sym3<zero_t, zero_t, zero_t, z
 KTE_ELEMENT(inertial_beam<kind::frame_3D, double, sym3<>>);
 KTE_ELEMENT(four_bar_coupler);
 KTE_ELEMENT(four_bar_rocker);
+KTE_ELEMENT(dyad_bar1);
+KTE_ELEMENT(dyad_bar2);
 KTE_ELEMENT(slider_crank_rod);
 KTE_ELEMENT(slider_crank_slider);
 KTE_ELEMENT(rotor<vec3<>, double, double>);
@@ -139,6 +145,7 @@ KTE_ELEMENT(dry_revolute_joint<vec3<>>);
 KTE_ELEMENT(placed_3D<core::dry_revolute_joint<vec3<>>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(plane_point_mindist<vec3<>, vec3<>>);
 KTE_ELEMENT(position_control_gen);
 KTE_ELEMENT(position_control<kind::frame_2D>);
 KTE_ELEMENT(position_control<kind::frame_3D>);
@@ -154,13 +161,13 @@ struct families {};
 /// What model files know (elements/registry.hpp).
 using all_families =
     families<base_family, bushing_family, constant_force_family, damper_family, differential_family,
-             driving_actuator_family, dry_revolute_joint_family, flexible_beam_family, fluid_drag_family,
+             driving_actuator_family, dry_revolute_joint_family, dyad_family, flexible_beam_family, fluid_drag_family,
              four_bar_family, free_joint_family, inertia_family, inertial_beam_family, joint_backlash_family,
-             joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
-             joint_stiction_family, line_point_mindist_family, mimic_family, planar_joint_family,
-             position_control_family, position_measure_family, prismatic_joint_family, revolute_joint_family,
-             rigid_link_family, rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family,
-             spring_family, table_spring_family, torsion_damper_family, torsion_spring_family>;
+             joint_backlash_mode_family, joint_elasto_plastic_family, joint_friction_family, joint_limit_family,
+             joint_lugre_family, joint_stiction_family, line_point_mindist_family, mimic_family, planar_joint_family,
+             plane_point_mindist_family, position_control_family, position_measure_family, prismatic_joint_family,
+             revolute_joint_family, rigid_link_family, rotor_family, screw_joint_family, slider_crank_family,
+             spherical_joint_family, spring_family, table_spring_family, torsion_damper_family, torsion_spring_family>;
 }  // namespace detail
 
 }  // namespace kte
