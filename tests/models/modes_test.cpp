@@ -326,3 +326,19 @@ TEST_CASE("a brake that is not pressed lets go of what begins to be pulled", "[m
   CHECK(report.count == 1);
   CHECK(solver.state()[0] == within(8.0 / 6, 1e-11));
 }
+
+TEST_CASE("parameters of friction that holds", "[modes]") {
+  const auto says = [](const stiction_parameters& p) -> std::string {
+    try {
+      joint_stiction_gen("x", "mode", p);
+    } catch (const bad_parameter& e) {
+      return e.what();
+    }
+    return "";
+  };
+  CHECK(says({1.0, 1.0, 0.0, 0.0}) == "");
+  CHECK(says({3.0, 2.0}).find("stiction must be finite and not below coulomb, got 2") != std::string::npos);
+  CHECK(says({-1.0, 2.0}).find("coulomb must be finite and not negative, got -1") != std::string::npos);
+  CHECK(says({1.0, 2.0, -1.0}).find("stribeck_velocity must be finite and not negative, got -1") != std::string::npos);
+  CHECK(says({1.0, 2.0, 1.0, -1.0}).find("viscous must be finite and not negative, got -1") != std::string::npos);
+}
