@@ -1,4 +1,6 @@
+#include <kte/contract/coordinate_follower.hpp>
 #include <kte/dynamics/coriolis_matrix.hpp>
+#include <kte/dynamics/jacobian_rate.hpp>
 #include <kte/dynamics/momentum.hpp>
 #include <kte/math/dual.hpp>
 
@@ -17,6 +19,21 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Sums of products along at most 8 poses, twice.
 constexpr double rounding = 200 * eps;
+
+/// A coordinate that follows two: q_e = q_a + q_b sin q_a.
+struct twice_led : coordinate_follower<twice_led> {
+  static constexpr std::string_view type = "twice_led_gen";
+  static constexpr std::array<port, 3> ports{
+      {{kind::gen, access::in, "a"}, {kind::gen, access::in, "b"}, {kind::gen, access::out, "end"}}};
+  template <class A, class B>
+  constexpr auto value(const A& a, const B& b) const {
+    using std::sin;
+    return a + b * sin(a);
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
 
 template <class Chain>
 void check(const Chain& c, const kte_map_chain& model, unsigned seed) {
@@ -81,6 +98,25 @@ TEST_CASE("Coriolis matrix where a ratio of coordinates changes") {
   CHECK(gap((matrix + matrix.transpose()) * m.v, generalized_momenta_along(c, m.q, m.v).second) < rounding);
   auto s = model.make_state();
   CHECK(gap(coriolis_matrix(model, s, m.q, m.v), matrix) < rounding);
+}
+
+TEST_CASE("Coriolis matrix where a coordinate follows two others") {
+  constexpr auto c =
+      chain(revolute_joint_3D(q1, ground, body, axis::x), inertia_3D(body, brick),
+            prismatic_joint_3D(q2, body, socket, axis::y), inertia_3D(socket, stick), connect(twice_led{}, q1, q2, f1),
+            revolute_joint_3D(f1, socket, hand, axis::z), inertia_3D(hand, stick));
+  kte_map_chain model;
+  model << c;
+  auto s = model.make_state();
+  random_numbers random(7);
+  const random_motion_of<double, std::remove_const_t<decltype(c)>> m(c, random);
+  const auto matrix = coriolis_matrix(c, m.q, m.v);
+  CHECK(gap(matrix * m.v, inverse_dynamics(c, m.q, m.v, Eigen::Vector2d(0, 0))) < rounding);
+  CHECK(gap((matrix + matrix.transpose()) * m.v, generalized_momenta_along(c, m.q, m.v).second) < rounding);
+  CHECK(gap(coriolis_matrix(model, s, m.q, m.v), matrix) < rounding);
+  // Jacobians, too, have its parts by both.
+  CHECK(gap(jacobian(c, m.q, hand) * m.v, eigen(frame_velocity(c, m.q, m.v, hand))) < rounding);
+  CHECK(gap(jacobian_rate(model, s, m.q, m.v, "hand"), jacobian_rate(c, m.q, m.v, hand)) < rounding);
 }
 
 TEST_CASE("Coriolis matrix where a coordinate is given") {

@@ -1,5 +1,6 @@
 #include <kte/dynamics/coriolis_matrix.hpp>
 #include <kte/dynamics/mass_matrix_calc.hpp>
+#include <kte/elements/inertial_beam.hpp>
 
 #include <limits>
 
@@ -91,4 +92,18 @@ TEST_CASE("mass matrix by Jacobians of bad arguments") {
   CHECK_THROWS_AS(calc.mass_matrix(s), bad_argument);
   auto t = model.make_state();
   CHECK_THROWS_AS(calc.mass_matrix(t, std::array{1.0, 2.0, 3.0, std::nan("")}), bad_argument);
+}
+
+TEST_CASE("mass matrix by Jacobians: a frame and a coordinate of one name, and masses between frames") {
+  kte_map_chain c;
+  c << revolute_joint_2D("arm", "base", "arm") << inertia_2D("arm", point_mass(2.0, along_x(0.5)))
+    << inertia_gen("arm", 0.25);
+  mass_matrix_calc calc(c);
+  calc << inertia_on("arm") << moved_by("arm");
+  auto s = c.make_state();
+  CHECK(calc.mass_matrix(s)(0, 0) == within(0.75, eps));
+  c << inertial_beam_2D("base", "arm", 1.0);
+  CHECK_THROWS_MATCHES(mass_matrix_calc::of_all(c), bad_argument, says("mass between several"));
+  auto t = c.make_state();
+  CHECK_THROWS_AS(coriolis_matrix(c, t), bad_argument);
 }

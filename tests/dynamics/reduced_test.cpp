@@ -1,6 +1,7 @@
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/reduced.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/elements/joint_stiction.hpp>
 
 #include <limits>
 
@@ -123,4 +124,16 @@ TEST_CASE("locked joints of bad names") {
   CHECK_THROWS_AS(reduced(c, std::array{0.1, std::nan("")}, "q1"), bad_argument);
   CHECK(reduced(c, q).dofs() == 2);
   CHECK(reduced(c, q, std::vector<std::string>{"q1", "q2"}).dofs() == 0);
+}
+
+TEST_CASE("locked joints of the name of a frame, with a brake, and on a seat") {
+  kte_map_chain c;
+  c.gravity(along_y(-9.81)) << revolute_joint_2D("arm", "base", "arm").at(along_x(0.5), rotation_by(0.2))
+                            << inertia_2D("arm", point_mass(2.0, along_x(0.3))) << brake_gen("arm", "mode", "force")
+                            << prismatic_joint_2D("slide", "arm", "tip", axis::x) << inertia_2D("tip", point_mass(1.0));
+  const auto part = reduced(c, std::array{0.4, 0.0}, "arm");
+  auto s = part.make_state();
+  REQUIRE(part.dofs() == 1);
+  CHECK(inverse_dynamics(part, s, std::array{0.1}, std::array{0.0}, std::array{2.0})[0] ==
+        within(2 + 9.81 * std::sin(0.6), 1e-14));
 }

@@ -1,4 +1,5 @@
 #include <kte/dynamics/relative_motion.hpp>
+#include <kte/elements/line_point_mindist.hpp>
 
 #include <limits>
 
@@ -102,4 +103,27 @@ TEST_CASE("relative motion of bad arguments") {
   CHECK_THROWS_AS(relative_jacobian(planar, nan, disc, cart), bad_argument);
   CHECK_THROWS_AS(relative_motion(planar, q, nan, q, disc, cart), bad_argument);
   CHECK_THROWS_AS(relative_motion(model, s, q, q, nan, "disc", "cart"), bad_argument);
+}
+
+TEST_CASE("relative motion of frames that follow others: Jacobians are refused") {
+  static constexpr struct near_ final : frame_2D_key<"near"> {
+  } near;
+  constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.75)),
+                           line_point_mindist_2D(rail, near, vec2{1.0, 0.0}, vec2{0.0, 0.0}));
+  kte_map_chain model;
+  model << c;
+  auto s = model.make_state();
+  const std::array q{0.3}, v{2.0}, a{0.0};
+  const auto p = relative_pose(c, q, near, table), r = relative_pose(model, s, q, "near", "table");
+  CHECK(p.position.x == within(0.75 * std::cos(0.3), eps));
+  CHECK(r.position.x == within(0.75 * std::cos(0.3), eps));
+  CHECK(gap(rates_of(relative_motion(model, s, q, v, a, "near", "cart")),
+            rates_of(relative_motion(c, q, v, a, near, cart))) < rounding);
+  CHECK_THROWS_MATCHES(relative_jacobian(model, s, q, "near", "table"), bad_argument, says("'near' follows others"));
+  CHECK_THROWS_MATCHES(jacobian_rate(model, s, q, v, "near"), bad_argument, says("'near' follows others"));
+  // By dual numbers static chains know that rate.
+  const double h = 1e-5;
+  const Eigen::Matrix<double, 6, 1> rate =
+      (jacobian(c, std::array{0.3 + 2 * h}, near) - jacobian(c, std::array{0.3 - 2 * h}, near)) / (2 * h);
+  CHECK(gap(jacobian_rate(c, q, v, near), rate) < 1e-7);
 }

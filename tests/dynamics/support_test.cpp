@@ -1,4 +1,5 @@
 #include <kte/dynamics/support.hpp>
+#include <kte/elements/line_point_mindist.hpp>
 
 #include "dynamics/small_chains.hpp"
 
@@ -46,4 +47,12 @@ TEST_CASE("common ancestors") {
   CHECK(common_ancestor(two, "x", "y").empty());
   CHECK_THROWS_AS(common_ancestor(model, "tip", "q1"), unknown_name);
   CHECK_THROWS_AS(support(model, "tpi"), unknown_name);
+}
+
+TEST_CASE("what moves a frame that follows another") {
+  kte_map_chain c;
+  c << revolute_joint_2D("q1", "table", "cart") << rigid_link_2D("cart", "rail", along_x(0.75))
+    << line_point_mindist_2D("rail", "near", vec2{1.0, 0.0}, vec2{0.0, 0.0}) << revolute_joint_2D("q2", "rail", "disc");
+  CHECK(support(c, "near") == std::vector{true, false});
+  CHECK(common_ancestor(c, "near", "disc") == "rail");
 }

@@ -174,14 +174,18 @@ TEST_CASE("a beam under a force at its end is the elastica", "[elements][flexibl
     double alpha, x, y;
   };
   const auto c = cantilever(8, 1, planar_beam_section{.EA = 1e5, .EI = 1});
+  auto q = straight(c, 8, 1);
+  double before = 0;
   for (const auto& [alpha, x, y] : {point{1, 0.943566763716623117, 0.301720773799813530},
                                     {2, 0.839358279174832764, 0.493457480396711820},
                                     {4, 0.671058757753154043, 0.669964181277666751},
                                     {5, 0.612371639275570128, 0.713791523611912728},
                                     {10, 0.445004402246248730, 0.810609024880296453}}) {
-    const auto q = balanced(c, straight(c, 8, 1), 20,
-                            [p = alpha](double share) { return constant_force_2D("8", along_y(share * p)); });
+    q = balanced(c, q, static_cast<int>(2 * (alpha - before)), [from = before, to = alpha](double share) {
+      return constant_force_2D("8", along_y(from + share * (to - from)));
+    });
     CHECK(near_tip(q.tail(3), {x, y, q.tail(1)[0]}, 1e-4));
+    before = alpha;
   }
 }
 

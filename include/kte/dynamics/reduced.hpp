@@ -39,15 +39,32 @@ auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...)
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
-  static_assert(((is_coordinate(Locked::what) && wiring::template find<Locked>() >= 0) && ...),
-                "kte: this chain has no coordinate of this name");
+  constexpr bool known = (is_freedom<Locked, wiring> && ...);
+  constexpr bool clean = [] {
+    const auto each = []<class Key>(std::type_identity<Key>) {
+      const bool all[]{locks_cleanly<Key, E>..., true};
+      for (const bool one : all)
+        if (!one) return false;
+      return true;
+    };
+    return (each(std::type_identity<Locked>{}) && ...);
+  }();
+  static_assert(known, "kte: this chain has no degree of freedom of this name, which could be locked");
+  static_assert(clean || !known,
+                "kte: an element besides its joint acts on a coordinate that is to be locked: leave it out, or use a "
+                "runtime chain");
   check_configuration<chain_type>(q);
-  const configuration<value_of<Q>, wiring, Q> at(q);
-  at.check();
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  const static_reduction<chain_type, std::remove_const_t<decltype(g)>, Locked...> reduce{c, g};
-  return boost::hana::unpack(boost::hana::transform(c.elements(), reduce), [](const auto&... e) { return chain(e...); })
-      .gravity(c.gravity());
+  if constexpr (known && clean) {
+    const configuration<value_of<Q>, wiring, Q> at(q);
+    at.check();
+    const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+    const static_reduction<chain_type, std::remove_const_t<decltype(g)>, Locked...> reduce{c, g};
+    return boost::hana::unpack(boost::hana::transform(c.elements(), reduce),
+                               [](const auto&... e) { return chain(e...); })
+        .gravity(c.gravity());
+  } else {
+    return c;
+  }
 }
 
 }  // namespace kte

@@ -20,7 +20,9 @@ std::vector<thing_of_chain> stands_on(const Connections& c, thing_of_chain frame
   std::vector<thing_of_chain> all{frame};
   for (int e = c.writer(frame.first, frame.second); e >= 0; e = c.writer(frame.first, frame.second)) {
     const auto by = static_cast<std::size_t>(e);
+    if (c.ports(by).size() < 2) break;
     const std::size_t base = c.ports(by).size() - 2;
+    if (!is_frame(c.ports(by)[base].what)) break;  // given by signals
     frame = {c.ports(by)[base].what, c.index(by, base)};
     all.push_back(frame);
   }
@@ -34,14 +36,14 @@ thing_of_chain find_common_ancestor(const Connections& c, thing_of_chain a, thin
     if (std::find(of_b.begin(), of_b.end(), x) != of_b.end()) return x;
   return {kind::gen, -1};
 }
-/// Marks the rates that move a frame: of coordinates that are read on the way to it, and of those that they follow.
+/// Marks the rates that move a frame: of coordinates that are read on the way to it, and of what these and signals
+/// follow.
 template <class Connections, class Mask>
 void mark_support(const Connections& c, thing_of_chain frame, Mask& moves) {
   std::vector<thing_of_chain> ahead{frame};
   while (!ahead.empty()) {
     const auto [k, i] = ahead.back();
     ahead.pop_back();
-    if (is_signal(k)) continue;
     const int e = c.writer(k, i);
     if (e >= 0) {
       const auto by = static_cast<std::size_t>(e);

@@ -54,7 +54,7 @@ template <class Joint>
 using placed_3D = seated<Joint, mat3<vec3<>>, vec3<>>;
 }  // namespace core
 
-#  define KTE_ELEMENT(...) KTE_EXTERN template class kte_map_adapter<core::__VA_ARGS__>
+#  define KTE_ELEMENT(...) KTE_EXTERN_ELEMENTS template class kte_map_adapter<core::__VA_ARGS__>
 KTE_ELEMENT(base<kind::gen>);
 KTE_ELEMENT(base<kind::frame_2D>);
 KTE_ELEMENT(base<kind::frame_3D>);

@@ -52,7 +52,8 @@ struct line_point_mindist {
 /// along the unit vector `tangent` through the point `origin`, in the plane.
 template <class B, class E, class Tangent, class Point>
 constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent& tangent, const Point& origin) {
-  const auto t = detail::planar(tangent), o = detail::planar(origin);
+  const auto t = detail::planar(tangent);
+  const auto o = detail::planar(origin);
   return connect(
       core::line_point_mindist<kind::frame_2D, std::remove_const_t<decltype(t)>, std::remove_const_t<decltype(o)>>{t,
                                                                                                                    o},

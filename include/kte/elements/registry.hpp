@@ -234,7 +234,7 @@ element_registry element_registry::standard() {
   return r;
 }
 #ifdef KTE_EXTERN
-KTE_EXTERN template element_registry element_registry::standard<void>();
+KTE_EXTERN_ELEMENTS template element_registry element_registry::standard<void>();
 #endif
 
 }  // namespace kte

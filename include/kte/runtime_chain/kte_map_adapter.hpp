@@ -3,6 +3,7 @@
 #include <kte/contract/force_derivatives.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 #include <kte/runtime_chain/kte_map.hpp>
+#include <kte/runtime_chain/lean_pass.hpp>
 #include <kte/runtime_chain/runtime_state.hpp>
 
 namespace kte {
@@ -50,10 +51,12 @@ class kte_map_adapter final : public kte_element {
   }
   void derive_forces(runtime_state& s) const override { detail::subtract_force_derivatives(core_, s, index_.data()); }
   void derive_motion(detail::derivative_state& s) const override {
-    if constexpr (detail::acts<Core>) on(s).motion(inputs{});
+    if constexpr (detail::acts<Core>)
+      detail::lean_pass<Core, detail::derivative_state>(core_, s, index_.data()).motion();
   }
   void derive_force(detail::derivative_state& s) const override {
-    if constexpr (detail::acts<Core>) on(s).force(inputs{});
+    if constexpr (detail::acts<Core>)
+      detail::lean_pass<Core, detail::derivative_state>(core_, s, index_.data()).force();
   }
 
  private:

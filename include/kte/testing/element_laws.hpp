@@ -39,6 +39,62 @@ template <class Draw, class S>
 void load_randomly(frame_3D<S>& x, Draw& draw) {
   x.force = {S(draw()), S(draw()), S(draw())}, x.torque = {S(draw()), S(draw()), S(draw())};
 }
+template <class Draw, class T>
+void accelerate_randomly(T& thing, Draw& draw) {
+  using kte::detail::visit_a;
+  if constexpr (coordinate<T>) {
+    visit_a(thing, [&draw](auto& a) { a = std::remove_cvref_t<decltype(a)>(draw()); });
+  } else if constexpr (frame<T>) {
+    kte::detail::visit_rates(thing.acceleration, thing.ang_acceleration,
+                             [&draw](auto& a) { a = std::remove_cvref_t<decltype(a)>(draw()); });
+  }
+}
+/// By port, nothing on signals.
+template <class S, class Core>
+std::array<std::array<S, 6>, port_count<Core>> loads_of(trial<S, Core>& x) {
+  std::array<std::array<S, 6>, port_count<Core>> all{};
+  std::size_t p = 0;
+  x.for_each([&](const port&, auto& thing) {
+    if constexpr (requires { own_load(thing); }) all[p] = own_load(thing);
+    ++p;
+  });
+  return all;
+}
+/// Of doForce, less those that it puts without accelerations.
+template <class S, class Core>
+auto loads_by_accelerations(trial<S, Core> x) {
+  auto resting = x;
+  resting.for_each([](const port&, auto& thing) { do_not_accelerate(thing); });
+  x.doForce(), resting.doForce();
+  auto loads = loads_of(x);
+  const auto others = loads_of(resting);
+  for (std::size_t p = 0; p < loads.size(); ++p)
+    for (std::size_t i = 0; i < 6; ++i) loads[p][i] = loads[p][i] - others[p][i];
+  return loads;
+}
+/// The power of the loads of x, were its velocities the accelerations of y, and the same of sizes.
+template <class S, class Core>
+std::pair<S, S> power_on_accelerations(trial<S, Core>& x, trial<S, Core>& y) {
+  const auto loads = loads_of(x);
+  S sum(0), sizes(0);
+  std::size_t p = 0;
+  y.for_each([&](const port&, auto& thing) {
+    std::size_t i = 0;
+    const auto add = [&](const S& a, std::size_t at) {
+      sum = sum + loads[p][at] * a, sizes = sizes + magnitude(S(loads[p][at] * a));
+    };
+    using T = std::remove_cvref_t<decltype(thing)>;
+    if constexpr (coordinate<T>) {
+      kte::detail::visit_a(thing, [&](const S& a) { add(a, i++); });
+    } else if constexpr (frame<T>) {
+      const auto m = spatial(thing);
+      const auto a = as<S>(m.acceleration), al = as<S>(m.ang_acceleration);
+      for (const S& n : {a.x, a.y, a.z, al.x, al.y, al.z}) add(n, i++);
+    }
+    ++p;
+  });
+  return {sum, sizes};
+}
 }  // namespace detail
 
 /// For elements that move something: velocities and accelerations of what they move are derivatives of its position and
@@ -120,14 +176,71 @@ S loads_are_opposite(const Element& e, Draw&& draw) {
 }
 
 /// For elements with a `mass<S>()`: it is the mass by which they resist in doForce, so that mass matrix and inverse
-/// dynamics agree.
+/// dynamics agree. What they put besides, without accelerations, does not count.
 template <class S, class Element, class Draw>
 S mass_is_that_of_force(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&e](auto& x) {
-    auto& thing = x.template at<0>();
-    detail::stop(thing);
-    x.doForce();
-    return detail::resistance_off(thing, e.core.template mass<S>());
+    x.for_each([](const port&, auto& thing) { detail::stop(thing); });
+    const auto resists = detail::resistance(x.template at<0>(), e.core.template mass<S>());
+    const auto loads = detail::loads_by_accelerations(x);
+    return detail::difference<S, 6>(loads[0], resists);
+  });
+}
+/// For elements with a mass between several ports: `mass_loads` are the loads of their accelerations in doForce, and by
+/// a symmetric mass that is not negative: the power of those of one acceleration on another is that of the other on it.
+template <class S, class Element, class Draw>
+S spread_mass_is_that_of_force(const Element& e, Draw&& draw) {
+  return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {
+    x.for_each([](const port&, auto& thing) { detail::stop(thing); });
+    const auto loads = detail::loads_by_accelerations(x);
+    auto y = x;  // the same place, another acceleration
+    y.for_each([&draw](const port&, auto& thing) { detail::accelerate_randomly(thing, draw); });
+    x.clear(), y.clear();
+    x.mass_force(), y.mass_force();
+    S worst(0);
+    for (std::size_t p = 0; p < loads.size(); ++p)
+      worst = detail::worse(worst, detail::difference<S, 6>(loads[p], detail::loads_of(x)[p]));
+    const auto [xy, size] = detail::power_on_accelerations(x, y);
+    const auto [yx, other] = detail::power_on_accelerations(y, x);
+    const auto [xx, own] = detail::power_on_accelerations(x, x);
+    worst = detail::worse(worst, detail::ratio(S(xy - yx), S(size + other)));
+    return xx > 0 ? detail::worse(worst, detail::ratio(xx, own)) : worst;
+  });
+}
+/// For elements that know no place or direction of the world: turned and shifted as a whole, what they act on gets the
+/// same loads, in its own axes.
+template <class S, class Element, class Draw>
+S same_anywhere(const Element& e, Draw&& draw) {
+  return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {
+    auto y = x;
+    const vec3<S> turn{S(2 * draw()), S(2 * draw()), S(2 * draw())}, shift{S(draw()), S(draw()), S(draw())};
+    const auto r = matrix(turn);
+    y.for_each([&](const port&, auto& thing) { detail::shift_world(thing, r, shift); });
+    x.doForce(), y.doForce();
+    const auto a = detail::loads_of(x), b = detail::loads_of(y);
+    S worst(0);
+    for (std::size_t p = 0; p < a.size(); ++p) worst = detail::worse(worst, detail::difference<S, 6>(a[p], b[p]));
+    return worst;
+  });
+}
+/// For an element of typed constants and one of the same numbers: they move alike and put the same loads.
+template <class S, class Typed, class Plain, class Draw>
+S typed_is_plain(const Typed& typed, const Plain& plain, Draw&& draw) {
+  return detail::worst_of_many<S>(typed.core, draw, [&](auto& x) {
+    constexpr port last = Typed::core_type::ports.back();
+    constexpr bool moves = last.how == access::out && !is_signal(last.what);
+    if constexpr (moves) detail::load_randomly(x.output(), draw);
+    auto y = x.with(plain.core);
+    S worst(0);
+    if constexpr (moves) {
+      x.doMotion(), y.doMotion();
+      const auto a = detail::numbers(x.output());
+      worst = detail::difference<S, std::tuple_size_v<decltype(a)>>(a, detail::numbers(y.output()));
+    }
+    x.doForce(), y.doForce();
+    const auto a = detail::loads_of(x), b = detail::loads_of(y);
+    for (std::size_t p = 0; p < a.size(); ++p) worst = detail::worse(worst, detail::difference<S, 6>(a[p], b[p]));
+    return worst;
   });
 }
 

@@ -76,12 +76,30 @@ class columns {
       constexpr int j = wiring::template at<K, Slot>.v + N;
       put_number(matrix_(0, j), linear.x), put_number(matrix_(1, j), linear.y), put_number(matrix_(2, j), linear.z);
       put_number(matrix_(3, j), angular.x), put_number(matrix_(4, j), angular.y), put_number(matrix_(5, j), angular.z);
-    } else if constexpr (wiring::writer(K, Slot) >= 0) {  // q_end' = ratio q_base'
+    } else if constexpr (wiring::writer(K, Slot) >= 0) {  // q_end' = sum of ratio_p q_p'
       constexpr std::size_t w{wiring::writer(K, Slot)};
-      constexpr int base = wiring::slot(w, 0);
-      const auto ratio =
-          chain_.template core<w>().doMotion(unit_rate<kind::gen, 0>(coordinate<kind::gen, base>())).q_dot;
-      put_on<kind::gen, base, 0>(ratio * linear, ratio * angular);
+      for_each_number<int{input_count<core_t<w>>}>([&]<int P>() KTE_INLINE_LAMBDA {
+        if constexpr (types::template what<w, P> == kind::gen) {
+          const auto ratio = this->template rate_of_follower<w, P>(typename types::template inputs<w>{});
+          this->template put_on<kind::gen, wiring::slot(w, P), 0>(ratio * linear, ratio * angular);
+        }
+      });
+    }
+  }
+  /// What a follower makes of the unit rate of port P.
+  template <std::size_t W, int P, std::size_t... I>
+  KTE_INLINE constexpr auto rate_of_follower(std::index_sequence<I...>) const {
+    return chain_.template core<W>().doMotion(at_rate<W, I, I == std::size_t{P}>()...).q_dot;
+  }
+  template <std::size_t W, std::size_t I, bool Moves>
+  KTE_INLINE constexpr auto at_rate() const {
+    const auto c = coordinate<types::template what<W, I>, wiring::slot(W, I)>();
+    if constexpr (types::template what<W, I> != kind::gen) {
+      return c;
+    } else if constexpr (Moves) {
+      return unit_rate<kind::gen, 0>(c);
+    } else {
+      return kte::coordinate{c.q, zero, zero, c.cos, c.sin};
     }
   }
   template <class X>

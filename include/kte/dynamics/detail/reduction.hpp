@@ -122,6 +122,22 @@ inline constexpr bool reads_key = [] {
     if (same) return true;
   return false;
 }();
+/// Whether nothing but joints reads what is to be locked.
+template <class Locked, class Element>
+inline constexpr bool locks_cleanly = true;
+template <class Locked, class Core, class... Keys>
+inline constexpr bool locks_cleanly<Locked, element<Core, Keys...>> =
+    is_transmission<Core> || !reads_key<Locked, Core, Keys...>;
+/// Whether a key is that of a degree of freedom, or of several.
+template <class Key, class Wiring>
+inline constexpr bool is_freedom = [] {
+  constexpr int slot = Wiring::template find<Key>();
+  if constexpr (is_coordinate(Key::what) && slot >= 0) {
+    return Wiring::freedom_of(Key::what, slot).what == Key::what;
+  } else {
+    return false;
+  }
+}();
 template <class Chain, class Given, class... Locked>
 struct static_reduction {
   using types = local_types<Chain, Given>;
@@ -135,10 +151,6 @@ struct static_reduction {
     if constexpr (!locked) {
       return e;
     } else {
-      static_assert(
-          is_transmission<Core>,
-          "kte: an element besides its joint acts on a coordinate that is to be locked: leave it out, or use a "
-          "runtime chain");
       constexpr kind k = coordinate_kind<Core>;
       constexpr int slot = wiring::template find<first_of<Keys...>>();
       const auto m = e.core.relative(position_only(motion_of<types, k, slot>(chain, given)));

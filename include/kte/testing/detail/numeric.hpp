@@ -127,6 +127,10 @@ template <class S>
 std::array<S, 7> load_in_world(const S&) {
   return {};
 }
+template <class S>
+std::array<S, 7> load_in_world(const vec3<S>&) {
+  return {};
+}
 template <frame Frame>
 auto load_in_world(const Frame& frame) {
   using S = std::remove_cvref_t<decltype(frame.position.x)>;
@@ -141,6 +145,10 @@ std::pair<S, S> power(const internal_state<S>&) {
 }
 template <class S>
 std::pair<S, S> power(const S&) {  // of an input
+  return {S(0), S(0)};
+}
+template <class S>
+std::pair<S, S> power(const vec3<S>&) {
   return {S(0), S(0)};
 }
 /// The largest sum of loads, relative to the loads.
@@ -161,21 +169,61 @@ template <frame Frame>
 void stop(Frame& x) {
   x.velocity = {}, x.ang_velocity = decltype(x.ang_velocity){};
 }
-/// How far the load on a thing at rest is from that which its acceleration of a mass gives.
+/// Accelerations to zero.
+template <template <class> class Coordinate, class S>
+requires coordinate<Coordinate<S>>
+void do_not_accelerate(Coordinate<S>& c) {
+  kte::detail::visit_a(c, [](S& x) { x = S(0); });
+}
+template <frame Frame>
+void do_not_accelerate(Frame& x) {
+  x.acceleration = {}, x.ang_acceleration = decltype(x.ang_acceleration){};
+}
+template <class T>
+void do_not_accelerate(T&) {}  // a signal
+template <class T>
+void stop(T&) {}
+
+/// The load on a thing as numbers, in its axes.
+template <class S>
+std::array<S, 6> own_load(const gen_coord<S>& c) {
+  return {c.f};
+}
+template <frame Frame>
+auto own_load(const Frame& x) {
+  using S = std::remove_cvref_t<decltype(x.position.x)>;
+  const auto w = load_of(x);
+  const auto f = as<S>(w.force), t = as<S>(w.torque);
+  return std::array<S, 6>{f.x, f.y, f.z, t.x, t.y, t.z};
+}
+/// The load that the acceleration of a mass by a thing at rest gives, likewise.
 template <class S, class Mass>
-S resistance_off(const gen_coord<S>& c, const Mass& m) {
-  return difference<S, 1>({S(c.f)}, {S(-as<S>(m) * c.q_ddot)});
+std::array<S, 6> resistance(const gen_coord<S>& c, const Mass& m) {
+  return {-as<S>(m) * c.q_ddot};
 }
 template <frame Frame, class Mass>
-auto resistance_off(const Frame& frame, const Mass& b) {
+auto resistance(const Frame& frame, const Mass& b) {
   using S = std::remove_cvref_t<decltype(frame.position.x)>;
   const auto& x = spatial(frame);
   const auto& a = x.acceleration;
   const auto& al = x.ang_acceleration;
-  const auto load = load_of(frame);
-  const auto f = as<S>(load.force), t = as<S>(load.torque);
   const auto g = as<S>(-(b.mass * a + cross(al, b.moment))), u = as<S>(-(b.inertia * al + cross(b.moment, a)));
-  return difference<S, 6>({f.x, f.y, f.z, t.x, t.y, t.z}, {g.x, g.y, g.z, u.x, u.y, u.z});
+  return std::array<S, 6>{g.x, g.y, g.z, u.x, u.y, u.z};
 }
+
+/// Where a thing stands after the world has been turned by r and shifted by p; others stay.
+template <class S>
+void shift_world(frame_2D<S>& x, const mat3<vec3<S>>&, const vec3<S>& p) {
+  const auto turn = rotation_by(p.z);
+  x.position = turn * x.position + vec2<S>{p.x, p.y};
+  x.rotation = turn * x.rotation;
+}
+template <class S>
+void shift_world(frame_3D<S>& x, const mat3<vec3<S>>& r, const vec3<S>& p) {
+  x.position = r * x.position + p;
+  x.rotation = r * x.rotation;
+}
+template <class T, class R, class P>
+void shift_world(T&, const R&, const P&) {}
 
 }  // namespace kte::testing::detail

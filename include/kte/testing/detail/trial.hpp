@@ -113,6 +113,13 @@ class trial {
 
   void doMotion() { pass().motion(read{}); }
   void doForce() { pass().force(read{}); }
+  void mass_force() { pass().mass_force(read{}); }
+  void clear() { pass().clear(std::make_index_sequence<ports>{}); }
+  /// Another element at the same things.
+  template <class Other>
+  trial<S, Other> with(const Other& other) const {
+    return {other, things_};
+  }
   /// Everything that the element reads, after time t.
   void move(const S& t) {
     for_each([&](const port& p, auto& x) {
@@ -132,6 +139,12 @@ class trial {
   }
 
  private:
+  template <class, class>
+  friend class trial;
+  template <class Things>
+  trial(const Core& core, const Things& things) requires(!std::is_invocable_v<Things&>)
+      : core_(core), things_(things) {}
+
   using read = std::make_index_sequence<input_count<Core>>;
   struct itself {
     template <std::size_t P>
