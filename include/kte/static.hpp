@@ -36,6 +36,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
+#include <kte/elements/joint_backlash_mode.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
@@ -46,6 +47,7 @@
 #include <kte/elements/mimic.hpp>
 #include <kte/elements/pid_control.hpp>
 #include <kte/elements/planar_joint.hpp>
+#include <kte/elements/plane_point_mindist.hpp>
 #include <kte/elements/position_control.hpp>
 #include <kte/elements/position_measure.hpp>
 #include <kte/elements/prismatic_joint.hpp>

@@ -3,6 +3,7 @@
 #include <kte/elements/inertial_beam.hpp>
 
 #include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 #include "catch.hpp"
@@ -48,7 +49,8 @@ std::vector<double> frequencies(int n) {
   c << base_2D("wall");
   for (int i = 1; i <= n; ++i) {
     const std::string node = "node" + std::to_string(i);
-    c << free_joint_2D(node + ".pose", "wall", node) << flexible_beam_2D(before, node, l, planar_beam_section{.EA = 1e4, .EI = 1.0})
+    c << free_joint_2D(node + ".pose", "wall", node)
+      << flexible_beam_2D(before, node, l, planar_beam_section{.EA = 1e4, .EI = 1.0})
       << inertial_beam_2D(before, node, l, 1e-3 * l * l * l);
     before = node;
   }

@@ -1,7 +1,11 @@
+#include <kte/elements/joint_backlash_mode.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/prince_dormand87.hpp>
 #include <kte/models/element_events.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/static.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +20,7 @@ namespace {
 // clang-format off
 inline constexpr struct q_     final : coord_key<"q">       {} q;
 inline constexpr struct wall_  final : coord_key<"wall">    {} wall;
+inline constexpr struct teeth_ final : internal_key<"teeth"> {} teeth;
 inline constexpr struct base_  final : frame_2D_key<"base"> {} base;
 inline constexpr struct cart_  final : frame_2D_key<"cart"> {} cart;
 // clang-format on
@@ -98,4 +103,62 @@ TEST_CASE("play is saved and loaded, and rejects what makes no sense", "[element
   CHECK(what(-1, 1, 1) == where + "gap must be finite and not negative, got -1");
   CHECK(what(1, -2, 1) == where + "stiffness must be finite and not negative, got -2");
   CHECK(what(1, 1, not_a_number).starts_with(where + "damping must be finite and not negative"));
+}
+
+TEST_CASE("teeth with damping touch and part at events, and never pull", "[elements][joint_backlash]") {
+  // 1 kg at 2 m/s in play of 0.5 m; teeth of k = 400 N/m, c = 10 Ns/m: d = v/w exp(-5 t) sin(w t) until d'' = 0
+  constexpr double gap = 0.5, k = 400, gamma = 5;
+  const double w = std::sqrt(k - gamma * gamma), phase = std::atan2(2 * gamma * w, gamma * gamma - w * w);
+  const double press = phase / w, left = std::exp(-gamma * press);
+  kte_map_chain c;
+  c << base_gen("wall") << inertia_gen("q", 1.0) << joint_backlash_mode_gen("wall", "q", "mode", gap, k, 2 * gamma);
+  const auto check = [&](const auto& model) {
+    using state = std::remove_cvref_t<decltype(model.make_x(std::array{0.0}, std::array{2.0}))>;
+    prince_dormand87 solver(std::cref(model), 0.0, state(model.make_x(std::array{0.0}, std::array{2.0})),
+                            {.absolute = 1e-13, .relative = 1e-13});
+    double worst_pull = 0;
+    const auto report = solver.integrate(1.2, element_events(model), [&](double t, const state& x) {
+      const double force = model(t, x)[1];
+      worst_pull = std::max(worst_pull, force * x[0]);  // the force on q is towards the middle
+    });
+    CHECK(worst_pull <= 1e-12);
+    REQUIRE(report.events.size() >= 6);
+    double t = gap / 2 / 2, v = 2, side = 1;
+    for (std::size_t i = 0; i + 2 < report.events.size(); i += 3) {
+      const auto &touch = report.events[i], &parts = report.events[i + 1], &leaves = report.events[i + 2];
+      CHECK(touch.time == within(t, 2e-12));
+      CHECK(touch.after[1] == within(side * v, 1e-11));
+      CHECK(touch.after[2] == within(side, 0));
+      const double deep = v / w * left * std::sin(phase);
+      v *= -left * (std::cos(phase) - gamma / w * std::sin(phase));  // speed outward
+      CHECK(parts.time == within(t + press, 2e-12));
+      CHECK(parts.after[0] == within(side * (gap / 2 + deep), 1e-12));
+      CHECK(parts.after[1] == within(-side * v, 1e-11));  // all that energy lost is damping's
+      CHECK(parts.after[2] == within(2 * side, 0));
+      CHECK(leaves.time == within(t + press + deep / v, 2e-12));
+      CHECK(leaves.after[2] == within(0, 0));
+      t += press + (deep + gap) / v, side = -side;
+    }
+  };
+  check(manipulator_dynamics_model(c));
+  const auto fixed =
+      chain(base_gen(wall), inertia_gen(q, 1.0), joint_backlash_mode_gen(wall, q, teeth, gap, k, 2 * gamma));
+  check(manipulator_dynamics_model(fixed));
+  CHECK(record_of(models::registered(record_of(c))) == record_of(c));
+}
+
+TEST_CASE("teeth that lag are pressed again; without play the others touch at once", "[elements][joint_backlash]") {
+  const auto core = joint_backlash_mode_gen("a", "b", "mode", 0.5, 8.0, 2.0).core;
+  const auto tight = joint_backlash_mode_gen("a", "b", "mode", 0.0, 8.0, 2.0).core;
+  const gen_coord<> still{};
+  const auto at = [](double x, double rate) { return gen_coord<>{.q = x, .q_dot = rate}; };
+  CHECK(core.switched(still, at(0.5, -1.0), 2.0) == 1.0);  // 8 0.25 - 2 = 0
+  CHECK(core.switched(still, at(0.25, -1.0), 2.0) == 0.0);
+  CHECK(core.switched(still, at(-0.5, 1.5), -1.0) == -2.0);
+  CHECK(core.switched(still, at(-0.25, -1.0), 0.0) == -1.0);
+  CHECK(core.switched(still, at(0.25, -1.0), 0.0) == 0.0);
+  CHECK(tight.switched(still, at(0.0, -1.0), 2.0) == -1.0);
+  CHECK(tight.switched(still, at(0.0, 1.0), 0.0) == 1.0);
+  CHECK(core.switching(still, at(0.5, -1.5), 2.0) == 0.25);
+  CHECK(core.switching(still, at(0.5, -0.5), 1.0) == 1.0);
 }

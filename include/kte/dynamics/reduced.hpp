@@ -43,8 +43,8 @@ auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...)
   constexpr bool clean = [] {
     const auto each = []<class Key>(std::type_identity<Key>) {
       const bool all[]{locks_cleanly<Key, E>..., true};
-      for (const bool one : all)
-        if (!one) return false;
+      for (const bool each_one : all)
+        if (!each_one) return false;
       return true;
     };
     return (each(std::type_identity<Locked>{}) && ...);

@@ -12,6 +12,7 @@
 #include <kte/elements/differential.hpp>
 #include <kte/elements/driving_actuator.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
+#include <kte/elements/dyad.hpp>
 #include <kte/elements/external_force.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/fluid_drag.hpp>
@@ -21,6 +22,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
+#include <kte/elements/joint_backlash_mode.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
@@ -30,6 +32,7 @@
 #include <kte/elements/mimic.hpp>
 #include <kte/elements/pid_control.hpp>
 #include <kte/elements/planar_joint.hpp>
+#include <kte/elements/plane_point_mindist.hpp>
 #include <kte/elements/position_control.hpp>
 #include <kte/elements/position_measure.hpp>
 #include <kte/elements/prismatic_joint.hpp>
@@ -141,6 +144,7 @@ KTE_ELEMENT(joint_lugre_gen);
 KTE_ELEMENT(joint_elasto_plastic_gen);
 KTE_ELEMENT(joint_friction_gen);
 KTE_ELEMENT(joint_backlash_gen<double>);
+KTE_ELEMENT(joint_backlash_mode_gen<double>);
 KTE_ELEMENT(joint_limit_gen);
 KTE_ELEMENT(joint_stiction_gen);
 KTE_ELEMENT(brake_gen);
@@ -150,6 +154,8 @@ KTE_ELEMENT(inertial_beam<kind::frame_2D, double, sym3<zero_t, zero_t, zero_t, z
 KTE_ELEMENT(inertial_beam<kind::frame_3D, double, sym3<>>);
 KTE_ELEMENT(four_bar_coupler);
 KTE_ELEMENT(four_bar_rocker);
+KTE_ELEMENT(dyad_bar1);
+KTE_ELEMENT(dyad_bar2);
 KTE_ELEMENT(slider_crank_rod);
 KTE_ELEMENT(slider_crank_slider);
 KTE_ELEMENT(rotor<vec3<>, double, double>);
@@ -160,6 +166,7 @@ KTE_ELEMENT(dry_revolute_joint<vec3<>>);
 KTE_ELEMENT(placed_3D<core::dry_revolute_joint<vec3<>>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
+KTE_ELEMENT(plane_point_mindist<vec3<>, vec3<>>);
 KTE_ELEMENT(position_control_gen);
 KTE_ELEMENT(position_control<kind::frame_2D>);
 KTE_ELEMENT(position_control<kind::frame_3D>);
@@ -193,15 +200,16 @@ struct families {};
 using all_families =
     families<acceleration_measure_family, ang_velocity_control_family, ang_velocity_measure_family, base_family,
              bushing_family, constant_force_family, damper_family, dc_motor_family, differential_family,
-             driving_actuator_family, dry_revolute_joint_family, external_force_family, flexible_beam_family,
-             fluid_drag_family, force_actuator_family, four_bar_family, free_joint_family, inertia_family,
-             inertial_beam_family, joint_backlash_family, joint_elasto_plastic_family, joint_friction_family,
-             joint_limit_family, joint_lugre_family, joint_stiction_family, line_point_mindist_family, mimic_family,
-             pid_control_family, planar_joint_family, position_control_family, position_measure_family,
-             prismatic_joint_family, revolute_joint_family, rigid_link_family, rotation_control_family,
-             rotation_measure_family, rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family,
-             spring_family, table_spring_family, torque_speed_motor_family, torsion_damper_family,
-             torsion_spring_family, velocity_control_family, velocity_measure_family>;
+             driving_actuator_family, dry_revolute_joint_family, dyad_family, external_force_family,
+             flexible_beam_family, fluid_drag_family, force_actuator_family, four_bar_family, free_joint_family,
+             inertia_family, inertial_beam_family, joint_backlash_family, joint_backlash_mode_family,
+             joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
+             joint_stiction_family, line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family,
+             plane_point_mindist_family, position_control_family, position_measure_family, prismatic_joint_family,
+             revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family, rotor_family,
+             screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, table_spring_family,
+             torque_speed_motor_family, torsion_damper_family, torsion_spring_family, velocity_control_family,
+             velocity_measure_family>;
 }  // namespace detail
 
 }  // namespace kte

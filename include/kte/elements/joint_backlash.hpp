@@ -49,17 +49,17 @@ struct joint_backlash_gen {
   static constexpr void parameters(Self& self, Visit&& visit) {
     visit("gap", self.gap), visit("stiffness", self.stiffness), visit("damping", self.damping);
   }
-
- private:
-  template <class C1, class C2>
-  KTE_INLINE static constexpr auto play(const C1& c1, const C2& c2) {
-    return detail::as_number(c2.q - c1.q);
-  }
   /// d of (1).
   template <class T>
   KTE_INLINE constexpr T beyond(const T& x) const {
     const T half(gap / S(2));
     return detail::beyond(x, T(-half), half);
+  }
+
+ private:
+  template <class C1, class C2>
+  KTE_INLINE static constexpr auto play(const C1& c1, const C2& c2) {
+    return detail::as_number(c2.q - c1.q);
   }
 };
 

@@ -7,10 +7,11 @@ namespace kte {
 
 /// The parameters of friction that holds, of a force (N) along a length, or of a torque (Nm) about an angle.
 struct stiction_parameters {
-  double coulomb;                ///< Fc, force of fast sliding; not negative
-  double stiction;               ///< Fs, force at which sliding begins; not below Fc
-  double stribeck_velocity = 1;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
-  double viscous = 0;            ///< b, Ns/m or Nms/rad; not negative
+  double coulomb;   ///< Fc, force of fast sliding; not negative
+  double stiction;  ///< Fs, force at which sliding begins; not below Fc
+  double stribeck_velocity =
+      1;               ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; 0: it falls at once
+  double viscous = 0;  ///< b, Ns/m or Nms/rad; not negative
 };
 
 namespace core {
@@ -35,7 +36,8 @@ struct joint_stiction_gen : holder {
   KTE_INLINE constexpr auto doForce(const C& c, const Z& mode) const {
     using S = number<decltype(c.q_dot), Z>;
     const S v = as<S>(c.q_dot), z = as<S>(mode);
-    const S dry(detail::stribeck_force(v, p.coulomb, p.stiction, p.stribeck_velocity));
+    const S dry(p.stribeck_velocity > 0 ? S(detail::stribeck_force(v, p.coulomb, p.stiction, p.stribeck_velocity))
+                                        : S(p.coulomb));
     return make_loads(unless_held(z, S(-(dry * direction(z, v) + S(p.viscous) * v))));  // (1)
   }
   template <class C, class Z>
@@ -46,7 +48,7 @@ struct joint_stiction_gen : holder {
     where.not_negative(p.coulomb, "coulomb must be finite and not negative");
     where.finite(p.stiction, "stiction must be finite and not below coulomb");
     where.require(p.stiction >= p.coulomb, "stiction must be finite and not below coulomb", p.stiction);
-    where.positive(p.stribeck_velocity, "stribeck_velocity must be finite and positive");
+    where.not_negative(p.stribeck_velocity, "stribeck_velocity must be finite and not negative");
     where.not_negative(p.viscous, "viscous must be finite and not negative");
   }
   template <class Self, class Visit>

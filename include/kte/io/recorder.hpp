@@ -23,8 +23,8 @@ namespace kte {
 ///
 /// A vector is a column a component, `tip/position/x`, which may be asked for alone; a rotation has w, x, y, z. The
 /// name of a thing alone is where it is: all of its q, or position and rotation; with /v, /a, /f it is all of these.
-/// A frame may have the name of a coordinate or signal: "elbow/position" is then that of the frame, which alone has one;
-/// what both have is asked for as "frame:elbow" and "coordinate:elbow" ("signal:"), and columns have these names.
+/// A frame may have the name of a coordinate or signal: "elbow/position" is then that of the frame, which alone has
+/// one; what both have is asked for as "frame:elbow" and "coordinate:elbow" ("signal:"), and columns have these names.
 /// Units and axes are those of the state, see `gen_coord`, `frame_3D`, `pose_coord_3D`. The quaternion of a frame is
 /// the one with w >= 0, so x, y, z jump where the frame passes half a turn; that of a coordinate is as in the state.
 ///

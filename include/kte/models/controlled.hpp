@@ -48,6 +48,8 @@ inline constexpr int size_of_column = [] {
 /// What a law returns has as many numbers as there are inputs, or states c, anything with operator[]; else `setInput`
 /// throws.
 ///
+/// `element_events(arm)` are the events of its elements under the law, `settled(arm, t, x)` the modes of its friction.
+///
 /// The model is copied; `std::ref(model)` shares it, so that its inputs are seen there. Either way the law sets all of
 /// them, at every evaluation: what one sets besides is lost, and cannot be set here. It moves as the model does, also
 /// where there are rotations. Stiff methods take its Jacobian by differences.
@@ -107,6 +109,15 @@ class controlled {
     }
   }
 
+  /// Lets the law set the inputs of the model.
+  void set_inputs(const S& t, const state& x) {
+    if constexpr (N == 0) {
+      model().setInput(law_(t, x));
+    } else {
+      const law_state c = x.template tail<N>();
+      model().setInput(law_(t, own_part(x), c));
+    }
+  }
   /// The inputs that the law gave last.
   const auto& input() const { return model().input(); }
   template <class T>
@@ -147,6 +158,14 @@ class controlled {
   }
   /// z of the model, and c.
   auto internals_of(const state& x) const { return x.tail(Eigen::fix<longer(size_of<2>)>(internals())); }
+  /// (q, v, z) of the model alone; valid until the next call.
+  const model_state& own_part(const state& x) const {
+    if constexpr (N == 0) {
+      return x;
+    } else {
+      return part_ = x.head(Eigen::fix<model_state::RowsAtCompileTime>(static_cast<int>(x.size()) - N));
+    }
+  }
   /// c.
   auto law_states_of(const state& x) const { return x.template tail<N>(); }
   template <class ChainState>
@@ -197,25 +216,10 @@ class controlled {
   }();
 
   int at_velocities(const state& x) const { return static_cast<int>(x.size()) - velocity_count() - internals(); }
-  const model_state& own_part(const state& x) const {
-    if constexpr (N == 0) {
-      return x;
-    } else {
-      return part_ = x.head(Eigen::fix<model_state::RowsAtCompileTime>(static_cast<int>(x.size()) - N));
-    }
-  }
   const model_rate& own_rate(const rate& d) const {
     return rate_part_ = d.head(Eigen::fix<model_rate::RowsAtCompileTime>(model().rates()));
   }
 
-  void set_inputs(const S& t, const state& x) {
-    if constexpr (N == 0) {
-      model().setInput(law_(t, x));
-    } else {
-      const law_state c = x.template tail<N>();
-      model().setInput(law_(t, own_part(x), c));
-    }
-  }
   template <class Evaluate>
   decltype(auto) follow(const S& t, const state& x, const Evaluate& evaluate) {
     set_inputs(t, x);
@@ -243,11 +247,5 @@ controlled(Model, Law) -> controlled<Model, Law>;
 template <class Model, class Law, class Rates, class C>
 controlled(Model, Law, Rates, const C& c0)
     -> controlled<Model, Law, Rates, detail::size_of_column<decltype(detail::column_of(c0))>>;
-
-/// Where the laws of the elements of its model change.
-template <class Model, class Law, class Rates, int N>
-auto element_events(controlled<Model, Law, Rates, N>& c) {
-  return element_events(c.model());
-}
 
 }  // namespace kte

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/events/events.hpp>
+#include <kte/models/controlled.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
 #include <algorithm>
@@ -121,6 +122,54 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 template <class Gravity, class... E, class S, class Output>
 auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
   return detail::element_events_of<E...>(model, std::index_sequence_for<E...>{});
+}
+
+namespace detail {
+/// Of an event of a model whose inputs a law sets: the law is asked first.
+template <class Controlled, class Function>
+struct under_law {
+  Controlled* system;
+  Function function;
+
+  template <class T, class X>
+  auto operator()(const T& t, const X& x) const {
+    system->set_inputs(t, x);
+    return function(t, x);
+  }
+  template <class T, class X>
+  void switch_over(const T& t, X& x) const {
+    system->set_inputs(t, x);
+    function.switch_over(t, x);
+  }
+  std::string name() const { return function.name(); }
+};
+template <class Controlled, class Function, class Reset>
+auto event_under_law(Controlled& c, const event<Function, Reset>& e) {
+  const under_law<Controlled, Function> f{&c, e.function};
+  return event(f).reset(switch_element<under_law<Controlled, Function>>{f});
+}
+template <class Controlled, class Function, class Reset>
+auto event_under_law(Controlled& c, const std::vector<event<Function, Reset>>& some) {
+  std::vector<decltype(event_under_law(c, some.front()))> all;
+  for (const auto& e : some) all.push_back(event_under_law(c, e));
+  return all;
+}
+}  // namespace detail
+
+/// The same of a model whose inputs a law sets: at every time and state they are those of the law. Both must outlive
+/// the events.
+template <class Model, class Law, class Rates, int N>
+auto element_events(controlled<Model, Law, Rates, N>& c) {
+  return std::apply([&c](const auto&... e) { return events(detail::event_under_law(c, e)...); },
+                    element_events(c.model()).list);
+}
+/// `settled` (models/modes.hpp) under the law at (t, x).
+template <class Model, class Law, class Rates, int N, class T, class X>
+X settled(controlled<Model, Law, Rates, N>& c, const T& t, X x) {
+  c.set_inputs(t, x);
+  const auto own = settled(c.model(), t, c.own_part(x));
+  x.head(own.size()) = own;
+  return x;
 }
 
 }  // namespace kte

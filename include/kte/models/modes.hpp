@@ -1,11 +1,15 @@
 #pragma once
 
 #include <kte/contract/holder.hpp>
+#include <kte/errors.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 /// Elements that hold coordinates (contract/holder.hpp), in models. A model has
 ///   holders()                   where they are
+///   computeStateRate(t, x), velocity_count()
 ///   needed_forces(t, x)         inverse dynamics at the accelerations of x: of what is held, the force that holds it
 ///   capacity(t, x, element)     how large that may be
 namespace kte {
@@ -19,48 +23,94 @@ struct holder_place {
   int rate, mode;
 };
 
+/// The first that holds the same coordinate: it keeps the mode for all of them, and has the events.
+template <class Model>
+holder_place leader(const Model& model, const holder_place& h) {
+  for (const auto& other : model.holders())
+    if (other.row == h.row) return other;
+  return h;
+}
+/// By how much all that hold the coordinate of h can hold it together.
+template <class Model, class T, class X>
+auto capacity_of_row(const Model& model, const T& t, const X& x, const holder_place& h) {
+  typename X::Scalar most(0);
+  for (const auto& other : model.holders())
+    if (other.row == h.row) most += model.capacity(t, x, other.element);
+  return most;
+}
+template <class Model, class X>
+void set_mode(const Model& model, X& x, const holder_place& h, int m) {
+  for (const auto& other : model.holders())
+    if (other.row == h.row) x[other.mode] = typename X::Scalar(m);
+}
 /// What goes through zero where the mode changes: the rate of sliding; of what is held, with capacity F and force f,
 ///
 ///   F^2 - f^2          (1)
+///
+/// but not zero: at the limit it is still held, and an event looks for what leaves zero only where it was not there.
 template <class Model, class T, class X>
 auto mode_function(const Model& model, const T& t, const X& x, const holder_place& h) {
   using S = typename X::Scalar;
+  if (leader(model, h).element != h.element) return S(1);
   const S z = x[h.mode];
   if (z == S(mode::held)) {
-    const S most = model.capacity(t, x, h.element), force = model.needed_forces(t, x)[h.row];
-    return S((most - force) * (most + force));
+    const S most = capacity_of_row(model, t, x, h), force = model.needed_forces(t, x)[h.row];
+    const S spare((most - force) * (most + force));
+    return spare == S(0) ? S(4 * (std::numeric_limits<S>::min)()) : spare;
   }
   return z == S(mode::sliding) ? S(x[h.rate]) : S(z * x[h.rate]);
 }
-/// Lets go what is held by more than its capacity, the worst first.
+/// Lets what is held go the way in which it is pulled.
+template <class Model, class X, class Forces>
+void let_go(const Model& model, X& x, const holder_place& h, const Forces& needed) {
+  set_mode(model, x, h, needed[h.row] > typename X::Scalar(0) ? mode::backward : mode::forward);
+}
+/// Whether the mode of a coordinate without rate is not what happens; then it is changed: what is held by more than is
+/// there is let go, and what would be carried against its own friction is held.
 template <class Model, class T, class X>
-void release(const Model& model, const T& t, X& x) {
+bool mend_mode(const Model& model, const T& t, X& x, const holder_place& h) {
   using S = typename X::Scalar;
   using std::abs;
-  for (;;) {
-    const auto force = model.needed_forces(t, x);
-    const holder_place* worst = nullptr;
-    S excess(0);
-    for (const auto& h : model.holders()) {
-      if (x[h.mode] != S(mode::held)) continue;
-      const S beyond = abs(force[h.row]) - S(model.capacity(t, x, h.element));
-      if (beyond > excess) excess = beyond, worst = &h;
-    }
-    if (!worst) return;
-    x[worst->mode] = S(force[worst->row] > S(0) ? mode::backward : mode::forward);
+  const auto beyond = [&](const auto& needed) { return abs(S(needed[h.row])) > capacity_of_row(model, t, x, h); };
+  const S z = x[h.mode];
+  if (z == S(mode::held)) {
+    const auto needed = model.needed_forces(t, x);
+    if (!beyond(needed)) return false;
+    let_go(model, x, h, needed);
+    return true;
   }
+  const S onward = z * S(model.computeStateRate(t, x)[model.velocity_count() + h.row]);
+  if (x[h.rate] != S(0) || !(onward < S(0))) return false;
+  set_mode(model, x, h, mode::held);
+  const auto needed = model.needed_forces(t, x);
+  if (beyond(needed)) let_go(model, x, h, needed);
+  return x[h.mode] != z;
+}
+/// Changes modes of what has no rate until all are as things happen: always the first that is not (the least-index rule
+/// of Murty, Linear Complementarity, 1988, section 3.2, which ends). What one does changes what the others need.
+template <class Model, class T, class X>
+void find_modes(const Model& model, const T& t, X& x) {
+  const auto next = [&] {
+    for (const auto& h : model.holders())
+      if (leader(model, h).element == h.element && mend_mode(model, t, x, h)) return true;
+    return false;
+  };
+  const std::size_t n = model.holders().size(), most = n < 10 ? std::size_t{2} << 2 * n : std::size_t{2} << 20;
+  for (std::size_t i = 0; next(); ++i)
+    if (i == most) raise<no_solution>("kte: no joints can be found that hold, and others that slide: friction jams");
 }
 /// At a zero of (1), or of the rate.
 template <class Model, class T, class X>
 void switch_mode(const Model& model, const T& t, X& x, const holder_place& h) {
   using S = typename X::Scalar;
   if (x[h.mode] == S(mode::held)) {
-    x[h.mode] = S(model.needed_forces(t, x)[h.row] > S(0) ? mode::backward : mode::forward);
+    const auto needed = model.needed_forces(t, x);
+    let_go(model, x, h, needed);
   } else {
     x[h.rate] = S(0);
-    x[h.mode] = S(mode::held);
+    set_mode(model, x, h, mode::held);
   }
-  release(model, t, x);
+  find_modes(model, t, x);
 }
 
 }  // namespace detail
@@ -76,7 +126,7 @@ X settled(const Model& model, const T& t, X x) {
     const S rate = x[h.rate];
     x[h.mode] = S(rate > S(0) ? mode::forward : rate < S(0) ? mode::backward : mode::held);
   }
-  detail::release(model, t, x);
+  detail::find_modes(model, t, x);
   return x;
 }
 

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <kte/contract/coordinate_follower.hpp>
+#include <kte/elements/joint_series.hpp>
+#include <kte/kernels/dyad.hpp>
+
+namespace kte {
+
+/// Two bars in the plane between the ends of two cranks, which turn about pivots of the ground: a five-bar linkage.
+struct dyad_lengths {
+  vec2<double> pivot;  ///< of the second crank, from that of the first, in axes of the ground, m
+  double crank1;       ///< from pivot to bar, m, along x of the crank; 0: the bar is at the pivot
+  double bar1;         ///< from the first crank to the other bar, m, along x of the bar
+  double bar2;         ///< from the second crank to the other bar, m, along x of the bar
+  double crank2;       ///< from pivot to bar, m, along x of the crank
+  double side = 1;     ///< 1: bars meet to the left of the way from the first crank's end to the second's, -1: right
+};
+
+namespace core {
+
+/// What both coordinates that follow have: where the bars meet (kernels/dyad.hpp).
+struct dyad_parameters {
+  dyad_lengths lengths;
+
+  constexpr void check(const parameter_check& where) const {
+    where.finite(lengths.pivot.x, "pivot must be finite"), where.finite(lengths.pivot.y, "pivot must be finite");
+    where.not_negative(lengths.crank1, "crank1 must be finite and not negative");
+    where.not_negative(lengths.crank2, "crank2 must be finite and not negative");
+    where.positive(lengths.bar1, "bar1 must be finite and positive");
+    where.positive(lengths.bar2, "bar2 must be finite and positive");
+    where.require(lengths.side == 1 || lengths.side == -1, "side must be 1 or -1", lengths.side);
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("pivot_x", self.lengths.pivot.x), visit("pivot_y", self.lengths.pivot.y);
+    visit("crank1", self.lengths.crank1), visit("bar1", self.lengths.bar1);
+    visit("bar2", self.lengths.bar2), visit("crank2", self.lengths.crank2);
+    visit("side", self.lengths.side);
+  }
+
+ protected:
+  /// From the end of the first crank to the joint of the bars, and to the end of the second crank; their angles are
+  /// given by cosine and sine.
+  template <class S>
+  constexpr std::pair<vec2<S>, vec2<S>> joint(const vec2<S>& first, const vec2<S>& second) const {
+    const auto& [pivot, crank1, bar1, bar2, crank2, side] = lengths;
+    const vec2<S> r{S(pivot.x) + S(crank2) * second.x - S(crank1) * first.x,
+                    S(pivot.y) + S(crank2) * second.y - S(crank1) * first.y};
+    return {detail::dyad(r, S(bar1), S(bar2), S(side),
+                         "kte: a dyad_2D of these lengths cannot be closed at these angles of its cranks"),
+            r};
+  }
+  template <class S>
+  static constexpr vec2<S> direction(const S& q) {
+    using std::cos;
+    using std::sin;
+    return {S(cos(q)), S(sin(q))};
+  }
+  /// The angle of w in a body that turns as e.
+  template <class S>
+  static constexpr S angle_in(const vec2<S>& e, const vec2<S>& w) {
+    using std::atan2;
+    return atan2(S(e.x * w.y - e.y * w.x), S(e.x * w.x + e.y * w.y));
+  }
+};
+
+/// The angle of the first bar in the first crank.
+struct dyad_bar1 : coordinate_follower<dyad_bar1>, dyad_parameters {
+  static constexpr type_name type{"dyad_bar1", kind::frame_2D};
+  static constexpr std::array<port, 3> ports{
+      {{kind::gen, access::in, "crank1"}, {kind::gen, access::in, "crank2"}, {kind::gen, access::out, "bar"}}};
+
+  constexpr explicit dyad_bar1(const dyad_lengths& l) : dyad_parameters{l} {}
+
+  template <class S>
+  constexpr S value(const S& q1, const S& q2) const {
+    const auto e = direction(q1);
+    return angle_in(e, joint(e, direction(q2)).first);
+  }
+};
+/// The angle of the second bar in the second crank.
+struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
+  static constexpr type_name type{"dyad_bar2", kind::frame_2D};
+  static constexpr std::array<port, 3> ports{
+      {{kind::gen, access::in, "crank1"}, {kind::gen, access::in, "crank2"}, {kind::gen, access::out, "bar"}}};
+
+  constexpr explicit dyad_bar2(const dyad_lengths& l) : dyad_parameters{l} {}
+
+  template <class S>
+  constexpr S value(const S& q1, const S& q2) const {
+    const auto e = direction(q2);
+    const auto [w, r] = joint(direction(q1), e);
+    return angle_in(e, vec2<S>{w.x - r.x, w.y - r.y});
+  }
+};
+
+}  // namespace core
+
+/// The angles of the two bars between two cranks, each in its crank, which follow those of the cranks: with a revolute
+/// joint for each of the four angles the loop is closed, exactly. Two elements. Angles lie between -pi and pi, where
+/// they jump by a turn.
+template <class Q1, class Q2, class B1, class B2>
+constexpr auto dyad_2D(const Q1& crank1, const Q2& crank2, const B1& bar1, const B2& bar2,
+                       const dyad_lengths& lengths) {
+  return detail::in_series(connect(core::dyad_bar1(lengths), crank1, crank2, bar1),
+                           connect(core::dyad_bar2(lengths), crank1, crank2, bar2));
+}
+
+KTE_CALL(dyad_2D, "(crank1, crank2, bar1, bar2, lengths); lengths are {.pivot = {0.3, 0.0}, .crank1 = 0.1, ...}")
+
+namespace detail {
+/// How model files make them.
+struct dyad_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    const auto lengths = [](const auto& x) {
+      return dyad_lengths{{x.number("pivot_x"), x.number("pivot_y")},
+                          x.number("crank1"),
+                          x.number("bar1"),
+                          x.number("bar2"),
+                          x.number("crank2"),
+                          x.number("side")};
+    };
+    add("dyad_bar1_2D", [lengths](const auto& x) {
+      return connect(core::dyad_bar1(lengths(x)), x.name("crank1"), x.name("crank2"), x.name("bar"));
+    });
+    add("dyad_bar2_2D", [lengths](const auto& x) {
+      return connect(core::dyad_bar2(lengths(x)), x.name("crank1"), x.name("crank2"), x.name("bar"));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

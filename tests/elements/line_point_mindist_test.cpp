@@ -1,0 +1,87 @@
+#include <kte/dynamics.hpp>
+#include <kte/elements/line_point_mindist.hpp>
+#include <kte/elements/plane_point_mindist.hpp>
+
+#include <cmath>
+
+#include "catch.hpp"
+#include "chain/registered.hpp"
+#include "elements/laws.hpp"
+
+// Frames at the nearest point of a line, and of a plane.
+
+using namespace kte;
+using namespace kte::test;
+
+namespace {
+
+template <class S>
+void check_laws() {
+  random_numbers draw(1);
+  const auto check = [&draw](const auto& e) {
+    CHECK(testing::power_is_kept<S>(e, draw) <= rounding<S>);
+    CHECK(testing::motion_is_derivative<S>(e, draw) <= by_differences<S>);
+  };
+  const vec3<S, S, S> n{S(2) / S(7), S(-3) / S(7), S(6) / S(7)}, o{S(1) / S(4), S(-1) / S(2), S(1)};
+  check(line_point_mindist_2D("a", "b", vec2<S>{S(3) / S(5), S(-4) / S(5)}, vec2<S>{S(1) / S(4), S(1)}));
+  check(line_point_mindist_3D("a", "b", n, o));
+  check(plane_point_mindist_3D("a", "b", n, o));
+}
+
+/// A mass on two sliding joints across each other, tied by a spring to a nearest point.
+template <class Nearest>
+kte_map_chain tied(const Nearest& nearest) {
+  kte_map_chain c;
+  c << prismatic_joint_3D("x", "ground", "a", axis::x) << prismatic_joint_3D("y", "a", "b", axis::y)
+    << prismatic_joint_3D("z", "b", "mass", axis::z) << inertia_3D("mass", point_mass(2.0)) << nearest
+    << spring_3D("mass", "nearest", 0.0, 50.0) << damper_3D("mass", "nearest", 3.0);
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("nearest points move as they should and hand loads back", "[elements][line_point_mindist]") {
+  check_laws<double>(), check_laws<digits50>();
+  random_numbers draw(2);
+  auto x = trial_of(plane_point_mindist_3D("a", "b", vec3<>{2.0 / 7, -3.0 / 7, 6.0 / 7}, vec3<>{0.25, -0.5, 1}), 3);
+  const auto &p = x.at<0>().position, &foot = x.at<1>().position;
+  CHECK(dot(vec3<>{2, -3, 6}, foot) == within(2 * 0.25 + 3 * 0.5 + 6, 4e-15));  // in the plane
+  const vec3<> way = as<double>(p - foot);
+  CHECK(near(cross(way, vec3<>{2, -3, 6}), vec3<>{}, 1e-14));  // along its normal
+}
+
+TEST_CASE("a spring to the nearest point of a line or plane", "[elements][line_point_mindist]") {
+  const vec3<> n{2.0 / 7, -3.0 / 7, 6.0 / 7}, o{0.25, -0.5, 1};
+  const bool plane = GENERATE(false, true);
+  const auto c = plane ? tied(plane_point_mindist_3D("mass", "nearest", n, o))
+                       : tied(line_point_mindist_3D("mass", "nearest", n, o));
+  auto s = c.make_state();
+  const Eigen::Vector3d q(0.3, 0.2, -0.7), v(1, -2, 0.5), none(0, 0, 0), e(n.x, n.y, n.z);
+  // K = k P: across the line P = I - e e^T, along the normal of the plane e e^T
+  const Eigen::Matrix3d P =
+      plane ? Eigen::Matrix3d(e * e.transpose()) : Eigen::Matrix3d(Eigen::Matrix3d::Identity() - e * e.transpose());
+  const Eigen::Vector3d away = q - Eigen::Vector3d(o.x, o.y, o.z);
+  // the damper acts along the spring: for a line along the way from the nearest point
+  const Eigen::Vector3d u = (P * away).normalized();
+  const Eigen::Vector3d expected = -(50 * P * away + 3 * u * u.dot(P * v)) / 2;
+  const Eigen::VectorXd a = forward_dynamics(c, s, q, v, none);
+  CHECK((a - expected).norm() < 2e-14);
+  CHECK((mass_matrix(c, s, q) - 2 * Eigen::Matrix3d::Identity()).norm() < 1e-14);
+  CHECK(Eigen::Vector3d(inverse_dynamics(c, s, q, v, a)).norm() < 4e-14);
+  const auto d = forward_dynamics_derivatives(c, s, q, Eigen::Vector3d::Zero().eval(), none);
+  CHECK((d.by_q + 25 * P).norm() < 2e-14);
+  CHECK((d.by_v + 1.5 * u * u.transpose()).norm() < 2e-14);
+  CHECK(record_of(models::registered(record_of(c))) == record_of(c));
+}
+
+TEST_CASE("nearest points reject what is no direction", "[elements][line_point_mindist]") {
+  CHECK(complaint([] {
+          line_point_mindist_3D("a", "b", vec3<>{1, 1, 0}, vec3<>{});
+        }).find("tangent must have length 1") != std::string::npos);
+  CHECK(complaint([] {
+          line_point_mindist_2D("a", "b", vec2<double>{1, 0}, vec2<double>{0, infinity});
+        }).find("origin must be finite") != std::string::npos);
+  CHECK(complaint([] {
+          plane_point_mindist_3D("a", "b", vec3<>{0, 0, 2}, vec3<>{});
+        }).find("normal must have length 1") != std::string::npos);
+}
