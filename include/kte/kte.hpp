@@ -1,6 +1,6 @@
 #pragma once
 
-/// What most programs need: static and runtime chains, all elements, and of
+/// What most programs need: static and runtime chains, all elements but linkages and functions of one's own, and of
 ///
 ///   algorithms   inverse and forward dynamics, mass matrix, gravity and Coriolis forces, forward kinematics, motion
 ///                and Jacobians of frames, energies, centre of mass, centroidal momentum
@@ -12,6 +12,7 @@
 ///   kte/dynamics/batch.hpp             many states at once, in packs; of runtime chains: runtime_batch.hpp
 ///   kte/simulation.hpp                 chains as systems x' = f(t, x), all integrators, events
 ///   kte/io.hpp                         files: models, tables, recorders, progress
+///   kte/elements/four_bar.hpp          linkages; also dyad.hpp, slider_crank.hpp; law_follower.hpp, law_signal.hpp
 ///   kte/elements/registry.hpp          runtime chains from records, which are plain data
 ///   kte/runtime_chain/from_record.hpp  the same for static chains
 ///   kte/adapters/sundials.hpp          solvers of SUNDIALS
