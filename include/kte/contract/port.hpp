@@ -64,7 +64,7 @@ template <class Core>
 requires requires { Core::reads_reaction; }
 inline constexpr bool reads_reaction<Core> = Core::reads_reaction;
 
-/// Whether it may hold a coordinate: contract/holder.hpp.
+/// Whether it may hold a coordinate: contract/coordinate_holder.hpp.
 template <class Core>
 inline constexpr bool holds_coordinate = false;
 template <class Core>

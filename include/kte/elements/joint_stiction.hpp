@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/holder.hpp>
+#include <kte/contract/coordinate_holder.hpp>
 #include <kte/kernels/stribeck.hpp>
 
 namespace kte {
@@ -17,13 +17,13 @@ struct stiction_parameters {
 namespace core {
 
 /// Dry friction of a joint that truly rests. The element keeps which way the joint slides, d, or that it is held
-/// (contract/holder.hpp):
+/// (contract/coordinate_holder.hpp):
 ///
 ///   sliding   f -= (Fc + (Fs - Fc) exp(-(v/vs)^2)) d + b v          (1)
 ///   held      v' = 0, for as long as that takes no more than Fs     (2)
 ///
 /// (Stribeck 1902; Armstrong-Helouvry, Dupont and Canudas de Wit, Automatica 30 (1994), section 3.)
-struct joint_stiction_gen : holder {
+struct joint_stiction_gen : coordinate_holder {
   static constexpr type_name type{"joint_stiction", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::internal, access::keep, "mode"}}};
@@ -59,7 +59,7 @@ struct joint_stiction_gen : holder {
 };
 
 /// A brake or clutch on a coordinate that is pressed by a signal: it holds, or slides with, a force of up to u.
-struct brake_gen : holder {
+struct brake_gen : coordinate_holder {
   static constexpr type_name type{"brake", kind::gen};
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
                                               {kind::internal, access::keep, "mode"},

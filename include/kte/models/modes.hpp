@@ -1,13 +1,13 @@
 #pragma once
 
-#include <kte/contract/holder.hpp>
+#include <kte/contract/coordinate_holder.hpp>
 #include <kte/errors.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-/// Elements that hold coordinates (contract/holder.hpp), in models. A model has
+/// Elements that hold coordinates (contract/coordinate_holder.hpp), in models. A model has
 ///   holders()                   where they are
 ///   computeStateRate(t, x), velocity_count()
 ///   needed_forces(t, x)         inverse dynamics at the accelerations of x: of what is held, the force that holds it

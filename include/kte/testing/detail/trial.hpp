@@ -162,9 +162,15 @@ class trial {
   auto apply(const F& f, std::index_sequence<P...>) {
     return f(at<P>()...);
   }
+  static constexpr bool has_port(kind k) {
+    for (const auto& p : Core::ports)
+      if (p.what == k) return true;
+    return false;
+  }
   template <class Draw, std::size_t... K>
   void draw_all(Draw& draw, std::index_sequence<K...>) {
     const auto draw_kind = [&draw]<kind Kind>(auto& things) {
+      if (Kind == kind::vector && !has_port(Kind)) return;  // the other numbers stay what they were
       for (auto& x : things) x = random_thing<Kind, S>(draw);
     };
     (draw_kind.template operator()<static_cast<kind>(K)>(std::get<K>(things_)), ...);

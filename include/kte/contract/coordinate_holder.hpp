@@ -22,7 +22,7 @@ inline constexpr int held = 2;  ///< rests, v' = 0
 /// Forward dynamics then gives a held coordinate no acceleration, as hybrid dynamics does. In models events switch the
 /// mode (`element_events`): where the rate of sliding goes through zero, the coordinate is held, unless that takes more
 /// than (2); where holding takes more, it slides.
-struct holder {
+struct coordinate_holder {
   static constexpr bool holds_coordinate = true;
 
   template <class C, class Z, class... Others>
