@@ -39,8 +39,8 @@ template <class S>
 struct beam_stiffness {
   bending_stiffness<S> y, z;
   S twist;
-  constexpr beam_stiffness(const beam_section& k, double length)
-      : y(k.EI_y, k.GA_z, S(length)), z(k.EI_z, k.GA_y, S(length)), twist(S(k.GJ) / S(length)) {}
+  constexpr beam_stiffness(const beam_section& k, double rest_length)
+      : y(k.EI_y, k.GA_z, S(rest_length)), z(k.EI_z, k.GA_y, S(rest_length)), twist(S(k.GJ) / S(rest_length)) {}
 };
 
 }  // namespace detail

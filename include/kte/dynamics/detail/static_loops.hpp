@@ -43,27 +43,32 @@ struct static_elements {
     });
     run(steps, e, s);
   }
+  // Of what only chains of rare shapes have: nothing of these is instantiated for others.
   template <class State>
   void mass_loads(int e, State& s) const {
-    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
-      passes_of(core, state, index).mass_force(inputs_of<Core>{});
-    });
-    run(steps, e, s);
+    if constexpr (!Chain::common) {
+      static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
+        passes_of(core, state, index).mass_force(inputs_of<Core>{});
+      });
+      run(steps, e, s);
+    }
   }
   template <class State>
   bool holds(int e, State& s) const {
     bool h = false;
-    with_core(e, [&]<std::size_t J>(const auto& core) {
-      h = passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).holds(inputs_of<core_of<Chain, J>>{});
-    });
+    if constexpr (!Chain::common)
+      with_core(e, [&]<std::size_t J>(const auto& core) {
+        h = passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).holds(inputs_of<core_of<Chain, J>>{});
+      });
     return h;
   }
   template <class State, class Wrench>
   auto friction(int e, State& s, const Wrench& end) const {
     typename State::scalar f(0);
-    with_core(e, [&]<std::size_t J>(const auto& core) {
-      f = as<typename State::scalar>(passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).friction(end));
-    });
+    if constexpr (!Chain::common)
+      with_core(e, [&]<std::size_t J>(const auto& core) {
+        f = as<typename State::scalar>(passes_of(core, s, wiring::table.slot.data() + wiring::first[J]).friction(end));
+      });
     return f;
   }
   template <class State>
