@@ -224,3 +224,31 @@ TEST_CASE("chains of all shapes: algorithms agree", "[shapes]") {
   CHECK(conservative > 40);
   CHECK(with_friction > 10);
 }
+
+TEST_CASE("what algorithms cannot count they refuse by name", "[shapes]") {
+  const auto says = [](const char* text) {
+    return Catch::Predicate<bad_argument>(
+        [text](const bad_argument& e) { return std::string(e.what()).find(text) != std::string::npos; }, text);
+  };
+  kte_map_chain dry;
+  dry << dry_revolute_joint_3D("q", "ground", "end", axis::y, 0.02)
+      << inertia_3D("end", rigid_body{1.5, vec3{0.1, 0.0, 0.0}, diagonal(0.03, 0.025, 0.02)});
+  CHECK_THROWS_MATCHES(dry.make_state<float>(), bad_argument, says("dry_revolute_joint_3D"));
+  auto s = dry.make_state();
+  CHECK_THROWS_MATCHES(forward_dynamics_derivatives(dry, s), bad_argument, says("dry_revolute_joint_3D"));
+
+  kte_map_chain spread;
+  spread << revolute_joint_3D("q", "ground", "end", axis::y) << inertia_3D("end", point_mass(1.0, along_x(0.3)))
+         << rotor_3D("q", "end", axis::y, 30.0, 1e-4);
+  auto t = spread.make_state();
+  CHECK_THROWS_MATCHES(torque_regressor(spread, t), bad_argument, says("rotor_3D"));
+  CHECK_THROWS_MATCHES(centre_of_mass(spread, t), bad_argument, says("rotor_3D"));
+  CHECK_THROWS_MATCHES(spread.make_state<float>(), bad_argument, says("rotor_3D"));
+
+  kte_map_chain hanging;  // a mass on a frame that follows another
+  hanging << revolute_joint_3D("q", "ground", "end", axis::y) << inertia_3D("end", point_mass(1.0, along_x(0.3)))
+          << line_point_mindist_3D("end", "foot", axis::x, vec3{0.0, 0.1, 0.0}) << inertia_3D("foot", point_mass(1.0));
+  auto u = hanging.make_state();
+  CHECK_THROWS_MATCHES(forward_dynamics(hanging, u), bad_argument,
+                       says("inertia_3D has a mass on a frame that follows"));
+}

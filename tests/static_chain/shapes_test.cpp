@@ -147,4 +147,15 @@ TEST_CASE("a static chain of all shapes is what it is at run time", "[shapes]") 
   CHECK(difference_of(Eigen::Vector2d(rate.tail(2)), Eigen::Vector2d(forward_dynamics(c, s))) < 1e-15);
   CHECK(difference_of(rate, Eigen::Vector4d(runtime_model(0.7, Eigen::VectorXd(x)))) < 1e-14);
   CHECK(difference_of(rate, Eigen::Vector4d(runtime_model(0.8, Eigen::VectorXd(x)))) > 1e-3);
+
+  // stiff methods take differences where derivatives are not known, of both kinds of chain
+  const auto end_of = [](auto solver) {
+    solver.integrate(0.75);
+    return Eigen::VectorXd(solver.state());
+  };
+  const Eigen::VectorXd y1 = end_of(prince_dormand87(std::cref(model), 0.7, x, {.absolute = 1e-12, .relative = 1e-12}));
+  CHECK(difference_of(end_of(rodas(std::cref(model), 0.7, x, {.absolute = 1e-9, .relative = 1e-9})), y1) < 1e-7);
+  CHECK(difference_of(
+            end_of(rodas(std::cref(runtime_model), 0.7, Eigen::VectorXd(x), {.absolute = 1e-9, .relative = 1e-9})),
+            y1) < 1e-7);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/jacobian_rate.hpp>
-#include <kte/frames/motion_jacobian.hpp>
+#include <kte/dynamics/motion_jacobian.hpp>
 
 /// Motion Jacobians of a coordinate and a frame, or another coordinate, of a static or runtime chain.
 namespace kte {

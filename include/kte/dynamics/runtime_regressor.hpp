@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/tree/regressor.hpp>
 
 /// Inertial parameters and the regressor of runtime chains, as dynamics/regressor.hpp has them of static chains.
@@ -25,6 +25,7 @@ int for_each_parametric(const kte_map_chain& c, const Visit& visit) {
 template <class S>
 runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
   const auto& t = s.tree();
+  refuse_spread_masses(c, s);
   place_bodies(runtime_elements{c}, s);
   take_rates(s), take_bases(s);
   tree::move_bodies<false>(t.forest, s.work);
@@ -62,7 +63,8 @@ inline Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
 }
 
 /// The regressor at the positions, rates and accelerations of a state, with its moving bases. As `torque_regressor` on
-/// a static chain. Throws `bad_argument` for a joint or link that is more than its `relative`.
+/// a static chain. Throws `bad_argument` for a joint or link that is more than its `relative`, and for masses between
+/// several things.
 template <class S>
 runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);

@@ -57,11 +57,6 @@ struct dyad_parameters {
     return {S(cos(q)), S(sin(q))};
   }
   /// The angle of w in a body that turns as e.
-  template <class S>
-  static constexpr S angle_in(const vec2<S>& e, const vec2<S>& w) {
-    using std::atan2;
-    return atan2(S(e.x * w.y - e.y * w.x), S(e.x * w.x + e.y * w.y));
-  }
 };
 
 /// The angle of the first bar in the first crank.
@@ -75,7 +70,7 @@ struct dyad_bar1 : coordinate_follower<dyad_bar1>, dyad_parameters {
   template <class S>
   constexpr S value(const S& q1, const S& q2) const {
     const auto e = direction(q1);
-    return angle_in(e, joint(e, direction(q2)).first);
+    return detail::angle_from(e, joint(e, direction(q2)).first);
   }
 };
 /// The angle of the second bar in the second crank.
@@ -90,7 +85,7 @@ struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
   constexpr S value(const S& q1, const S& q2) const {
     const auto e = direction(q2);
     const auto [w, r] = joint(direction(q1), e);
-    return angle_in(e, vec2<S>{w.x - r.x, w.y - r.y});
+    return detail::angle_from(e, vec2<S>{w.x - r.x, w.y - r.y});
   }
 };
 

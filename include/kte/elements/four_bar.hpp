@@ -59,12 +59,11 @@ struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parame
 
   template <class S>
   constexpr S value(const S& q) const {
-    using std::atan2;
     using std::cos;
     using std::sin;
     const S c = cos(q), s = sin(q);
     const auto [w, r] = joint(c, s);
-    return atan2(S(c * w.y - s * w.x), S(c * w.x + s * w.y));
+    return detail::angle_from(vec2<S>{c, s}, w);
   }
 };
 /// The angle of the rocker in the ground.

@@ -3,6 +3,7 @@
 #include <kte/contract/coordinate_follower.hpp>
 #include <kte/elements/joint_series.hpp>
 #include <kte/errors.hpp>
+#include <kte/kernels/dyad.hpp>
 #include <kte/math/select.hpp>
 
 namespace kte {
@@ -73,12 +74,11 @@ struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_pa
 
   template <class S>
   constexpr S value(const S& q) const {
-    using std::atan2;
     using std::cos;
     using std::sin;
     const S c = cos(q), s = sin(q);
     const vec2<S> w = along_rod(s);
-    return atan2(S(c * w.y - s * w.x), S(c * w.x + s * w.y));
+    return detail::angle_from(vec2<S>{c, s}, w);
   }
 };
 

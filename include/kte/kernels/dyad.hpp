@@ -24,4 +24,11 @@ constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, 
   return {(u * r.x - h * r.y) / rr, (u * r.y + h * r.x) / rr};
 }
 
+/// The angle from a unit vector e to w, between -pi and pi.
+template <class S>
+constexpr S angle_from(const vec2<S>& e, const vec2<S>& w) {
+  using std::atan2;
+  return atan2(S(e.x * w.y - e.y * w.x), S(e.x * w.x + e.y * w.y));
+}
+
 }  // namespace kte::detail

@@ -59,12 +59,14 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
   /// as set. Stiff methods take it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
-  jacobian_matrix jacobian(const S& t, const state& x) const {
+  /// Not of chains with friction by what joints carry, of which stiff methods take differences.
+  static constexpr bool has_jacobian = !(detail::reads_reaction<typename E::core_type> || ...);
+  jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
     return j;
   }
-  void jacobian(const S& t, const state& x, jacobian_matrix& j) const {
+  void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, z);

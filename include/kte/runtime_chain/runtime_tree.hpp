@@ -46,7 +46,7 @@ void check_scalar(const topology& t, const runtime_tree<P>& tree) {
                        t.elements[static_cast<std::size_t>(e)].element->record().type + why);
   };
   if (tree.irregular >= 0) refuse(tree.irregular, tree.why);
-  for (const auto* list : {&tree.followers, &tree.on_coordinates, &tree.on_frames})
+  for (const auto* list : {&tree.followers, &tree.readers, &tree.on_coordinates, &tree.on_frames})
     for (const int e : *list) refuse(e, " acts by a law of its own");
 }
 

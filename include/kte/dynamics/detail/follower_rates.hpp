@@ -45,22 +45,10 @@ auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) 
 /// As `hand_on`, with the rates of ratios: add(to, from, ratio, its time derivative).
 template <class Elements, class State, class Add>
 void hand_on_with_rates(const Elements& c, State& s, const Add& add) {
-  const auto& t = s.tree();
-  for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
-    const auto ports = c.ports(*f);
-    if (ports.back().what != kind::gen) continue;
-    const int end = t.plan.row_of_gen[static_cast<std::size_t>(c.written(*f))];
-    for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
-      if (ports[p].what != kind::gen) continue;
-      const int followed = c.index(*f, p);
-      bool again = false;  // as in `hand_on`
-      for (std::size_t before = 0; before < p; ++before)
-        again |= ports[before].what == kind::gen && c.index(*f, before) == followed;
-      if (again) continue;
-      const auto ratio = ratio_of(c, s, *f, s.template get<kind::gen>(followed));
-      add(t.plan.row_of_gen[static_cast<std::size_t>(followed)], end, ratio, ratio_rate_of(c, s, *f, p));
-    }
-  }
+  for_each_followed(c, s, [&](int follower, std::size_t port, int to, int from) {
+    const auto ratio = ratio_of(c, s, follower, s.template get<kind::gen>(c.index(follower, port)));
+    add(to, from, ratio, ratio_rate_of(c, s, follower, port));
+  });
 }
 
 }  // namespace kte::detail

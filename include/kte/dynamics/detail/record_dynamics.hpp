@@ -25,25 +25,29 @@ auto ratio_of(const Elements& c, State& s, int follower, Coordinate& followed) {
   followed = before, end = end_before;
   return ratio;
 }
-/// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
-template <class Elements, class State, class Add>
-void hand_on(const Elements& c, State& s, const Add& add) {
+/// visit(follower, port, row of what it follows there, row of what it writes), from the last follower; of two ports
+/// that lead to one coordinate for the first, as rates by a coordinate have both.
+template <class Elements, class State, class Visit>
+void for_each_followed(const Elements& c, const State& s, const Visit& visit) {
   const auto& t = s.tree();
   for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
     const auto ports = c.ports(*f);
     if (ports.back().what != kind::gen) continue;
-    const int end = t.plan.row_of_gen[static_cast<std::size_t>(c.written(*f))];
+    const auto row = [&t](int coordinate) { return t.plan.row_of_gen[static_cast<std::size_t>(coordinate)]; };
     for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
-      if (ports[p].what != kind::gen) continue;
-      const int followed = c.index(*f, p);
-      bool again = false;  // `ratio_of` has both, where two ports lead to one coordinate
+      bool first = ports[p].what == kind::gen;
       for (std::size_t before = 0; before < p; ++before)
-        again |= ports[before].what == kind::gen && c.index(*f, before) == followed;
-      if (again) continue;
-      add(t.plan.row_of_gen[static_cast<std::size_t>(followed)], end,
-          ratio_of(c, s, *f, s.template get<kind::gen>(followed)));
+        first &= ports[before].what != kind::gen || c.index(*f, before) != c.index(*f, p);
+      if (first) visit(*f, p, row(c.index(*f, p)), row(c.written(*f)));
     }
   }
+}
+/// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
+template <class Elements, class State, class Add>
+void hand_on(const Elements& c, State& s, const Add& add) {
+  for_each_followed(c, s, [&](int follower, std::size_t port, int to, int from) {
+    add(to, from, ratio_of(c, s, follower, s.template get<kind::gen>(c.index(follower, port))));
+  });
 }
 
 /// The mass matrix (CRBA), into the working memory.
