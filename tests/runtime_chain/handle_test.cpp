@@ -64,7 +64,8 @@ TEST_CASE("a handle of another kind is refused, and says of which", "[handle]") 
   const auto c = all_kinds();
   auto s = c.make_state();
   const auto refused = [](const char* is, const char* wanted) {
-    return says("kte: this is the handle of a " + std::string(is) + ", not of a " + wanted);
+    const auto with_article = [](const char* what) { return (*what == 'i' ? "an " : "a ") + std::string(what); };
+    return says("kte: this is the handle of " + with_article(is) + ", not of " + with_article(wanted));
   };
   CHECK_THROWS_MATCHES(s.coordinate(c.coordinate("ball")), bad_argument, refused("rotation", "coordinate"));
   CHECK_THROWS_MATCHES(s.rotation_3D(c.coordinate("trunk")), bad_argument, refused("3D pose", "rotation"));

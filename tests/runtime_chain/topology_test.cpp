@@ -103,7 +103,7 @@ TEST_CASE("what is asked for by a shared name", "[runtime_chain][topology]") {
   CHECK(c.coordinate("elbow").what() == kind::gen);
   CHECK(c.input("tool").what() == kind::input);
   CHECK(c.frame("tool").what() == kind::frame_3D);
-  CHECK_THROWS_MATCHES(c.coordinate("tool"), unknown_name, says("kte: 'tool' is a input, not a coordinate"));
+  CHECK_THROWS_MATCHES(c.coordinate("tool"), unknown_name, says("kte: 'tool' is an input, not a coordinate"));
   CHECK_THROWS_MATCHES(c.coordinate("ground"), unknown_name, says("kte: 'ground' is a 3D frame, not a coordinate"));
   auto s = c.make_state();
   CHECK_THROWS_MATCHES(s.frame_2D("elbow"), unknown_name, says("kte: 'elbow' is a 3D frame, not a 2D frame"));
@@ -133,7 +133,7 @@ TEST_CASE("names of one family are still of one thing", "[runtime_chain][topolog
   const auto fails = [&c](const auto& e, const std::string& why) {
     CHECK_THROWS_MATCHES(c << e, bad_wiring, says(why));
   };
-  fails(driving_actuator_gen("elbow", "elbow"), "'elbow' is a coordinate, not a input");
+  fails(driving_actuator_gen("elbow", "elbow"), "'elbow' is a coordinate, not an input");
   fails(free_joint_3D("elbow", "tool", "x"), "'elbow' is a coordinate, not a 3D pose");
   fails(revolute_joint_2D("q", "elbow", "x"), "'elbow' is a 3D frame, not a 2D frame");
   fails(rigid_link_3D("tool", "elbow", along_x(1.0)), "it writes 'elbow', which is then written twice");

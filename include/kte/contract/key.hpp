@@ -68,6 +68,9 @@ constexpr std::string_view to_string(kind k) {
   return "";
 }
 
+/// Of messages: "an input", "a coordinate".
+constexpr std::string_view article(kind k) { return k == kind::input || k == kind::internal ? "an " : "a "; }
+
 /// A text as a template argument.
 template <std::size_t N>
 struct fixed_string {

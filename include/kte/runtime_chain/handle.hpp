@@ -38,7 +38,7 @@ class name_or_handle {
     }
     check(t);
     if (!is_frame(handle_->what_))
-      throw bad_argument("kte: this is the handle of a " + text(handle_->what_) + ", not of a frame");
+      throw bad_argument("kte: this is the handle of " + text(handle_->what_) + ", not of a frame");
     return {handle_->what_, handle_->index_};
   }
   /// The index of a thing of kind k, likewise.
@@ -46,12 +46,12 @@ class name_or_handle {
     if (handle_ == nullptr) return t.find(name_, k);
     check(t);
     if (handle_->what_ != k)
-      throw bad_argument("kte: this is the handle of a " + text(handle_->what_) + ", not of a " + text(k));
+      throw bad_argument("kte: this is the handle of " + text(handle_->what_) + ", not of " + text(k));
     return handle_->index_;
   }
 
  private:
-  static std::string text(kind k) { return std::string(to_string(k)); }
+  static std::string text(kind k) { return detail::text_with_article(k); }
   void check(const topology& t) const {
     if (handle_->layout_ != t.layout)
       throw bad_argument(

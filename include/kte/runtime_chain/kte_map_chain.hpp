@@ -186,7 +186,8 @@ class kte_map_chain : public kte_map {
     const topology& t = wiring();
     const kind k = t.kind_of(name, fits(kind::frame_3D));
     if (!fits(k))
-      throw unknown_name("kte: '" + std::string(name) + "' is a " + std::string(to_string(k)) + ", not a " + wanted);
+      throw unknown_name("kte: '" + std::string(name) + "' is " + detail::text_with_article(k) + ", not " +
+                         (wanted[0] == 'i' ? "an " : "a ") + wanted);
     return {k, t.find(name, k), t.layout};
   }
   parts copies() const {

@@ -17,6 +17,10 @@
 namespace kte {
 
 class kte_element;
+namespace detail {
+/// For messages: "a coordinate", "an input".
+inline std::string text_with_article(kind k) { return std::string(article(k)).append(to_string(k)); }
+}  // namespace detail
 
 /// Who is connected to what in a runtime chain: the counterpart of `detail::wiring`, worked out as elements come, with
 /// the same rules and the same numbering of the degrees of freedom.
@@ -63,8 +67,8 @@ class topology {
   kind kind_of(std::string_view name) const {
     const auto& x = named(name);
     if (x[0] && x[1])
-      throw unknown_name("kte: '" + std::string(name) + "' is a " + text(x[0].what) + " and a " + text(x[1].what) +
-                         ": which of them is meant?");
+      throw unknown_name("kte: '" + std::string(name) + "' is " + detail::text_with_article(x[0].what) + " and " +
+                         detail::text_with_article(x[1].what) + ": which of them is meant?");
     return (x[0] ? x[0] : x[1]).what;
   }
   /// What it is where a frame is meant, or something else; where there is only the other, that.
@@ -77,7 +81,9 @@ class topology {
     const auto it = things_.find(name);
     if (it == things_.end()) throw unknown_name("kte: this chain has no " + text(k) + " '" + std::string(name) + "'");
     const auto& x = it->second[is_frame(k)] ? it->second[is_frame(k)] : it->second[!is_frame(k)];
-    if (x.what != k) throw unknown_name("kte: '" + std::string(name) + "' is a " + text(x.what) + ", not a " + text(k));
+    if (x.what != k)
+      throw unknown_name("kte: '" + std::string(name) + "' is " + detail::text_with_article(x.what) + ", not " +
+                         detail::text_with_article(k));
     return x.index;
   }
 
@@ -141,7 +147,7 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
       case detail::problem::none:
         break;
       case detail::problem::same_text:
-        refuse("'" + name + "' is a " + std::string(to_string(k)) + ", not a " + std::string(to_string(x.what)));
+        refuse("'" + name + "' is " + detail::text_with_article(k) + ", not " + detail::text_with_article(x.what));
         break;
       case detail::problem::written_twice:
         refuse("it writes '" + name + "', which is then written twice");
@@ -153,8 +159,8 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
         if (x.what == kind::internal)
           refuse("it reads the internal state '" + name + "', which no element before it keeps");
         if (of_name != things_.end())
-          refuse("'" + name + "' is a " + text(of_name->second[0].what) + ", not a " + text(x.what) +
-                 ", and no element before it writes a frame of this name");
+          refuse("'" + name + "' is " + detail::text_with_article(of_name->second[0].what) + ", not " +
+                 detail::text_with_article(x.what) + ", and no element before it writes a frame of this name");
         refuse("it reads '" + name +
                "', which no element before it writes: misspelt, written later, or another base? "
                "(a further base is declared by base_2D or base_3D)");
