@@ -95,7 +95,7 @@ TEST_CASE("static and runtime chains refuse the same", "[wiring]") {
     ++met[static_cast<std::size_t>(x)];
     CAPTURE(round, static_cast<int>(x), text);
     CHECK((x == problem::none) == text.empty());
-    if (x == problem::same_text) CHECK(has(text, ", not a "));
+    if (x == problem::same_text) CHECK(has(text, ", not a"));
     if (x == problem::written_twice) CHECK(has(text, "written twice"));
     // Of what comes later a runtime chain knows nothing yet.
     if (x == problem::read_before_written)
