@@ -20,9 +20,9 @@ inline constexpr struct base_ final : frame_2D_key<"base"> {} base;
 inline constexpr struct ball_ final : frame_2D_key<"ball"> {} ball;
 // clang-format on
 
-constexpr joint_limits both{.lower = -1, .upper = 0.5, .stiffness = 8, .damping = 2};
+constexpr joint_stops both{.lower = -1, .upper = 0.5, .stiffness = 8, .damping = 2};
 
-double force(const joint_limits& p, double x, double x_dot) {
+double force(const joint_stops& p, double x, double x_dot) {
   auto e = trial_of(joint_limit_gen("q", p), 1);
   e.at<0>() = {.q = x, .q_dot = x_dot};
   e.doForce();
@@ -31,7 +31,7 @@ double force(const joint_limits& p, double x, double x_dot) {
 template <class S>
 void check_laws() {
   random_numbers draw(1);
-  joint_limits p{.lower = 10, .upper = 20, .stiffness = 7};  // always beyond, as the law has a kink elsewhere
+  joint_stops p{.lower = 10, .upper = 20, .stiffness = 7};  // always beyond, as the law has a kink elsewhere
   const auto energy_of_one = [&p](const auto& c) { return joint_limit_gen("q", p).core.potential_energy(c); };
   CHECK(testing::force_is_gradient<S>(joint_limit_gen("q", p), draw, energy_of_one) <= 100 * by_differences<S>);
   p = {.lower = -0.5, .upper = 0.5, .stiffness = 0, .damping = 3};
@@ -51,10 +51,10 @@ TEST_CASE("stops push back where they touch, and never pull", "[elements][joint_
   CHECK(force(both, -1.5, 4) == 0);
   CHECK(std::isnan(force(both, not_a_number, 0)));
   CHECK(std::isnan(force(both, 1, not_a_number)));
-  const joint_limits floor{.lower = 0, .stiffness = 8};
+  const joint_stops floor{.lower = 0, .stiffness = 8};
   CHECK(force(floor, -1, 0) == 8);
   CHECK(force(floor, 1e300, 0) == 0);
-  const joint_limits ceiling{.upper = 0, .stiffness = 8};
+  const joint_stops ceiling{.upper = 0, .stiffness = 8};
   CHECK(force(ceiling, 1, 0) == -8);
   CHECK(force(ceiling, -1e300, 0) == 0);
 }
@@ -64,7 +64,7 @@ TEST_CASE("the energy of stops, and where they touch", "[elements][joint_limit]"
   CHECK(energy(1.0) == 1.0);
   CHECK(energy(-2.0) == 4.0);
   CHECK(energy(0.25) == 0.0);
-  const auto switching = [](const joint_limits& p, double x) {
+  const auto switching = [](const joint_stops& p, double x) {
     return joint_limit_gen("q", p).core.switching(gen_coord<>{.q = x});
   };
   CHECK(switching(both, -1.0) == 0.0);
@@ -107,7 +107,7 @@ TEST_CASE("limits are saved and loaded, and reject what makes no sense", "[eleme
     {"type": "joint_limit_gen", "version": 1, "ports": {"coordinate": "q"},
      "parameters": {"lower": "-inf", "upper": 0.5, "stiffness": 8, "damping": 2}}]}})");
   CHECK(record_of(models::registered(read)).elements[1].parameters[0].values == std::vector{-infinity});
-  const auto what = [](const joint_limits& p) { return complaint([&] { joint_limit_gen("q", p); }); };
+  const auto what = [](const joint_stops& p) { return complaint([&] { joint_limit_gen("q", p); }); };
   const std::string where = "kte: joint_limit_gen (coordinate 'q'): ";
   CHECK(what({.lower = 1, .upper = 0, .stiffness = 1}) == where + "lower must not be above upper, got 1");
   CHECK(what({.lower = 1, .upper = 1, .stiffness = 1}) == "");

@@ -8,7 +8,7 @@
 namespace kte {
 
 /// The range of a joint and the stops at its ends. Without `lower` or `upper` there is one stop.
-struct joint_limits {
+struct joint_stops {
   double lower = -std::numeric_limits<double>::infinity();  ///< m or rad
   double upper = std::numeric_limits<double>::infinity();   ///< m or rad
   double stiffness;                                         ///< N/m or Nm/rad
@@ -25,7 +25,7 @@ struct joint_limit_gen {
   static constexpr type_name type{"joint_limit", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
 
-  joint_limits p;
+  joint_stops p;
 
   template <class C>
   KTE_INLINE constexpr auto doForce(const C& x) const {
@@ -78,7 +78,7 @@ struct joint_limit_gen {
 ///   joint_limit_gen(q, {.lower = -1.5, .upper = 1.5, .stiffness = 1e4, .damping = 20})
 ///   joint_limit_gen(height, {.lower = 0, .stiffness = 1e5})
 template <class Q>
-constexpr auto joint_limit_gen(const Q& coordinate, const joint_limits& limits) {
+constexpr auto joint_limit_gen(const Q& coordinate, const joint_stops& limits) {
   return connect(core::joint_limit_gen{limits}, coordinate);
 }
 
