@@ -1,7 +1,15 @@
 #pragma once
 
-#include <kte/elements/compiled_elements.hpp>
+#include <kte/detail/compiled.hpp>
+#include <kte/runtime_chain/kte_map_adapter.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>
+
+// Who links the elements has no need to read them.
+#if !defined(KTE_EXTERN) || defined(KTE_COMPILED_ELEMENTS) || \
+    (defined(KTE_COMPILED_HERE) && !defined(KTE_COMPILED_LOOPS))
+#  include <kte/elements/compiled_elements.hpp>
+#  define KTE_ALL_ELEMENTS
+#endif
 
 #include <functional>
 #include <map>
@@ -180,37 +188,46 @@ class element_registry {
     const bool fresh = factories_.emplace(type, std::move(make)).second;
     if (!fresh) throw bad_argument("kte: the registry has a '" + std::string(type) + "' already");
   }
-  std::unique_ptr<kte_map> make_unplaced(const element_record& r) const {
-    const auto f = factories_.find(r.type);
-    if (f == factories_.end()) throw detail::bad_record(r.place, "there is no element type '" + r.type + "'");
-    if (r.version != 1)
-      throw detail::bad_record(r.place,
-                               r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
-    auto e = f->second(record_reader(r));
-    if (const auto* single = dynamic_cast<const kte_element*>(e.get())) check_complete(single->record(), r);
-    return e;
-  }
+  std::unique_ptr<kte_map> make_unplaced(const element_record& r) const;
   template <class Core>
   static std::unique_ptr<kte_map> adapt(named_element<Core> e) {
     return record_reader::adapt(std::move(e));
   }
   static std::unique_ptr<kte_map> adapt(std::unique_ptr<kte_map> e) { return e; }
-  /// What was not understood is an error, not ignored.
-  static void check_complete(const element_record& made, const element_record& r) {
-    for (const auto& p : r.parameters)
-      if (std::none_of(made.parameters.begin(), made.parameters.end(), [&](const auto& o) { return o.name == p.name; }))
-        throw detail::bad_record(p.place, r.type + " has no parameter '" + p.name + "'");
-    for (const auto& c : r.connections)
-      if (std::none_of(made.connections.begin(), made.connections.end(),
-                       [&](const auto& o) { return o.role == c.role; }))
-        throw detail::bad_record(c.place, r.type + " has no connection '" + c.role + "'");
-  }
-
   std::map<std::string, factory, std::less<>> factories_;
 };
 
 /// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
-inline kte_map_chain to_chain(const model_record& m, const element_registry& registry) {
+kte_map_chain to_chain(const model_record& m, const element_registry& registry);
+/// The same with the elements of this library.
+template <class = void>
+kte_map_chain to_chain(const model_record& m) {
+  return to_chain(m, element_registry::standard());
+}
+
+#ifdef KTE_FUNCTION
+namespace detail {
+/// What was not understood is an error, not ignored.
+KTE_FUNCTION void check_complete(const element_record& made, const element_record& r) {
+  for (const auto& p : r.parameters)
+    if (std::none_of(made.parameters.begin(), made.parameters.end(), [&](const auto& o) { return o.name == p.name; }))
+      throw detail::bad_record(p.place, r.type + " has no parameter '" + p.name + "'");
+  for (const auto& c : r.connections)
+    if (std::none_of(made.connections.begin(), made.connections.end(), [&](const auto& o) { return o.role == c.role; }))
+      throw detail::bad_record(c.place, r.type + " has no connection '" + c.role + "'");
+}
+}  // namespace detail
+KTE_FUNCTION std::unique_ptr<kte_map> element_registry::make_unplaced(const element_record& r) const {
+  const auto f = factories_.find(r.type);
+  if (f == factories_.end()) throw detail::bad_record(r.place, "there is no element type '" + r.type + "'");
+  if (r.version != 1)
+    throw detail::bad_record(r.place,
+                             r.type + " has version " + std::to_string(r.version) + ", this library reads version 1");
+  auto e = f->second(record_reader(r));
+  if (const auto* single = dynamic_cast<const kte_element*>(e.get())) detail::check_complete(single->record(), r);
+  return e;
+}
+KTE_FUNCTION kte_map_chain to_chain(const model_record& m, const element_registry& registry) {
   kte_map_chain c;
   if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
   if (const vec3 g{m.gravity[0], m.gravity[1], m.gravity[2]}; g != vec3<>{}) c.gravity(g);  // zero says nothing
@@ -220,12 +237,9 @@ inline kte_map_chain to_chain(const model_record& m, const element_registry& reg
   }
   return c;
 }
-/// The same with the elements of this library.
-template <class = void>
-kte_map_chain to_chain(const model_record& m) {
-  return to_chain(m, element_registry::standard());
-}
+#endif
 
+#ifdef KTE_ALL_ELEMENTS
 template <class>
 element_registry element_registry::standard() {
   element_registry r;
@@ -233,6 +247,8 @@ element_registry element_registry::standard() {
   [&]<class... Family>(detail::families<Family...>) { (Family::add_to(add), ...); }(detail::all_families{});
   return r;
 }
+#  undef KTE_ALL_ELEMENTS
+#endif
 #ifdef KTE_EXTERN
 KTE_EXTERN_ELEMENTS template element_registry element_registry::standard<void>();
 #endif

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/record.hpp>
+#include <kte/detail/compiled.hpp>
 #include <kte/io/field_names.hpp>
 #include <kte/io/file.hpp>
 #include <kte/io/json_scanner.hpp>
