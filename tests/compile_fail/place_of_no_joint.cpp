@@ -1,4 +1,4 @@
-// mistakes: 6
+// mistakes: 7
 // expect: error: .*kte: .at.position.* places the seat of a joint in its base; this element is no joint
 // expect: spring
 // expect: rigid_link
@@ -35,4 +35,5 @@ void f() {
   chain(revolute_joint_3D(q, base, arm).at(along_x(0.5)).at(along_x(0.5)));
   chain(revolute_joint_3D(q, base, arm).at(along_x(0.5), rotation_by(0.3)));
   kte_map_chain() << prismatic_joint_2D("q", "base", "arm", axis::x).at(along_x(0.5), quarter_turn_x);
+  kte_map_chain() << universal_joint_3D("q", "p", "base", "arm", axis::x, axis::y).at(along_x(0.5), rotation_by(0.3));
 }

@@ -1,8 +1,6 @@
-#include <algorithm>
-#include <array>
-#include <bit>
+#include <kte/testing/detail/states.hpp>
+
 #include <cstring>
-#include <vector>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
@@ -62,30 +60,6 @@ constexpr auto all_kinds = chain(
     torsion_spring_3D(world, body, 3.0), spring_3D(world, finger, 0.5, 20.0), base_2D(table),
     free_joint_2D(puck, table, disc), inertia_2D(disc, planar_body(0.3, 0.02)), damper_2D(table, disc, 0.7));
 
-/// The places of generalized coordinates of a runtime chain in the order of static ones: degrees of freedom first.
-std::vector<int> in_static_order(const topology& t) {
-  std::vector<int> r;
-  for (const auto& f : t.free)
-    if (f.what == kind::gen) r.push_back(f.slot);
-  for (int i = 0; i < static_cast<int>(t.names[0].size()); ++i)
-    if (std::find(r.begin(), r.end(), i) == r.end()) r.push_back(i);
-  return r;
-}
-template <std::size_t K, class State, class F>
-void each_pair(State& s, runtime_state& r, const F& f) {
-  constexpr kind what = static_cast<kind>(K);
-  const topology& t = *r.made_for();
-  const auto coordinates = in_static_order(t);
-  for (std::size_t i = 0; i < t.names[K].size(); ++i)
-    f(s.template get<what>(static_cast<int>(i)), r.template get<what>(K == 0 ? coordinates[i] : static_cast<int>(i)));
-}
-/// f(a, b) of each thing of a static state and the same of a runtime state.
-template <class State, class F>
-void pairs(State& s, runtime_state& r, const F& f) {
-  [&]<std::size_t... K>(std::index_sequence<K...>) { (each_pair<K>(s, r, f), ...); }
-  (std::make_index_sequence<kinds>{});
-}
-
 /// From the same random numbers in all that both states hold, all of it agrees after each pass.
 template <class Static>
 void compare_bits(const Static& fixed, const kte_map_chain& loose, unsigned seed) {
@@ -94,12 +68,12 @@ void compare_bits(const Static& fixed, const kte_map_chain& loose, unsigned seed
   random_numbers random(seed);
   const auto compare = [&] {
     int things = 0, differ = 0;
-    pairs(s, r, [&](const auto& a, const auto& b) { ++things, differ += !agree(a, b); });
+    testing::detail::for_each_pair(s, r, [&](const auto& a, const auto& b) { ++things, differ += !agree(a, b); });
     CHECK(things > 0);
     CHECK(differ == 0);
   };
   for (int round = 0; round < 20; ++round) {
-    pairs(s, r, [&]<class T>(T& a, T& b) {
+    testing::detail::for_each_pair(s, r, [&]<class T>(T& a, T& b) {
       std::array<double, sizeof(T) / sizeof(double)> numbers;
       for (double& x : numbers) x = random(3.0);
       a = b = std::bit_cast<T>(numbers);

@@ -19,7 +19,8 @@ constexpr double rounding = 200 * eps;  // as of rates of Jacobians
 template <class Chain>
 void check(const Chain& c, unsigned seed) {
   const auto model = models::element_by_element(c);
-  const auto calc = mass_matrix_calc::of_all(model);
+  mass_matrix_calc calc(model);
+  calc << all_inertias << all_coordinates;
   auto s = model.make_state(), t = model.make_state();
   const auto of = calc.columns();
   random_numbers random(seed);
@@ -103,7 +104,7 @@ TEST_CASE("mass matrix by Jacobians: a frame and a coordinate of one name, and m
   auto s = c.make_state();
   CHECK(calc.mass_matrix(s)(0, 0) == within(0.75, eps));
   c << inertial_beam_2D("base", "arm", 1.0);
-  CHECK_THROWS_MATCHES(mass_matrix_calc::of_all(c), bad_argument, says("mass between several"));
+  CHECK_THROWS_MATCHES(mass_matrix_calc(c) << all_inertias, bad_argument, says("mass between several"));
   auto t = c.make_state();
   CHECK_THROWS_AS(coriolis_matrix(c, t), bad_argument);
 }

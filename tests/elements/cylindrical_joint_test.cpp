@@ -48,6 +48,20 @@ TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it
   CHECK(record_of(with_arm(texts)) == record_of(arm));
 }
 
+TEST_CASE("a sleeve on a shaft that stands elsewhere", "[elements][cylindrical_joint]") {
+  constexpr auto placed =
+      chain(cylindrical_joint_3D(turn, slide, ground, sleeve, oblique).at(along_y(0.5), quarter_turn_x),
+            inertia_3D(sleeve, brick), revolute_joint_3D(p, sleeve, hand, axis::y), inertia_3D(hand, brick))
+          .gravity(weight);
+  kte_map_chain texts, linked;
+  texts << cylindrical_joint_3D("turn", "slide", "ground", "sleeve", oblique).at(along_y(0.5), quarter_turn_x);
+  linked << fixed_joint_3D("ground", "seat", along_y(0.5), quarter_turn_x)
+         << cylindrical_joint_3D("turn", "slide", "seat", "sleeve", oblique);
+  CHECK(difference(placed, with_arm(texts), hand, 1) < few_ulps);
+  CHECK(difference(placed, with_arm(linked), hand, 2) < few_ulps);
+  CHECK(record_of(models::registered(record_of(placed))) == record_of(placed));
+}
+
 TEST_CASE("a sleeve on a shaft", "[elements][cylindrical_joint]") {
   constexpr auto c = chain(cylindrical_joint_3D(turn, slide, ground, sleeve, axis::x),
                            inertia_3D(sleeve, rigid_body{2.0, along_x(0.25), diagonal(0.5, 0.3, 0.3)}));

@@ -21,6 +21,9 @@ inline constexpr struct q_      final : coord_key<"q">         {} q;
 inline constexpr struct ground_ final : frame_3D_key<"ground"> {} ground;
 inline constexpr struct arm_    final : frame_3D_key<"arm">    {} arm;
 inline constexpr struct tip_    final : frame_3D_key<"tip">    {} tip;
+inline constexpr struct wall_   final : frame_2D_key<"wall">   {} wall;
+inline constexpr struct rod_    final : frame_2D_key<"rod">    {} rod;
+inline constexpr struct end_    final : frame_2D_key<"end">    {} rod_end;
 // clang-format on
 
 constexpr double L = 0.5, smoothing = 1e-2, g = 9.81;
@@ -29,6 +32,31 @@ auto pendulum(double radius) {
   return chain(dry_revolute_joint_3D(q, ground, arm, axis::z, radius, smoothing), rigid_link_3D(arm, tip, along_x(L)),
                inertia_3D(tip, point_mass(2.0)))
       .gravity(along_y(-g));
+}
+
+/// The same in the plane.
+auto planar_pendulum(double radius) {
+  return chain(dry_revolute_joint_2D(q, wall, rod, radius, smoothing), rigid_link_2D(rod, rod_end, along_x(L)),
+               inertia_2D(rod_end, point_mass(2.0)))
+      .gravity(along_y(-g));
+}
+
+template <class Chain>
+void check_pendulum(const Chain& c, double R) {
+  const kte_map_chain r = models::registered(record_of(c));
+  CHECK(record_of(r) == record_of(c));
+  auto state = r.make_state();
+  for (const double rate : {3.0, -1.0, 0.02, 0.0}) {
+    const double angle = 0.4, s = rate / std::sqrt(rate * rate + smoothing * smoothing);
+    const double A = -R * s * std::abs(g * std::sin(angle) - L * rate * rate) / std::sqrt(L * L - R * R * s * s);
+    const double expected = (A - g * std::cos(angle)) / L;
+    const Eigen::Matrix<double, 1, 1> q1(angle), v1(rate), none(0.0);
+    CHECK(forward_dynamics(c, q1, v1, none)[0] == within(expected, 2e-14));
+    CHECK(forward_dynamics(r, state, q1, v1, none)[0] == within(expected, 2e-14));
+    const Eigen::VectorXd a = Eigen::VectorXd::Constant(1, expected);
+    CHECK(inverse_dynamics(c, q1, v1, a)[0] == within(0, 2e-14));
+    CHECK(inverse_dynamics(r, state, q1, v1, a)[0] == within(0, 2e-14));
+  }
 }
 
 }  // namespace
@@ -75,19 +103,26 @@ TEST_CASE("a gyroscope on a turntable tilts", "[elements][rotor]") {
 TEST_CASE("a pendulum on a bearing with friction by its load", "[elements][dry_revolute_joint]") {
   // With A = L q'' + g cos q, B = g sin q - L q'^2 and s the sign of q' the bearing carries m (B, A), so that
   // L A = - R s sqrt(A^2 + B^2): A = - R s |B| / sqrt(L^2 - R^2 s^2), and no acceleration fits where R s > L.
-  const auto c = pendulum(0.05);
-  const kte_map_chain r = models::registered(record_of(c));
-  auto state = r.make_state();
-  for (const double rate : {3.0, -1.0, 0.02, 0.0}) {
-    const double angle = 0.4, s = rate / std::sqrt(rate * rate + smoothing * smoothing), R = 0.05;
-    const double A = -R * s * std::abs(g * std::sin(angle) - L * rate * rate) / std::sqrt(L * L - R * R * s * s);
-    const double expected = (A - g * std::cos(angle)) / L;
-    const Eigen::Matrix<double, 1, 1> q1(angle), v1(rate), none(0.0);
-    CHECK(forward_dynamics(c, q1, v1, none)[0] == within(expected, 2e-14));
-    CHECK(forward_dynamics(r, state, q1, v1, none)[0] == within(expected, 2e-14));
-    const Eigen::VectorXd a = Eigen::VectorXd::Constant(1, expected);
-    CHECK(inverse_dynamics(r, state, q1, v1, a)[0] == within(0, 2e-14));
+  check_pendulum(pendulum(0.05), 0.05);
+  check_pendulum(planar_pendulum(0.05), 0.05);
+}
+
+TEST_CASE("a wheel runs down on its bearing", "[elements][dry_revolute_joint]") {
+  // Balanced, it loads the bearing by its weight: I q'' = - R m g q' / sqrt(q'^2 + v^2), whatever its angle.
+  constexpr double m = 3.0, I = 0.2, R = 0.01;
+  kte_map_chain c;
+  c.gravity(along_y(-g)) << dry_revolute_joint_2D("q", "wall", "rod", R, smoothing).at(vec2{0.3, 0.1}, rotation_by(0.7))
+                         << inertia_2D("rod", planar_body(m, I));
+  auto s = c.make_state();
+  CHECK(record_of(models::registered(record_of(c))) == record_of(c));
+  for (const double rate : {5.0, -0.03, 0.0}) {
+    s.coordinate("q").q = 0.2, s.coordinate("q").q_dot = rate;
+    const double expected = -R * m * g * rate / std::sqrt(rate * rate + smoothing * smoothing) / I;
+    CHECK(forward_dynamics(c, s)[0] == within(expected, 1e-15));
   }
+  CHECK(complaint([] { dry_revolute_joint_2D("q", "a", "b", -0.25); }) ==
+        "kte: dry_revolute_joint_2D (coordinate 'q', base 'a', end 'b'): friction_radius must be finite and not "
+        "negative, got -0.25");
 }
 
 TEST_CASE("a bearing jams where it is larger than its arm", "[elements][dry_revolute_joint]") {

@@ -49,6 +49,32 @@ TEST_CASE("universal joints are the same by keys, by texts, and as joints and a 
   CHECK(difference(with_arm(none), with_arm(without), hand, 3) < few_ulps);
 }
 
+TEST_CASE("a joint of two coordinates has a place, as a link in front of it", "[elements][universal_joint]") {
+  constexpr mat3<> turned{{0.8, -0.48, 0.36}, {0.6, 0.64, -0.48}, {0.0, 0.6, 0.8}};
+  constexpr auto placed =
+      chain(hooke_joint_3D(q1, q2, ground, shaft, axis::x, oblique, offset).at(offset, turned),
+            inertia_3D(shaft, brick), revolute_joint_3D(p, shaft, hand, axis::y), inertia_3D(hand, brick))
+          .gravity(weight);
+  kte_map_chain texts, linked;
+  texts << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset).at(offset, turned);
+  linked << fixed_joint_3D("ground", "seat", offset, turned)
+         << hooke_joint_3D("q1", "q2", "seat", "shaft", axis::x, oblique, offset);
+  CHECK(difference(placed, with_arm(texts), hand, 1) < few_ulps);
+  CHECK(difference(with_arm(texts), with_arm(linked), hand, 2) < few_ulps);
+  const auto r = record_of(placed);
+  CHECK(r == record_of(with_arm(texts)));
+  CHECK(r.elements[0].parameters.size() == 3);
+  CHECK(from_json(to_json(r)) == r);
+  CHECK(record_of(models::registered(r)) == r);
+  CHECK(record_of(from_record(placed, r)) == r);
+  // By keys alone, and in the plane of the first joint: the cross stands in the seat.
+  constexpr auto alone = universal_joint_3D(q1, q2, ground, shaft, axis::x, axis::y).at(along_z(0.5));
+  CHECK(forward_kinematics(alone, std::array{0.3, 0.4}, inner_of(shaft)).position.z == 0.5);
+  CHECK(complaint(
+            [] { universal_joint_3D("q1", "q2", "ground", "shaft", axis::x, axis::y).at(along_x(not_a_number)); }) ==
+        "kte: revolute_joint_3D (coordinate 'q1', base 'ground', end 'shaft.inner'): position must be finite, got nan");
+}
+
 TEST_CASE("two shafts with a universal joint between them, up to a right angle", "[elements][universal_joint]") {
   // Shafts turn about z and about an axis inclined by b in the plane x, z. Of their angles tan a2 = tan a1 / cos b, and
   // with N = cos^2 b + sin^2 a1 sin^2 b, a2' = a1' cos b / N. The cross: tan q1 = sin a1 tan b, sin q2 = cos a1 sin b.

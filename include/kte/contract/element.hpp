@@ -62,10 +62,33 @@ struct named_element {
   }
 };
 
+template <class... Core>
+struct named_elements;
+
+namespace detail {
+template <class... Core>
+named_elements<Core...> together(const named_element<Core>&... all) {
+  return {{all...}};
+}
+template <class... Others>
+constexpr refused together(refused, const Others&...) {
+  return {};
+}
+}  // namespace detail
+
 /// Several of them, which a runtime chain appends in order: all or none.
 template <class... Core>
 struct named_elements {
   std::tuple<named_element<Core>...> all;
+
+  /// Of joints in series: the same whose first seat stands at a position, m, and a rotation in the base.
+  template <class... Place>
+  auto at(const Place&... place) const {
+    return [&]<std::size_t... Later>(std::index_sequence<Later...>) {
+      return detail::together(std::get<0>(all).at(place...), std::get<1 + Later>(all)...);
+    }
+    (std::make_index_sequence<sizeof...(Core) - 1>{});
+  }
 };
 
 namespace detail {

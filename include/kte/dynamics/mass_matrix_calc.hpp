@@ -2,68 +2,23 @@
 
 #include <kte/dynamics/detail/mass_blocks.hpp>
 #include <kte/dynamics/motion_jacobians.hpp>
+#include <kte/dynamics/static_mass_matrix_calc.hpp>
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
-/// The mass matrix of some bodies of a runtime chain over some of its coordinates, by their Jacobians. (That of all, in
-/// O(n d) instead of O(n^3): dynamics/mass_matrix.hpp.)
+/// Of a runtime chain: dynamics/twist_shaping.hpp.
 namespace kte {
 
-/// The bodies on a frame, or the masses on a generalized coordinate, of that name.
-struct inertia_on {
-  explicit inertia_on(std::string_view n) : name(n) {}
-  std::string name;
-};
-/// A coordinate that is a degree of freedom, or several: a number, or that of a free or spherical joint.
-struct moved_by {
-  explicit moved_by(std::string_view n) : name(n) {}
-  std::string name;
-};
-
-/// The twist-shaping matrix T, by which the rates of all bodies follow from those of the coordinates, its time
-/// derivative, and the masses M_c of the bodies, block by block.
-struct twist_shaping_result {
-  Eigen::MatrixXd value, rate, masses;
-};
-/// M and dM/dt.
-struct mass_matrix_with_rate {
-  Eigen::MatrixXd value, rate;
-};
-
-/// Fed with bodies and coordinates by name, in any order:
-///
-///   kte::mass_matrix_calc calc(arm);
-///   calc << kte::inertia_on("upper_end") << kte::inertia_on("tool") << kte::moved_by("shoulder");
-///   calc.mass_matrix(s);          // at the positions of a state of the chain
-///
-/// gives, with T the motion Jacobians of the bodies' frames in their own axes, one below the other,
-///
-///   M = T^T M_c T,   dM/dt = dT/dt^T M_c T + T^T M_c dT/dt          (1)
-///
-/// Which coordinate moves what is found from the chain. Rows of T: generalized coordinates (1 each), frames in the
-/// plane (3: velocity, then angular velocity), in space (6). Columns, of T and M: generalized coordinates, poses in the
-/// plane (3), in space (6), rotations (3). In both, within a kind as they were fed. M_c has for a body of mass m, first
-/// moment h and inertia I about the origin of its frame the block
-///
-///   ( m 1  -[h]x )
-///   ( [h]x    I  )          (2)
-class mass_matrix_calc {
+template <>
+class mass_matrix_calc<kte_map_chain> {
  public:
   /// Works with a copy of the chain, of which it takes the same states.
   explicit mass_matrix_calc(kte_map_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
-  /// All bodies and all coordinates of a chain, as they come.
-  static mass_matrix_calc of_all(const kte_map_chain& c) {
-    mass_matrix_calc calc(c);
-    for (std::size_t e = 0; e < c.wiring().elements.size(); ++e) calc.add_body(e);
-    for (const auto& f : c.wiring().free) calc.add_coordinate(f);
-    return calc;
-  }
 
   /// Throws `unknown_name`; `bad_argument` where there is no mass, or it has been fed already.
-  mass_matrix_calc& operator<<(const inertia_on& x) {
+  mass_matrix_calc& operator<<(const inertia_on<>& x) {
     bool found = false;
     for (const bool frame : {false, true}) {  // both may have the name
       const kind k = chain_.wiring().kind_of(x.name, frame);
@@ -78,12 +33,21 @@ class mass_matrix_calc {
     return *this;
   }
   /// Throws `unknown_name`; `bad_argument` for what is no degree of freedom, or has been fed already.
-  mass_matrix_calc& operator<<(const moved_by& x) {
+  mass_matrix_calc& operator<<(const moved_by<>& x) {
     const kind k = chain_.wiring().kind_of(x.name, false);
     const int index = chain_.wiring().find(x.name, k);
     for (const auto& f : chain_.wiring().free)
       if (f.what == k && f.slot == index) return add_coordinate(f), *this;
     throw bad_argument("kte: mass_matrix_calc: '" + x.name + "' is no degree of freedom");
+  }
+
+  mass_matrix_calc& operator<<(all_inertias_t) {
+    for (std::size_t e = 0; e < chain_.wiring().elements.size(); ++e) (void)add_body(e);
+    return *this;
+  }
+  mass_matrix_calc& operator<<(all_coordinates_t) {
+    for (const auto& f : chain_.wiring().free) add_coordinate(f);
+    return *this;
   }
 
   /// Where the columns stand in v.
@@ -95,7 +59,7 @@ class mass_matrix_calc {
   }
 
   /// T, dT/dt and M_c at the positions and rates of a state.
-  twist_shaping_result twist_shaping(runtime_state& s) const {
+  twist_shaping_result<> twist_shaping(runtime_state& s) const {
     check(s);
     detail::check_state_velocities(s);
     return shaped(s, true);
@@ -107,10 +71,10 @@ class mass_matrix_calc {
     return product(shaped(s, false));
   }
   /// M and dM/dt at its positions and rates.
-  mass_matrix_with_rate mass_matrix_and_rate(runtime_state& s) const {
+  mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s) const {
     const auto t = twist_shaping(s);
     const Eigen::MatrixXd half = t.rate.transpose() * t.masses * t.value;
-    mass_matrix_with_rate m{product(t), half + half.transpose()};  // (1)
+    mass_matrix_with_rate<> m{product(t), half + half.transpose()};  // (1)
     detail::check_result(m.rate.data(), static_cast<std::size_t>(m.rate.size()), detail::too_large{"a mass matrix"});
     return m;
   }
@@ -121,12 +85,12 @@ class mass_matrix_calc {
     return mass_matrix(s);
   }
   template <indexable Q, indexable V>
-  mass_matrix_with_rate mass_matrix_and_rate(runtime_state& s, const Q& q, const V& v) const {
+  mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s, const Q& q, const V& v) const {
     check(s), detail::take(chain_, s, q, v);
     return mass_matrix_and_rate(s);
   }
   template <indexable Q, indexable V>
-  twist_shaping_result twist_shaping(runtime_state& s, const Q& q, const V& v) const {
+  twist_shaping_result<> twist_shaping(runtime_state& s, const Q& q, const V& v) const {
     check(s), detail::take(chain_, s, q, v);
     return twist_shaping(s);
   }
@@ -159,16 +123,16 @@ class mass_matrix_calc {
   void check(const runtime_state& s) const { detail::check_regular(chain_, s); }
 
   /// At positions, and rates, that are good.
-  twist_shaping_result shaped(runtime_state& s, bool rates) const {
+  twist_shaping_result<> shaped(runtime_state& s, bool rates) const {
     using namespace detail;
     const auto of = columns();
     Eigen::Index rows = 0;
     for (const auto& b : bodies_) rows += b.masses.rows();
     const auto n = static_cast<Eigen::Index>(of.size());
-    twist_shaping_result t{Eigen::MatrixXd::Zero(rows, n), Eigen::MatrixXd::Zero(rates ? rows : 0, n),
-                           Eigen::MatrixXd::Zero(rows, rows)};
-    constexpr std::array in_plane{0, 1, 5};
-    constexpr std::array in_space{0, 1, 2, 3, 4, 5};
+    twist_shaping_result<> t{Eigen::MatrixXd::Zero(rows, n), Eigen::MatrixXd::Zero(rates ? rows : 0, n),
+                             Eigen::MatrixXd::Zero(rows, rows)};
+    constexpr auto in_plane = rows_in_space<kind::frame_2D>();
+    constexpr auto in_space = rows_in_space<kind::frame_3D>();
     Eigen::Index row = 0;
     for (const auto& b : bodies_) {
       const Eigen::Index count = b.masses.rows();
@@ -193,7 +157,7 @@ class mass_matrix_calc {
     }
     return t;
   }
-  static Eigen::MatrixXd product(const twist_shaping_result& t) {
+  static Eigen::MatrixXd product(const twist_shaping_result<>& t) {
     Eigen::MatrixXd m = t.value.transpose() * t.masses * t.value;  // (1)
     detail::check_result(m.data(), static_cast<std::size_t>(m.size()), detail::too_large{"a mass matrix"});
     return m;
@@ -203,5 +167,6 @@ class mass_matrix_calc {
   std::vector<body> bodies_;
   std::vector<detail::freedom> coordinates_;
 };
+mass_matrix_calc(kte_map_chain)->mass_matrix_calc<kte_map_chain>;
 
 }  // namespace kte

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/spring.hpp>
 
 namespace kte {
@@ -12,25 +13,20 @@ namespace core {
 ///   f -= mu r |F - (n . F) n| q' / sqrt(q'^2 + v^2)          (1)
 ///
 /// v: the rate below which the friction is smoothed, rad/s.
-template <class Axis>
-struct dry_revolute_joint : transmission<dry_revolute_joint<Axis>> {
-  static constexpr type_name type{"dry_revolute_joint", kind::frame_3D};
-  static constexpr std::array<port, 3> ports{{{kind::gen, access::angle, "coordinate"},
-                                              {kind::frame_3D, access::in, "base"},
-                                              {kind::frame_3D, access::out, "end"}}};
+template <kind Dim, class Axis>
+struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute_joint<Dim, Axis>> {
+  static constexpr type_name type{"dry_revolute_joint", Dim};
   static constexpr bool reads_reaction = true;
+  using joint = revolute_joint<Dim, Axis>;
+  using transmission<dry_revolute_joint>::doMotion, transmission<dry_revolute_joint>::doForce;
+  using joint::axis;
 
-  Axis axis;
   double friction_radius;  ///< mu r, m
   double smoothing;        ///< v, rad/s
 
   constexpr dry_revolute_joint(const Axis& n, double radius, double v)
-      : axis(n), friction_radius(radius), smoothing(v) {}
+      : joint(n), friction_radius(radius), smoothing(v) {}
 
-  template <class C>
-  KTE_INLINE constexpr auto relative(const C& c) const {
-    return motion{zero3{}, rotation_about(axis, c.cos, c.sin), zero3{}, axis * c.q_dot, zero3{}, axis * c.q_ddot};
-  }
   template <class C, class F, class T>
   KTE_INLINE constexpr auto friction(const C& c, const wrench<F, T>& end) const {
     using std::sqrt;
@@ -41,27 +37,38 @@ struct dry_revolute_joint : transmission<dry_revolute_joint<Axis>> {
     return S(-(S(friction_radius) * as<S>(detail::to_polar(across).length) * sign));  // (1)
   }
   constexpr void check(const parameter_check& where) const {
-    where.unit(axis, "axis must have length 1");
+    joint::check(where);
     where.not_negative(friction_radius, "friction_radius must be finite and not negative");
     where.finite(smoothing, "smoothing must be finite and positive");
     where.require(smoothing > 0, "smoothing must be finite and positive", smoothing);
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
-    visit("axis", self.axis), visit("friction_radius", self.friction_radius), visit("smoothing", self.smoothing);
+    joint::parameters(self, visit);
+    visit("friction_radius", self.friction_radius), visit("smoothing", self.smoothing);
   }
 };
 
 }  // namespace core
 
 /// A revolute joint with dry friction by the load on its bearing: friction_radius is the coefficient of friction times
-/// the radius of the bearing, m; smoothing the rate over which friction comes up, rad/s.
+/// the radius of the bearing, m; smoothing the rate over which friction comes up, rad/s. In the plane all force is
+/// across the axis.
+template <class Q, class B, class E>
+constexpr auto dry_revolute_joint_2D(const Q& coordinate, const B& base, const E& end, double friction_radius,
+                                     double smoothing = 1e-3) {
+  using out_of_plane = std::remove_const_t<decltype(axis::z)>;
+  return connect(core::dry_revolute_joint<kind::frame_2D, out_of_plane>(axis::z, friction_radius, smoothing),
+                 coordinate, base, end);
+}
 template <class Q, class B, class E, class X, class Y, class Z>
 constexpr auto dry_revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
                                      double friction_radius, double smoothing = 1e-3) {
-  return connect(core::dry_revolute_joint<vec3<X, Y, Z>>(axis, friction_radius, smoothing), coordinate, base, end);
+  return connect(core::dry_revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis, friction_radius, smoothing), coordinate,
+                 base, end);
 }
 
+KTE_CALL(dry_revolute_joint_2D, "(coordinate, base, end, friction_radius[, smoothing])")
 KTE_CALL(dry_revolute_joint_3D, "(coordinate, base, end, axis, friction_radius[, smoothing])")
 
 namespace detail {
@@ -69,6 +76,11 @@ namespace detail {
 struct dry_revolute_joint_family {
   template <class Add>
   static void add_to(const Add& add) {
+    add("dry_revolute_joint_2D", [](const auto& x) {
+      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+      return x.placed(dry_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
+                                            x.number("friction_radius"), x.number("smoothing")));
+    });
     add("dry_revolute_joint_3D", [](const auto& x) {
       const auto about = [&](const auto& n) {
         return dry_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n,

@@ -42,17 +42,31 @@ constexpr std::string_view text_of(const Name& name) {
     return {};  // refused by `connect`
   }
 }
+template <class First, class Second>
+class static_series;
 /// Two elements, one behind the other: of keys a static chain; of texts what runtime chains append, both or none.
 template <class A, class B>
 constexpr auto in_series(const A& first, const B& second) {
   if constexpr (is_element<A> && is_element<B>) {
-    return chain(first, second);
+    return static_series<A, B>(chain(first, second));
   } else if constexpr (std::is_same_v<A, refused> || std::is_same_v<B, refused>) {
     return refused{};
   } else {
-    return named_elements<typename A::core_type, typename B::core_type>{{first, second}};
+    return together(first, second);
   }
 }
+template <class First, class Second>
+class static_series : public static_chain<zero3, First, Second> {
+ public:
+  constexpr explicit static_series(const static_chain<zero3, First, Second>& c)
+      : static_chain<zero3, First, Second>(c) {}
+
+  /// Of two joints: the same whose first seat stands at a position, m, and a rotation in the base.
+  template <class... Place>
+  constexpr auto at(const Place&... place) const {
+    return in_series(boost::hana::at_c<0>(this->elements()).at(place...), boost::hana::at_c<1>(this->elements()));
+  }
+};
 /// What is checked of both together.
 template <class Check, class... Names>
 constexpr void check_series(std::string_view type, const Check& check, const Names&... names) {

@@ -29,8 +29,8 @@ template <class Q1, class Q2, class B, class E, class X1, class Y1, class Z1, cl
 constexpr auto universal_joint_3D(const Q1& q1, const Q2& q2, const B& base, const E& end,
                                   const vec3<X1, Y1, Z1>& axis1, const vec3<X2, Y2, Z2>& axis2) {
   const auto inner = inner_of(end);
-  const auto both =
-      detail::in_series(revolute_joint_3D(q1, base, inner, axis1), revolute_joint_3D(q2, inner, end, axis2));
+  const auto first = revolute_joint_3D(q1, base, inner, axis1);
+  const auto both = detail::in_series(first, revolute_joint_3D(q2, inner, end, axis2));
   detail::check_axes("universal_joint_3D", axis1, axis2, q1, q2, base, end);
   return both;
 }
@@ -43,8 +43,8 @@ template <class Q1, class Q2, class B, class E, class X1, class Y1, class Z1, cl
 constexpr auto hooke_joint_3D(const Q1& q1, const Q2& q2, const B& base, const E& end, const vec3<X1, Y1, Z1>& axis1,
                               const vec3<X2, Y2, Z2>& axis2, const vec3<X, Y, Z>& offset) {
   const auto inner = inner_of(end);
-  const auto both =
-      detail::in_series(revolute_joint_3D(q1, base, inner, axis1), revolute_joint_3D(q2, inner, end, axis2).at(offset));
+  const auto first = revolute_joint_3D(q1, base, inner, axis1);
+  const auto both = detail::in_series(first, revolute_joint_3D(q2, inner, end, axis2).at(offset));
   detail::check_axes("hooke_joint_3D", axis1, axis2, q1, q2, base, end);
   return both;
 }

@@ -13,7 +13,7 @@
 ///
 /// S is the scalar. Laws with a derivative hold to some 10 eps^(2/3), which is 4e-10 for double, the others to a few
 /// eps. In S of many digits they hold to as many, if the element's parameters have them (a rotation is one only to its
-/// last digit).
+/// last digit). Laws of whole chains are in testing/file_round_trip.hpp and testing/static_is_runtime.hpp.
 namespace kte::testing {
 
 namespace detail {

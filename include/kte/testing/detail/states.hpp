@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/testing/detail/numeric.hpp>
+#include <kte/testing/detail/trial.hpp>
+
+#include <bit>
+#include <cmath>
+
+/// All that states of chains hold: at random, side by side, and how far two are apart.
+namespace kte::testing::detail {
+
+/// The places of generalized coordinates of a runtime chain in the order of a static one: degrees of freedom first.
+inline std::vector<int> in_static_order(const topology& t) {
+  std::vector<int> order;
+  for (const auto& f : t.free)
+    if (f.what == kind::gen) order.push_back(f.slot);
+  for (int i = 0; i < t.count(kind::gen); ++i)
+    if (std::find(order.begin(), order.end(), i) == order.end()) order.push_back(i);
+  return order;
+}
+inline std::size_t place_in(const runtime_state&, const std::vector<int>& order, kind k, std::size_t i) {
+  return k == kind::gen ? static_cast<std::size_t>(order[i]) : i;
+}
+template <class State>
+std::size_t place_in(const State&, const std::vector<int>&, kind, std::size_t i) {
+  return i;
+}
+/// f(a, b) of each thing of a state and the same thing of a runtime state, those of kind K.
+template <kind K, class State, class F>
+void pairs_of_kind(State& s, runtime_state& r, const F& f) {
+  const topology& t = *r.made_for();
+  const auto order = in_static_order(t);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(t.count(K)); ++i)
+    f(s.template get<K>(static_cast<int>(place_in(s, order, K, i))),
+      r.get<K>(static_cast<int>(place_in(r, order, K, i))));
+}
+/// f(a, b) of all things of a static or runtime state and the same of a runtime state.
+template <class State, class F>
+void for_each_pair(State& s, runtime_state& r, const F& f) {
+  [&]<std::size_t... K>(std::index_sequence<K...>) { (pairs_of_kind<static_cast<kind>(K)>(s, r, f), ...); }
+  (std::make_index_sequence<kinds>{});
+}
+
+template <class T>
+auto as_array(const T& thing) {
+  return std::bit_cast<std::array<double, sizeof(T) / sizeof(double)>>(thing);
+}
+template <class T>
+inline constexpr kind kind_of_thing = [] {
+  kind found{};
+  [&]<std::size_t... K>(std::index_sequence<K...>) {
+    ((std::is_same_v<T, kte::detail::thing_of<static_cast<kind>(K), double>> ? void(found = static_cast<kind>(K))
+                                                                             : void()),
+     ...);
+  }
+  (std::make_index_sequence<kinds>{});
+  return found;
+}();
+/// The same random motion and inputs in both.
+template <class State, class Draw>
+void draw_motion(State& s, runtime_state& r, Draw& draw) {
+  for_each_pair(s, r, [&draw]<class T>(T& a, T& b) { a = b = random_thing<kind_of_thing<T>, double>(draw); });
+}
+/// The same random loads on both.
+template <class State, class Draw>
+void draw_loads(State& s, runtime_state& r, Draw& draw) {
+  for_each_pair(s, r, [&draw]<class T>(T& a, T& b) {
+    if constexpr (frame<T>)
+      kte::detail::visit_rates(a.force, a.torque, [&draw](double& x) { x = draw(); });
+    else if constexpr (coordinate<T>)
+      kte::detail::visit_f(a, [&draw](double& x) { x = draw(); });
+    b = a;
+  });
+}
+/// How many numbers there are, how many differ, not counting signs of zeros, and by how much, relative to the largest
+/// or 1. NaN differs from all but NaN.
+struct gap {
+  int numbers = 0, differ = 0;
+  double size = 1, most = 0;
+
+  void add(double a, double b) {
+    ++numbers;
+    if (a == b || (a != a && b != b)) return;
+    ++differ;
+    size = std::max({size, std::abs(a), std::abs(b)}), most = worse(most, std::abs(a - b));
+  }
+  /// Which share of the numbers differs.
+  double share() const { return numbers == 0 ? 0.0 : static_cast<double>(differ) / numbers; }
+};
+template <class State>
+void add_gap(gap& g, State& s, runtime_state& r) {
+  for_each_pair(s, r, [&g](const auto& a, const auto& b) {
+    const auto x = as_array(a), y = as_array(b);
+    for (std::size_t i = 0; i < x.size(); ++i) g.add(x[i], y[i]);
+  });
+}
+/// Of the three passes of two chains on states in which all is the same.
+template <class Chain, class State, class Draw>
+gap gap_of_passes(const Chain& c, State& s, const kte_map_chain& d, runtime_state& r, Draw& draw) {
+  gap g;
+  c.doMotion(s), d.doMotion(r), add_gap(g, s, r);
+  draw_loads(s, r, draw);
+  c.doForce(s), d.doForce(r), add_gap(g, s, r);
+  c.clearForce(s), d.clearForce(r), add_gap(g, s, r);
+  return g;
+}
+
+}  // namespace kte::testing::detail

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <kte/elements/registry.hpp>
+#include <kte/testing/detail/states.hpp>
+
+#include <set>
+
+/// What a file holds of an element is all of it.
+namespace kte::testing {
+
+namespace detail {
+/// A chain of an element alone, behind declarations of what it reads.
+inline kte_map_chain declared(const element_record& r, std::span<const port> ports, std::unique_ptr<kte_map> e) {
+  kte_map_chain c;
+  std::set<std::pair<bool, std::string>> known;  // names of frames live apart
+  for (std::size_t p = 0; p < ports.size(); ++p) {
+    const kind k = ports[p].what;
+    const std::string& name = r.connections[p].name;
+    if (port::declares(ports[p].how) || !known.emplace(is_frame(k), name).second) continue;
+    if (k == kind::gen) c << base_gen(name);
+    if (k == kind::frame_2D) c << base_2D(name);
+    if (k == kind::frame_3D) c << base_3D(name);
+  }
+  c.append(std::move(e));
+  return c;
+}
+/// Whether an element cannot stand as a state has it: a linkage that does not close.
+inline bool refuses(const kte_map_chain& c, runtime_state s) {
+  try {
+    c.doMotion(s);
+    return false;
+  } catch (const error&) {
+    return true;
+  }
+}
+}  // namespace detail
+
+/// For elements that files hold: of its record the registry makes an element with the same record, whose passes on
+/// random motions and loads give the same numbers, or refuse the same motions. The result is 0 if they do, and else
+/// which share of the numbers is another; 1 if the record is. Throws `bad_file` where the registry does not take the
+/// record.
+template <class Draw>
+double file_round_trip(const kte_element& e, const element_registry& registry, Draw&& draw) {
+  const auto record = e.record();
+  auto made = registry.make(record);
+  const auto* again = dynamic_cast<const kte_element*>(made.get());
+  if (!again || again->record() != record) return 1;
+  const auto a = detail::declared(record, e.ports(), e.clone()),
+             b = detail::declared(record, e.ports(), std::move(made));
+  auto s = a.make_state(), t = b.make_state();
+  double most = 0;
+  for (int i = 0; i < 20; ++i) {
+    detail::draw_motion(s, t, draw);
+    const bool refused = detail::refuses(a, s);
+    if (refused != detail::refuses(b, t)) return 1;
+    if (refused) continue;
+    most = std::max(most, detail::gap_of_passes(a, s, b, t, draw).share());
+  }
+  return most;
+}
+template <class Core, class Draw>
+double file_round_trip(const named_element<Core>& e, const element_registry& registry, Draw&& draw) {
+  return file_round_trip(kte_map_adapter<Core>(e), registry, draw);
+}
+template <class Core, class... Keys, class Draw>
+double file_round_trip(const element<Core, Keys...>& e, const element_registry& registry, Draw&& draw) {
+  return file_round_trip(kte::detail::with_texts(e), registry, draw);
+}
+
+}  // namespace kte::testing

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/runtime.hpp>
+#include <kte/elements/base.hpp>
+#include <kte/elements/free_joint.hpp>
+#include <kte/elements/inertia.hpp>
+#include <kte/testing/detail/states.hpp>
+
+/// An element does in a static chain what it does in a runtime chain.
+namespace kte::testing {
+
+namespace detail {
+/// What port P of the element is connected to ('p'), and what carries that: its base ('b') and its pose ('x').
+template <kind K, std::size_t P, char Role = 'p'>
+struct trial_key {
+  static constexpr kind what = K;
+  static constexpr std::array<char, 3> text{Role, static_cast<char>('0' + P / 10), static_cast<char>('0' + P % 10)};
+  static constexpr std::string_view name{text.data(), text.size()};
+};
+/// A body on a frame, or a mass on a coordinate.
+template <kind K, std::size_t P>
+constexpr auto weight_on() {
+  constexpr trial_key<K, P> at{};
+  if constexpr (K == kind::frame_3D)
+    return inertia_3D(at, rigid_body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.3, 0.01, -0.02, 0.25, 0.03, 0.2}});
+  else if constexpr (K == kind::frame_2D)
+    return inertia_2D(at, planar_body(1.5, 0.3, vec3{0.02, -0.03, zero}));
+  else
+    return inertia_gen(at, 0.7);
+}
+/// What carries port P of an element: frames float with a body on them, coordinates have a mass; joints and links stand
+/// on a base.
+template <class Core, std::size_t P>
+constexpr auto carrier() {
+  constexpr kind k = Core::ports[P].what;
+  constexpr bool given = port::declares(Core::ports[P].how);
+  if constexpr (!given && k == kind::gen) {
+    return chain(weight_on<k, P>());
+  } else if constexpr (given || !is_frame(k)) {
+    return chain();
+  } else if constexpr (kte::detail::is_transmission<Core>) {
+    if constexpr (k == kind::frame_3D)
+      return chain(base_3D(trial_key<k, P>{}));
+    else
+      return chain(base_2D(trial_key<k, P>{}));
+  } else if constexpr (k == kind::frame_3D) {
+    return chain(base_3D(trial_key<k, P, 'b'>{}),
+                 free_joint_3D(trial_key<kind::pose_3D, P, 'x'>{}, trial_key<k, P, 'b'>{}, trial_key<k, P>{}),
+                 weight_on<k, P>());
+  } else {
+    return chain(base_2D(trial_key<k, P, 'b'>{}),
+                 free_joint_2D(trial_key<kind::pose_2D, P, 'x'>{}, trial_key<k, P, 'b'>{}, trial_key<k, P>{}),
+                 weight_on<k, P>());
+  }
+}
+template <class Core, std::size_t... P>
+constexpr auto carried(const Core& core, std::index_sequence<P...>) {
+  constexpr kind last = Core::ports.back().what;
+  constexpr bool end =
+      Core::ports.back().how == access::out && (kte::detail::is_transmission<Core> || last == kind::gen);
+  const auto e = chain(carrier<Core, P>()..., element<Core, trial_key<Core::ports[P].what, P>...>{core});
+  if constexpr (end)
+    return chain(e, weight_on<last, sizeof...(P) - 1>());
+  else
+    return e;
+}
+/// The elements of a static chain in a runtime chain.
+template <class Gravity, class... E>
+kte_map_chain loose(const static_chain<Gravity, E...>& c) {
+  kte_map_chain r;
+  boost::hana::for_each(c.elements(), [&r](const auto& e) { r << kte::detail::with_texts(e); });
+  return r;
+}
+}  // namespace detail
+
+/// For elements that dynamics takes: alone with what carries it, floating bodies and masses on coordinates, in a static
+/// and in a runtime chain, it gives the same motions, loads, forces of inverse dynamics and accelerations of forward
+/// dynamics, at random states. To rounding, which forward dynamics multiplies by the condition of the mass matrix;
+/// where the compiler fuses no products, passes give the same bits.
+template <class Core, class Draw>
+double static_is_runtime(const Core& core, Draw&& draw) requires requires {
+  Core::ports;
+}
+{
+  const auto fixed = detail::carried(core, std::make_index_sequence<port_count<Core>>{});
+  const auto loose = detail::loose(fixed);
+  auto s = make_state(fixed);
+  auto r = loose.make_state();
+  double worst = 0;
+  for (int i = 0; i < 20; ++i) {
+    detail::draw_motion(s, r, draw);
+    const auto g = detail::gap_of_passes(fixed, s, loose, r, draw);
+    worst = detail::worse(worst, g.most / g.size);
+    if constexpr (decltype(fixed)::dofs > 0) {
+      detail::draw_motion(s, r, draw);
+      const auto off = [](const auto& a, const auto& b) {
+        detail::gap x;
+        for (Eigen::Index k = 0; k < a.size(); ++k) x.add(a[k], b[k]);
+        return x.most / x.size;
+      };
+      worst = detail::worse(worst, off(inverse_dynamics(fixed, s), inverse_dynamics(loose, r)));
+      worst = detail::worse(worst, off(forward_dynamics(fixed, s), forward_dynamics(loose, r)));
+    }
+  }
+  return worst;
+}
+template <class Core, class... Keys, class Draw>
+double static_is_runtime(const element<Core, Keys...>& e, Draw&& draw) {
+  return static_is_runtime(e.core, draw);
+}
+template <class Core, class Draw>
+double static_is_runtime(const named_element<Core>& e, Draw&& draw) {
+  return static_is_runtime(e.core, draw);
+}
+
+}  // namespace kte::testing
