@@ -72,12 +72,12 @@ inline std::optional<std::string> cpp_turn(std::span<const double> v) {
     const char* name;
     mat3<vec3<>> turn;
   };
-  static const std::array all{named{"half_turn_x", as<double>(half_turn_x)},
-                              named{"half_turn_y", as<double>(half_turn_y)},
-                              named{"half_turn_z", as<double>(half_turn_z)},
-                              named{"quarter_turn_x", as<double>(quarter_turn_x)},
+  static const std::array all{named{"quarter_turn_x", as<double>(quarter_turn_x)},
                               named{"quarter_turn_y", as<double>(quarter_turn_y)},
                               named{"quarter_turn_z", as<double>(quarter_turn_z)},
+                              named{"half_turn_x", as<double>(half_turn_x)},
+                              named{"half_turn_y", as<double>(half_turn_y)},
+                              named{"half_turn_z", as<double>(half_turn_z)},
                               named{"minus_quarter_turn_x", as<double>(minus_quarter_turn_x)},
                               named{"minus_quarter_turn_y", as<double>(minus_quarter_turn_y)},
                               named{"minus_quarter_turn_z", as<double>(minus_quarter_turn_z)}};

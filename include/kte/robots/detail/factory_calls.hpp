@@ -4,6 +4,7 @@
 #include <kte/robots/detail/cpp_numbers.hpp>
 
 #include <map>
+#include <set>
 
 namespace kte::detail {
 
@@ -26,8 +27,7 @@ inline const std::map<std::string, factory_call, std::less<>>& factory_calls() {
       const auto name = path.find_last_of("/\\") + 1;
       calls.emplace(type, factory_call{path.substr(name, path.rfind('.') - name), arguments});
     };
-    [&]<class... Family>(families<Family...>) { (Family::add_to(add), ...); }
-    (all_families{});
+    [&]<class... Family>(families<Family...>) { (Family::add_to(add), ...); }(all_families{});
     return calls;
   }();
   return all;
