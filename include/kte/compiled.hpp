@@ -14,4 +14,5 @@
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/robots/detail/read_any.hpp>
+#include <kte/robots/detail/xml_text.hpp>
 #include <kte/robots/to_robot.hpp>
