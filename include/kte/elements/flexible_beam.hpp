@@ -143,7 +143,7 @@ struct flexible_beam_family {
           return flexible_beam_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
                                   {x.number("EA"), x.number("EI"), x.number("GA")});
         },
-        "{rest_length}, {EA, EI, GA}");
+        "rest_length, {EA, EI, GA}");
     add(
         "flexible_beam_3D",
         [](const auto& x) {
@@ -151,7 +151,7 @@ struct flexible_beam_family {
               x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
               {x.number("EA"), x.number("EI_y"), x.number("EI_z"), x.number("GJ"), x.number("GA_y"), x.number("GA_z")});
         },
-        "{rest_length}, {EA, EI_y, EI_z, GJ, GA_y, GA_z}");
+        "rest_length, {EA, EI_y, EI_z, GJ, GA_y, GA_z}");
   }
 };
 }  // namespace detail
