@@ -3,6 +3,7 @@
 #include <kte/robots/detail/parse_xml.hpp>
 #include <kte/robots/detail/read_any.hpp>
 #include <kte/robots/to_robot.hpp>
+#include <kte/robots/urdf_reader.hpp>
 
 namespace kte {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/errors.hpp>
 #include <kte/robots/detail/parse_xml.hpp>
 #include <kte/robots/detail/read_urdf.hpp>
 
