@@ -18,6 +18,7 @@ inline std::string short_number(double x) {
 
 /// Of length 1, whatever its length in the file, of which a warning tells if it is not meant as 1.
 inline vec3<> unit_axis(const xml_item& x, const vec3<>& n) {
+  if (std::abs(dot(n, n) - 1) <= 4e-16) return {n.x + 0.0, n.y + 0.0, n.z + 0.0};  // written here, it stays as it is
   const double size = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
   if (size == 0) x.fail("the axis has length 0");
   const vec3<> m{n.x / size, n.y / size, n.z / size};  // no square of it overflows
