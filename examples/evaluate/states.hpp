@@ -39,8 +39,8 @@ class state_table {
     }
     if (!found.empty() && found.size() < count) fail_missing(missing);
     if (names_.contains(prefix + std::to_string(count)))
-      throw kte::bad_file("kte: " + path_.string() + ":1: a column " + prefix + std::to_string(count) + ", but there are " +
-                          std::to_string(count) + " of them, from " + prefix + "0");
+      throw kte::bad_file("kte: " + path_.string() + ":1: a column " + prefix + std::to_string(count) +
+                          ", but there are " + std::to_string(count) + " of them, from " + prefix + "0");
     return found;
   }
   /// The same where they must be there.
@@ -88,8 +88,9 @@ class state_table {
     }
     if (head) return;
     if (column != names_.size())
-      throw kte::bad_file("kte: " + path_.string() + ":" + std::to_string(line) + ":" + std::to_string(whole.size() + 1) +
-                          ": " + std::to_string(column) + " numbers for " + std::to_string(names_.size()) + " columns");
+      throw kte::bad_file("kte: " + path_.string() + ":" + std::to_string(line) + ":" +
+                          std::to_string(whole.size() + 1) + ": " + std::to_string(column) + " numbers for " +
+                          std::to_string(names_.size()) + " columns");
     rows_.push_back(std::move(numbers)), lines_.push_back(line);
   }
 
