@@ -31,6 +31,7 @@ install_packages() {
   need libbenchmark-dev
   need libcereal-dev
   need libsundials-dev
+  need libtinyxml2-dev
   need libxsimd-dev
   for package in "$@"; do need "$package"; done
   updated=

@@ -13,3 +13,8 @@
 #include <kte/dynamics/runtime_frames.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
+#include <kte/robots/check_robot.hpp>
+#include <kte/robots/detail/read_any.hpp>
+#include <kte/robots/detail/xml_text.hpp>
+#include <kte/robots/to_robot.hpp>
+#include <kte/robots/urdf_writer.hpp>

@@ -20,13 +20,6 @@ runtime_vector<S> read_numbers(const basic_runtime_state<S>& s) {
   read_listed_numbers<Which>(s, x);
   return x;
 }
-/// Numbers of x into a coordinate.
-template <vector_of Which, class C, class X>
-void put(C& c, const freedom& at, const X& x) {
-  auto i = begin_of<Which>(at);
-  visit_numbers<Which>(c,
-                       [&](auto& number) { number = static_cast<std::remove_reference_t<decltype(number)>>(x[i++]); });
-}
 template <vector_of Which, class S, indexable X>
 void write_numbers(basic_runtime_state<S>& s, const X& x, const char* name) {
   if constexpr (Which == vector_of::q)

@@ -65,6 +65,13 @@ template <vector_of Which>
 KTE_INLINE constexpr std::size_t begin_of(const freedom& at) {
   return static_cast<std::size_t>(Which == vector_of::q ? at.q : at.v);
 }
+/// Numbers of x into a coordinate.
+template <vector_of Which, class C, class X>
+void put(C& c, const freedom& at, const X& x) {
+  auto i = begin_of<Which>(at);
+  visit_numbers<Which>(c,
+                       [&](auto& number) { number = static_cast<std::remove_reference_t<decltype(number)>>(x[i++]); });
+}
 template <vector_of Which, int N, class S, class W>
 KTE_INLINE auto read_numbers(const chain_state<S, W>& s) {
   joint_vector<S, N> x;

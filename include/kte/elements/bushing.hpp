@@ -132,12 +132,17 @@ namespace detail {
 struct bushing_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("bushing_3D", [](const auto& x) {
-      return bushing_3D(x.name("anchor1"), x.name("anchor2"),
-                        {x.symmetric("stiffness"), x.symmetric("angular_stiffness"), x.matrix("stiffness_coupling")},
-                        {x.symmetric("damping"), x.symmetric("angular_damping"), x.matrix("damping_coupling")},
-                        x.vector("rest_position"));
-    });
+    add(
+        "bushing_3D",
+        [](const auto& x) {
+          return bushing_3D(
+              x.name("anchor1"), x.name("anchor2"),
+              {x.symmetric("stiffness"), x.symmetric("angular_stiffness"), x.matrix("stiffness_coupling")},
+              {x.symmetric("damping"), x.symmetric("angular_damping"), x.matrix("damping_coupling")},
+              x.vector("rest_position"));
+        },
+        "{stiffness, angular_stiffness, stiffness_coupling}, {damping, angular_damping, damping_coupling}, "
+        "rest_position");
   }
 };
 }  // namespace detail

@@ -68,11 +68,14 @@ namespace detail {
 struct dc_motor_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("dc_motor_gen", [](const auto& x) {
-      return dc_motor_gen(
-          x.name("coordinate"), x.name("voltage"), x.name("current"),
-          {x.number("resistance"), x.number("inductance"), x.number("torque_constant"), x.number("ratio")});
-    });
+    add(
+        "dc_motor_gen",
+        [](const auto& x) {
+          return dc_motor_gen(
+              x.name("coordinate"), x.name("voltage"), x.name("current"),
+              {x.number("resistance"), x.number("inductance"), x.number("torque_constant"), x.number("ratio")});
+        },
+        "{resistance, inductance, torque_constant, ratio}");
   }
 };
 }  // namespace detail

@@ -91,14 +91,23 @@ struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
 
 }  // namespace core
 
+/// One of the two bars alone, as files have it.
+template <class Q1, class Q2, class B>
+constexpr auto dyad_bar1_2D(const Q1& crank1, const Q2& crank2, const B& bar, const dyad_lengths& lengths) {
+  return connect(core::dyad_bar1(lengths), crank1, crank2, bar);
+}
+template <class Q1, class Q2, class B>
+constexpr auto dyad_bar2_2D(const Q1& crank1, const Q2& crank2, const B& bar, const dyad_lengths& lengths) {
+  return connect(core::dyad_bar2(lengths), crank1, crank2, bar);
+}
+
 /// The angles of the two bars between two cranks, each in its crank, which follow those of the cranks: with a revolute
 /// joint for each of the four angles the loop is closed, exactly. Two elements. Angles lie between -pi and pi, where
 /// they jump by a turn.
 template <class Q1, class Q2, class B1, class B2>
 constexpr auto dyad_2D(const Q1& crank1, const Q2& crank2, const B1& bar1, const B2& bar2,
                        const dyad_lengths& lengths) {
-  return detail::in_series(connect(core::dyad_bar1(lengths), crank1, crank2, bar1),
-                           connect(core::dyad_bar2(lengths), crank1, crank2, bar2));
+  return detail::in_series(dyad_bar1_2D(crank1, crank2, bar1, lengths), dyad_bar2_2D(crank1, crank2, bar2, lengths));
 }
 
 KTE_CALL(dyad_2D, "(crank1, crank2, bar1, bar2, lengths); lengths are {.pivot = {0.3, 0.0}, .crank1 = 0.1, ...}")
@@ -116,12 +125,18 @@ struct dyad_family {
                           x.number("crank2"),
                           x.number("side")};
     };
-    add("dyad_bar1_2D", [lengths](const auto& x) {
-      return connect(core::dyad_bar1(lengths(x)), x.name("crank1"), x.name("crank2"), x.name("bar"));
-    });
-    add("dyad_bar2_2D", [lengths](const auto& x) {
-      return connect(core::dyad_bar2(lengths(x)), x.name("crank1"), x.name("crank2"), x.name("bar"));
-    });
+    add(
+        "dyad_bar1_2D",
+        [lengths](const auto& x) {
+          return dyad_bar1_2D(x.name("crank1"), x.name("crank2"), x.name("bar"), lengths(x));
+        },
+        "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}");
+    add(
+        "dyad_bar2_2D",
+        [lengths](const auto& x) {
+          return dyad_bar2_2D(x.name("crank1"), x.name("crank2"), x.name("bar"), lengths(x));
+        },
+        "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}");
   }
 };
 }  // namespace detail

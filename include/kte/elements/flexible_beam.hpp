@@ -137,15 +137,21 @@ namespace detail {
 struct flexible_beam_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("flexible_beam_2D", [](const auto& x) {
-      return flexible_beam_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
-                              {x.number("EA"), x.number("EI"), x.number("GA")});
-    });
-    add("flexible_beam_3D", [](const auto& x) {
-      return flexible_beam_3D(
-          x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
-          {x.number("EA"), x.number("EI_y"), x.number("EI_z"), x.number("GJ"), x.number("GA_y"), x.number("GA_z")});
-    });
+    add(
+        "flexible_beam_2D",
+        [](const auto& x) {
+          return flexible_beam_2D(x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
+                                  {x.number("EA"), x.number("EI"), x.number("GA")});
+        },
+        "rest_length, {EA, EI, GA}");
+    add(
+        "flexible_beam_3D",
+        [](const auto& x) {
+          return flexible_beam_3D(
+              x.name("anchor1"), x.name("anchor2"), x.number("rest_length"),
+              {x.number("EA"), x.number("EI_y"), x.number("EI_z"), x.number("GJ"), x.number("GA_y"), x.number("GA_z")});
+        },
+        "rest_length, {EA, EI_y, EI_z, GJ, GA_y, GA_z}");
   }
 };
 }  // namespace detail

@@ -85,13 +85,22 @@ struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_paramete
 
 }  // namespace core
 
+/// Coupler or rocker alone, as files have it.
+template <class Q, class C>
+constexpr auto four_bar_coupler_2D(const Q& crank, const C& coupler, const four_bar_lengths& lengths) {
+  return connect(core::four_bar_coupler(lengths), crank, coupler);
+}
+template <class Q, class R>
+constexpr auto four_bar_rocker_2D(const Q& crank, const R& rocker, const four_bar_lengths& lengths) {
+  return connect(core::four_bar_rocker(lengths), crank, rocker);
+}
+
 /// The angles of coupler (in the crank) and rocker (in the ground) of a four-bar linkage, which follow that of the
 /// crank: three revolute joints in a row and beside it then move as the loop does, exactly. Two elements. Angles lie
 /// between -pi and pi, where they jump by a turn.
 template <class Q, class C, class R>
 constexpr auto four_bar_2D(const Q& crank, const C& coupler, const R& rocker, const four_bar_lengths& lengths) {
-  return detail::in_series(connect(core::four_bar_coupler(lengths), crank, coupler),
-                           connect(core::four_bar_rocker(lengths), crank, rocker));
+  return detail::in_series(four_bar_coupler_2D(crank, coupler, lengths), four_bar_rocker_2D(crank, rocker, lengths));
 }
 
 KTE_CALL(four_bar_2D, "(crank, coupler, rocker, lengths); lengths are {.pivot = {0.3, 0.0}, .crank = 0.1, ...}")
@@ -108,12 +117,14 @@ struct four_bar_family {
                               x.number("rocker"),
                               x.number("side")};
     };
-    add("four_bar_coupler_2D", [lengths](const auto& x) {
-      return connect(core::four_bar_coupler(lengths(x)), x.name("crank"), x.name("coupler"));
-    });
-    add("four_bar_rocker_2D", [lengths](const auto& x) {
-      return connect(core::four_bar_rocker(lengths(x)), x.name("crank"), x.name("rocker"));
-    });
+    add(
+        "four_bar_coupler_2D",
+        [lengths](const auto& x) { return four_bar_coupler_2D(x.name("crank"), x.name("coupler"), lengths(x)); },
+        "{{pivot_x, pivot_y}, crank, coupler, rocker, side}");
+    add(
+        "four_bar_rocker_2D",
+        [lengths](const auto& x) { return four_bar_rocker_2D(x.name("crank"), x.name("rocker"), lengths(x)); },
+        "{{pivot_x, pivot_y}, crank, coupler, rocker, side}");
   }
 };
 }  // namespace detail

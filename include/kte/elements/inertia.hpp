@@ -153,8 +153,10 @@ struct inertia_family {
   template <class Add>
   static void add_to(const Add& add) {
     add("inertia_gen", [](const auto& x) { return inertia_gen(x.name("coordinate"), x.number("mass")); });
-    add("inertia_2D", [](const auto& x) { return inertia_2D(x.name("frame"), x.planar_body()); });
-    add("inertia_3D", [](const auto& x) { return inertia_3D(x.name("frame"), x.body()); });
+    add(
+        "inertia_2D", [](const auto& x) { return inertia_2D(x.name("frame"), x.planar_body()); }, "body");
+    add(
+        "inertia_3D", [](const auto& x) { return inertia_3D(x.name("frame"), x.body()); }, "body");
   }
 };
 }  // namespace detail

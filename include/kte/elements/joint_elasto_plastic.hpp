@@ -100,11 +100,15 @@ namespace detail {
 struct joint_elasto_plastic_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("joint_elasto_plastic_gen", [](const auto& x) {
-      return joint_elasto_plastic_gen(x.name("coordinate"), x.name("bristles"),
-                                      {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
-                                       x.number("stiction"), x.number("stribeck_velocity"), x.number("breakaway")});
-    });
+    add(
+        "joint_elasto_plastic_gen",
+        [](const auto& x) {
+          return joint_elasto_plastic_gen(
+              x.name("coordinate"), x.name("bristles"),
+              {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"), x.number("stiction"),
+               x.number("stribeck_velocity"), x.number("breakaway")});
+        },
+        "{sigma0, sigma1, sigma2, coulomb, stiction, stribeck_velocity, breakaway}");
   }
 };
 }  // namespace detail

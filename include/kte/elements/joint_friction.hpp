@@ -81,10 +81,14 @@ namespace detail {
 struct joint_friction_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("joint_friction_gen", [](const auto& x) {
-      return joint_friction_gen(x.name("coordinate"), {x.number("viscous"), x.number("coulomb"), x.number("stiction"),
-                                                       x.number("stribeck_velocity"), x.number("smoothing_velocity")});
-    });
+    add(
+        "joint_friction_gen",
+        [](const auto& x) {
+          return joint_friction_gen(x.name("coordinate"),
+                                    {x.number("viscous"), x.number("coulomb"), x.number("stiction"),
+                                     x.number("stribeck_velocity"), x.number("smoothing_velocity")});
+        },
+        "{viscous, coulomb, stiction, stribeck_velocity, smoothing_velocity}");
   }
 };
 }  // namespace detail

@@ -89,10 +89,13 @@ namespace detail {
 struct joint_limit_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("joint_limit_gen", [](const auto& x) {
-      return joint_limit_gen(x.name("coordinate"),
-                             {x.number("lower"), x.number("upper"), x.number("stiffness"), x.number("damping")});
-    });
+    add(
+        "joint_limit_gen",
+        [](const auto& x) {
+          return joint_limit_gen(x.name("coordinate"),
+                                 {x.number("lower"), x.number("upper"), x.number("stiffness"), x.number("damping")});
+        },
+        "{lower, upper, stiffness, damping}");
   }
 };
 }  // namespace detail

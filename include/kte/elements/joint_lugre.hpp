@@ -103,11 +103,14 @@ namespace detail {
 struct joint_lugre_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("joint_lugre_gen", [](const auto& x) {
-      return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
-                             {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
-                              x.number("stiction"), x.number("stribeck_velocity")});
-    });
+    add(
+        "joint_lugre_gen",
+        [](const auto& x) {
+          return joint_lugre_gen(x.name("coordinate"), x.name("bristles"),
+                                 {x.number("sigma0"), x.number("sigma1"), x.number("sigma2"), x.number("coulomb"),
+                                  x.number("stiction"), x.number("stribeck_velocity")});
+        },
+        "{sigma0, sigma1, sigma2, coulomb, stiction, stribeck_velocity}");
   }
 };
 }  // namespace detail

@@ -102,11 +102,14 @@ namespace detail {
 struct joint_stiction_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("joint_stiction_gen", [](const auto& x) {
-      return joint_stiction_gen(
-          x.name("coordinate"), x.name("mode"),
-          {x.number("coulomb"), x.number("stiction"), x.number("stribeck_velocity"), x.number("viscous")});
-    });
+    add(
+        "joint_stiction_gen",
+        [](const auto& x) {
+          return joint_stiction_gen(
+              x.name("coordinate"), x.name("mode"),
+              {x.number("coulomb"), x.number("stiction"), x.number("stribeck_velocity"), x.number("viscous")});
+        },
+        "{coulomb, stiction, stribeck_velocity, viscous}");
     add("brake_gen", [](const auto& x) { return brake_gen(x.name("coordinate"), x.name("mode"), x.name("force")); });
   }
 };

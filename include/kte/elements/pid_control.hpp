@@ -89,11 +89,14 @@ namespace detail {
 struct pid_control_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("pid_control_gen", [](const auto& x) {
-      return pid_control_gen(x.name("coordinate"), x.name("wanted"), x.name("integral"), x.name("output"),
-                             {x.number("proportional"), x.number("integral"), x.number("derivative"), x.number("limit"),
-                              x.number("tracking")});
-    });
+    add(
+        "pid_control_gen",
+        [](const auto& x) {
+          return pid_control_gen(x.name("coordinate"), x.name("wanted"), x.name("integral"), x.name("output"),
+                                 {x.number("proportional"), x.number("integral"), x.number("derivative"),
+                                  x.number("limit"), x.number("tracking")});
+        },
+        "{proportional, integral, derivative, limit, tracking}");
   }
 };
 }  // namespace detail

@@ -243,7 +243,7 @@ KTE_FUNCTION kte_map_chain to_chain(const model_record& m, const element_registr
 template <class>
 element_registry element_registry::standard() {
   element_registry r;
-  const auto add = [&r](const char* type, const auto& make) { r.add(type, make); };
+  const auto add = [&r](const char* type, const auto& make, const char* = "") { r.add(type, make); };
   [&]<class... Family>(detail::families<Family...>) { (Family::add_to(add), ...); }(detail::all_families{});
   return r;
 }

@@ -64,10 +64,13 @@ namespace detail {
 struct revolute_joint_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("revolute_joint_2D", [](const auto& x) {
-      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-      return x.placed(revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")));
-    });
+    add(
+        "revolute_joint_2D",
+        [](const auto& x) {
+          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+          return x.placed(revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end")));
+        },
+        "");
     add("revolute_joint_3D", [](const auto& x) {
       return x.with_axis("axis", [&](const auto& n) {
         return x.placed(revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n));

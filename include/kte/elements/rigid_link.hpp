@@ -89,12 +89,19 @@ struct rigid_link_family {
   static void add_to(const Add& add) {
     add("rigid_link_gen",
         [](const auto& x) { return rigid_link_gen(x.name("base"), x.name("end"), x.number("offset")); });
-    add("rigid_link_2D", [](const auto& x) {
-      return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"), x.planar_rotation("rotation"));
-    });
-    add("rigid_link_3D", [](const auto& x) {
-      return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
-    });
+    add(
+        "rigid_link_2D",
+        [](const auto& x) {
+          return rigid_link_2D(x.name("base"), x.name("end"), x.planar_vector("position"),
+                               x.planar_rotation("rotation"));
+        },
+        "position, rotation");
+    add(
+        "rigid_link_3D",
+        [](const auto& x) {
+          return rigid_link_3D(x.name("base"), x.name("end"), x.vector("position"), x.rotation("rotation"));
+        },
+        "position, rotation");
   }
 };
 }  // namespace detail

@@ -84,12 +84,21 @@ struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_pa
 
 }  // namespace core
 
+/// Rod or slider alone, as files have it.
+template <class Q, class R>
+constexpr auto slider_crank_rod_2D(const Q& crank, const R& rod, const slider_crank_lengths& lengths) {
+  return connect(core::slider_crank_rod(lengths), crank, rod);
+}
+template <class Q, class X>
+constexpr auto slider_crank_slider_2D(const Q& crank, const X& slider, const slider_crank_lengths& lengths) {
+  return connect(core::slider_crank_slider(lengths), crank, slider);
+}
+
 /// The angle of the rod (in the crank) and the way of the slider, m, of a slider-crank, which follow the angle of the
 /// crank. Two elements.
 template <class Q, class R, class X>
 constexpr auto slider_crank_2D(const Q& crank, const R& rod, const X& slider, const slider_crank_lengths& lengths) {
-  return detail::in_series(connect(core::slider_crank_rod(lengths), crank, rod),
-                           connect(core::slider_crank_slider(lengths), crank, slider));
+  return detail::in_series(slider_crank_rod_2D(crank, rod, lengths), slider_crank_slider_2D(crank, slider, lengths));
 }
 
 KTE_CALL(slider_crank_2D, "(crank, rod, slider, lengths); lengths are {.crank = 0.1, .rod = 0.3}")
@@ -102,12 +111,14 @@ struct slider_crank_family {
     const auto lengths = [](const auto& x) {
       return slider_crank_lengths{x.number("crank"), x.number("rod"), x.number("offset"), x.number("side")};
     };
-    add("slider_crank_rod_2D", [lengths](const auto& x) {
-      return connect(core::slider_crank_rod(lengths(x)), x.name("crank"), x.name("rod"));
-    });
-    add("slider_crank_slider_2D", [lengths](const auto& x) {
-      return connect(core::slider_crank_slider(lengths(x)), x.name("crank"), x.name("slider"));
-    });
+    add(
+        "slider_crank_rod_2D",
+        [lengths](const auto& x) { return slider_crank_rod_2D(x.name("crank"), x.name("rod"), lengths(x)); },
+        "{crank, rod, offset, side}");
+    add(
+        "slider_crank_slider_2D",
+        [lengths](const auto& x) { return slider_crank_slider_2D(x.name("crank"), x.name("slider"), lengths(x)); },
+        "{crank, rod, offset, side}");
   }
 };
 }  // namespace detail

@@ -67,15 +67,24 @@ namespace detail {
 struct table_spring_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("table_spring_gen", [](const auto& x) {
-      return table_spring_gen(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
-    });
-    add("table_spring_2D", [](const auto& x) {
-      return table_spring_2D(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
-    });
-    add("table_spring_3D", [](const auto& x) {
-      return table_spring_3D(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
-    });
+    add(
+        "table_spring_gen",
+        [](const auto& x) {
+          return table_spring_gen(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
+        },
+        "[lengths], [forces]");
+    add(
+        "table_spring_2D",
+        [](const auto& x) {
+          return table_spring_2D(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
+        },
+        "[lengths], [forces]");
+    add(
+        "table_spring_3D",
+        [](const auto& x) {
+          return table_spring_3D(x.name("anchor1"), x.name("anchor2"), x.numbers("lengths"), x.numbers("forces"));
+        },
+        "[lengths], [forces]");
   }
 };
 }  // namespace detail

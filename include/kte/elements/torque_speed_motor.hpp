@@ -82,10 +82,13 @@ namespace detail {
 struct torque_speed_motor_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("torque_speed_motor_gen", [](const auto& x) {
-      return torque_speed_motor_gen(x.name("coordinate"), x.name("command"),
-                                    {x.number("max_torque"), x.number("max_speed")});
-    });
+    add(
+        "torque_speed_motor_gen",
+        [](const auto& x) {
+          return torque_speed_motor_gen(x.name("coordinate"), x.name("command"),
+                                        {x.number("max_torque"), x.number("max_speed")});
+        },
+        "{max_torque, max_speed}");
   }
 };
 }  // namespace detail

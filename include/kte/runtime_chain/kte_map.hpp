@@ -60,7 +60,12 @@ class kte_element : public kte_map {
   virtual element_record record() const = 0;
   const kte_map* unrecorded() const final { return nullptr; }
 
+  virtual std::string_view type() const = 0;
   virtual std::span<const port> ports() const = 0;
+  /// What the ports are connected to.
+  virtual std::span<const std::string> names() const = 0;
+  /// Whether it holds functions of its program, which no record can.
+  virtual bool holds_code() const = 0;
   /// Its own, after doMotion, J; gravity is the chain's.
   virtual double kinetic_energy(runtime_state&) const = 0;
   virtual double potential_energy(runtime_state&) const = 0;

@@ -30,7 +30,10 @@ class kte_map_adapter final : public kte_element {
   }
   element_record record() const override { return record_of(core_, names_); }
 
+  std::string_view type() const override { return Core::type; }
   std::span<const port> ports() const override { return Core::ports; }
+  std::span<const std::string> names() const override { return names_; }
+  bool holds_code() const override { return detail::holds_code<Core>; }
 
   double kinetic_energy(runtime_state& s) const override { return as<double>(on(s).kinetic_energy(inputs{})); }
   double potential_energy(runtime_state& s) const override { return as<double>(on(s).potential_energy(inputs{})); }

@@ -26,9 +26,9 @@ struct layout_entry {
 };
 
 namespace detail {
+/// What every port of a chain is connected to, one after the other.
 template <class Wiring, class... E>
-constexpr auto layout_of() {
-  std::array<layout_entry<>, Wiring::freedoms> table{};
+constexpr auto names_at_ports() {
   std::array<std::string_view, Wiring::ports + 1> names{};
   std::size_t p = 0;
   const auto append = [&]<class Core, class... Keys>(const element<Core, Keys...>*) {
@@ -38,6 +38,12 @@ constexpr auto layout_of() {
   };
   const int done[]{append(static_cast<const E*>(nullptr))..., 0};
   (void)done;
+  return names;
+}
+template <class Wiring, class... E>
+constexpr auto layout_of() {
+  std::array<layout_entry<>, Wiring::freedoms> table{};
+  const auto names = names_at_ports<Wiring, E...>();
   for (std::size_t i = 0; i < table.size(); ++i) {
     const freedom& f = Wiring::table.free[i];
     for (std::size_t port = Wiring::ports; port-- > 0;)

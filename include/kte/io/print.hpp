@@ -1,0 +1,54 @@
+#pragma once
+
+#include <kte/io/print_chains.hpp>
+#include <kte/io/print_states.hpp>
+
+#include <sstream>
+#include <version>
+
+/// `std::cout << x` of chains, their states, frames, coordinates, vectors, records (docs/printing.md); where the
+/// standard library has it, `std::format("{}", x)` too.
+namespace kte::detail {
+/// What this header prints, by the name of its template.
+template <class T>
+inline constexpr bool is_printed = requires {
+  typename T::geometry;
+};
+template <int N>
+inline constexpr bool is_printed<constant<N>> = true;
+template <class S>
+inline constexpr bool is_printed<frame_2D<S>> = true;
+template <class S>
+inline constexpr bool is_printed<frame_3D<S>> = true;
+template <class S>
+inline constexpr bool is_printed<gen_coord<S>> = true;
+template <class Gravity, class... E>
+inline constexpr bool is_printed<static_chain<Gravity, E...>> = true;
+template <class S, class Wiring>
+inline constexpr bool is_printed<chain_state<S, Wiring>> = true;
+template <class S>
+inline constexpr bool is_printed<basic_runtime_state<S>> = true;
+template <class Chain, class X>
+inline constexpr bool is_printed<named_vector<Chain, X>> = true;
+template <>
+inline constexpr bool is_printed<kte_map_chain> = true;
+template <>
+inline constexpr bool is_printed<model_record> = true;
+template <>
+inline constexpr bool is_printed<element_record> = true;
+}  // namespace kte::detail
+
+#ifdef __cpp_lib_format
+#  include <format>
+
+/// Width and fill as of a text.
+template <class T>
+requires(kte::detail::is_printed<T>) struct std::formatter<T, char> : std::formatter<std::string, char> {
+  template <class Context>
+  auto format(const T& x, Context& context) const {
+    std::ostringstream text;
+    text << x;
+    return std::formatter<std::string, char>::format(text.str(), context);
+  }
+};
+#endif

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <kte/math/rigid_body.hpp>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A robot as files describe it, whatever their format: links, and joints between them, as data. m, kg, s, rad.
+namespace kte {
+
+/// Something that was seen in a file at a line, from 1; 0 is nowhere.
+struct robot_note {
+  int line = 0;
+  std::string text;
+};
+
+/// Where something stands: position and rotation in the axes of what it belongs to.
+struct robot_pose {
+  vec3<> position{};
+  mat3<vec3<>> rotation{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  bool operator==(const robot_pose&) const = default;
+};
+
+/// A shape to see, or one to collide with.
+struct robot_shape {
+  enum class form { none, box, cylinder, capsule, sphere, ellipsoid, plane, mesh };
+  std::string name;
+  robot_pose origin;  ///< in the link
+  form is = form::none;
+  vec3<> size{};          ///< box: edges; cylinder, capsule: radius, length; sphere: radius; ellipsoid: half axes
+  std::string mesh;       ///< name of the file, as written
+  vec3<> scale{1, 1, 1};  ///< of the mesh
+  std::string material;
+  std::vector<double> rgba;  ///< four numbers, or none
+  int line = 0;
+};
+
+/// A link: a body, a frame of its name, and shapes.
+struct robot_link {
+  std::string name;
+  int line = 0;
+  std::optional<rigid_body<>> inertial;  ///< in the axes of the link; massless without
+  std::vector<robot_shape> visuals, collisions;
+};
+
+/// What a joint does besides moving.
+struct robot_joint_dynamics {
+  double damping = 0;    ///< Nms/rad or Ns/m
+  double friction = 0;   ///< dry, Nm or N
+  double stiffness = 0;  ///< of a spring, Nm/rad or N/m
+  double rest = 0;       ///< where that spring is at rest
+  double armature = 0;   ///< inertia of the rotor as the joint feels it, kg m^2 or kg
+};
+
+/// A joint between two links. Its seat stands in the parent; the child link stands in what it moves.
+struct robot_joint {
+  enum class kind { fixed, revolute, prismatic, spherical, planar, floating };
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  std::string name;
+  int line = 0;
+  kind is = kind::fixed;
+  bool continuous = false;  ///< a revolute joint without limits, as the file says
+  std::string parent, child;
+  robot_pose origin;      ///< of the seat in the parent
+  robot_pose child_pose;  ///< of the child in the moving side of the joint
+  vec3<> axis{1, 0, 0};   ///< of length 1, in the axes of the seat; of a planar joint the normal
+  double lower = -none, upper = none, rate = none, effort = none;
+  double soft_lower = -none, soft_upper = none;  ///< where a safety controller begins to brake
+  robot_joint_dynamics dynamics;
+  struct follower {
+    std::string joint;
+    double ratio = 1, offset = 0;
+  };
+  std::optional<follower> mimic;  ///< q = ratio q_joint + offset
+};
+
+/// What drives a joint, as far as it is known: a name, the joint, the gear from one to the other.
+struct robot_actuator {
+  std::string name;
+  int line = 0;
+  std::string joint;
+  double gear = 1;
+};
+
+struct robot_description {
+  std::string name;
+  std::string source;  ///< what messages call the file
+  std::vector<robot_link> links;
+  std::vector<robot_joint> joints;
+  std::vector<robot_actuator> actuators;
+  std::optional<vec3<>> gravity;     ///< if the file says so, m/s^2
+  std::vector<robot_note> not_read;  ///< what the file holds and nothing here does
+  std::vector<robot_note> warnings;  ///< what was read, but is odd
+};
+
+namespace detail {
+/// "arm.urdf:37: ", or what of it is known.
+inline std::string place_text(const std::string& source, int line) {
+  if (source.empty()) return line > 0 ? "line " + std::to_string(line) + ": " : "";
+  return source + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
+}
+}  // namespace detail
+
+}  // namespace kte

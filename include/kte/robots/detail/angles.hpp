@@ -1,0 +1,96 @@
+#pragma once
+
+#include <kte/math/axis.hpp>
+#include <kte/math/quaternion.hpp>
+#include <kte/robots/description.hpp>
+
+#include <cmath>
+#include <numbers>
+
+/// Rotations as files give them, with zeros and ones where quarter turns are meant.
+namespace kte::detail {
+
+/// How far an angle is from the nearest multiple of pi/2, and which that is, rad.
+struct quarter_turns {
+  double count, distance;
+};
+inline quarter_turns nearest_quarter(double angle) {
+  const double count = std::round(angle / (std::numbers::pi / 2));
+  return {count, std::abs(angle - count * (std::numbers::pi / 2))};
+}
+
+/// Cosine and sine, exact where the angle is within `tolerance` of a quarter turn, or as near as doubles are.
+inline rotation_2D<> turn_by(double angle, double tolerance) {
+  const auto [count, distance] = nearest_quarter(angle);
+  if (std::abs(angle) < 1e9 && distance <= tolerance + 2.3e-16 * std::abs(angle)) {
+    const int k = static_cast<int>(std::fmod(count, 4.0) + 4) % 4;
+    return {k == 0 ? 1.0 : k == 2 ? -1.0 : 0.0, k == 1 ? 1.0 : k == 3 ? -1.0 : 0.0};
+  }
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// No -0, which would show in files.
+inline mat3<vec3<>> without_minus_zero(const mat3<vec3<>>& m) {
+  const auto clean = [](const vec3<>& v) { return vec3<>{v.x + 0.0, v.y + 0.0, v.z + 0.0}; };
+  return {clean(m.x), clean(m.y), clean(m.z)};
+}
+
+/// Of turns about coordinate axis 0, 1, 2 by an angle.
+inline mat3<vec3<>> turn_about(int which, double angle, double tolerance) {
+  const auto [c, s] = turn_by(angle, tolerance);
+  if (which == 0) return {{1, 0, 0}, {0, c, -s}, {0, s, c}};
+  if (which == 1) return {{c, 0, s}, {0, 1, 0}, {-s, 0, c}};
+  return {{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
+}
+
+/// Roll, pitch, yaw: about the fixed axes x, y, z in this order,
+///
+///   R = Rot(z, yaw) Rot(y, pitch) Rot(x, roll)          (1)
+inline mat3<vec3<>> rotation_of_rpy(const vec3<>& rpy, double tolerance) {
+  return without_minus_zero(turn_about(2, rpy.z, tolerance) *
+                            (turn_about(1, rpy.y, tolerance) * turn_about(0, rpy.x, tolerance)));  // (1)
+}
+
+/// The reverse of (1), with pitch in [-pi/2, pi/2] and roll 0 where pitch is a quarter turn. Quarter turns are exact
+/// to the last bit, so that (1) gives the same zeros and ones.
+inline vec3<> rpy_of_rotation(const mat3<vec3<>>& m) {
+  const double across = std::hypot(m.x.x, m.y.x);
+  const double pitch = std::atan2(-m.z.x, across) + 0.0;
+  if (across < 1e-15) return {0, pitch, std::atan2(-m.x.y, m.y.y) + 0.0};
+  return {std::atan2(m.z.y, m.z.z) + 0.0, pitch, std::atan2(m.y.x, m.x.x) + 0.0};
+}
+
+/// a then b in it.
+inline robot_pose operator*(const robot_pose& a, const robot_pose& b) {
+  return {a.position + a.rotation * b.position, without_minus_zero(a.rotation * b.rotation)};
+}
+inline robot_pose inverse_of(const robot_pose& a) {
+  const auto back = transpose(a.rotation);
+  const vec3<> p = back * a.position;
+  return {{0.0 - p.x, 0.0 - p.y, 0.0 - p.z}, back};
+}
+inline bool is_nothing(const robot_pose& a) { return a == robot_pose{}; }
+
+/// A rotation that takes z to the unit vector n: of coordinate axes one that exchanges them, exactly.
+///
+///   u = z x n,   R = 1 + [u]x + [u]x^2 / (1 + n_z)          (2)
+inline mat3<vec3<>> turn_of_z_to(const vec3<>& n) {
+  if (n == vec3<>{1, 0, 0}) return {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  if (n == vec3<>{0, 1, 0}) return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  if (n.z < -0.5) {  // where (2) loses digits: by way of -z
+    const auto m = turn_of_z_to({n.x, 0.0 - n.y, 0.0 - n.z});
+    return without_minus_zero(mat3<vec3<>>{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}} * m);
+  }
+  const double k = 1 / (1 + n.z);
+  return {{1 - k * n.x * n.x, 0.0 - k * n.x * n.y, n.x},
+          {0.0 - k * n.x * n.y, 1 - k * n.y * n.y, n.y},
+          {0.0 - n.x, 0.0 - n.y, n.z}};  // (2)
+}
+
+/// A body given in axes that stand at `place` in the link.
+inline rigid_body<> moved_body(const robot_pose& place, const rigid_body<>& b) {
+  if (is_nothing(place)) return b;
+  return {b.mass, place.position + place.rotation * b.com, congruence(place.rotation, b.inertia), b.published};
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <kte/robots/detail/physical.hpp>
+#include <kte/robots/robot.hpp>
+
+#include <map>
+#include <set>
+
+namespace kte::detail {
+
+/// Reads links and joints out of a chain, from the records of its elements.
+class chain_reader {
+ public:
+  chain_reader(const kte_map_chain& c, const std::string& name) : record_(record_of(c)) {
+    d_.name = name, d_.source = "chain of '" + name + "'";
+    const auto& g = record_.gravity;
+    d_.gravity = vec3<>{g[0], g[1], g[2]};
+  }
+  robot_description read() {
+    for (const auto& e : record_.elements)
+      if (!frame(e)) forces_.push_back(&e);
+    for (const auto* e : forces_) force(*e);
+    name_fixed();
+    return std::move(d_);
+  }
+
+ private:
+  using kind = robot_joint::kind;
+
+  [[noreturn]] static void refuse(const element_record& e, const std::string& why) {
+    std::string text = "kte: " + e.type + " (";
+    for (const auto& c : e.connections) text += (&c == e.connections.data() ? "" : ", ") + c.role + " '" + c.name + "'";
+    raise<bad_argument>(text + "): " + why);
+  }
+  static const std::string& to(const element_record& e, std::string_view role) {
+    for (const auto& c : e.connections)
+      if (c.role == role) return c.name;
+    refuse(e, "has no " + std::string(role));
+  }
+  static std::vector<double> numbers(const element_record& e, std::string_view name) {
+    for (const auto& p : e.parameters)
+      if (p.name == name) return p.values;
+    return {};
+  }
+  static double number(const element_record& e, std::string_view name) {
+    const auto x = numbers(e, name);
+    return x.empty() ? 0 : x[0];
+  }
+  static vec3<> vector(const element_record& e, std::string_view name) {
+    const auto x = numbers(e, name);
+    return x.size() == 3 ? vec3<>{x[0], x[1], x[2]} : vec3<>{};
+  }
+  static robot_pose place(const element_record& e) {
+    robot_pose p;
+    p.position = vector(e, "position");
+    if (const auto r = numbers(e, "rotation"); r.size() == 9)
+      p.rotation = {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
+    return p;
+  }
+  robot_link& link(const std::string& name) {
+    const auto [known, fresh] = links_.emplace(name, d_.links.size());
+    if (fresh) d_.links.emplace_back().name = name;
+    return d_.links[known->second];
+  }
+
+  /// Whether it is a link, a joint or a body.
+  bool frame(const element_record& e) {
+    static const std::map<std::string, kind, std::less<>> joints{
+        {"rigid_link_3D", kind::fixed},          {"revolute_joint_3D", kind::revolute},
+        {"prismatic_joint_3D", kind::prismatic}, {"spherical_joint_3D", kind::spherical},
+        {"planar_joint_3D", kind::planar},       {"free_joint_3D", kind::floating}};
+    if (e.type == "base_3D") return link(to(e, "base")), true;
+    if (e.type == "inertia_3D") return body(e), true;
+    const auto is = joints.find(e.type);
+    if (is == joints.end()) return false;
+    robot_joint j;
+    j.is = is->second, j.origin = place(e), j.parent = to(e, "base"), j.child = to(e, "end");
+    j.continuous = j.is == kind::revolute;
+    if (j.is == kind::revolute || j.is == kind::prismatic) j.axis = vector(e, "axis");
+    if (j.is == kind::planar) j.axis = {0, 0, 1};
+    if (j.is != kind::fixed) {
+      j.name = to(e, "coordinate");
+      if (!joints_.emplace(j.name, d_.joints.size()).second)
+        refuse(e, "its coordinate '" + j.name + "' moves another joint too: links and joints cannot say that");
+    }
+    link(j.parent), link(j.child);
+    d_.joints.push_back(std::move(j));
+    return true;
+  }
+  void body(const element_record& e) {
+    const auto i = numbers(e, "inertia");
+    rigid_body<> b{number(e, "mass"), vector(e, "com"), {}};
+    if (i.size() == 6) b.inertia = {i[0], i[1], i[2], i[3], i[4], i[5]};
+    auto& l = link(to(e, "frame"));
+    l.inertial = l.inertial ? together(*l.inertial, b) : b;
+  }
+
+  robot_joint& joint(const element_record& e, const std::string& coordinate) {
+    const auto it = joints_.find(coordinate);
+    if (it == joints_.end()) refuse(e, "its coordinate '" + coordinate + "' is that of no joint");
+    return d_.joints[it->second];
+  }
+  /// Of springs and dampers from a coordinate at rest.
+  robot_joint& joint_from_rest(const element_record& e) {
+    if (!rest_.contains(to(e, "anchor1"))) refuse(e, "its anchor1 is not at rest: links and joints cannot say that");
+    return joint(e, to(e, "anchor2"));
+  }
+  void force(const element_record& e) {
+    if (e.type == "base_gen") {
+      rest_.insert(to(e, "base"));
+    } else if (e.type == "mimic_gen") {
+      joint(e, to(e, "end")).mimic = {to(e, "base"), number(e, "ratio"), number(e, "offset")};
+    } else if (e.type == "damper_gen") {
+      joint_from_rest(e).dynamics.damping += number(e, "damping");
+    } else if (e.type == "spring_gen") {
+      if (number(e, "saturation") != 0) refuse(e, "it saturates: links and joints cannot say that");
+      auto& x = joint_from_rest(e).dynamics;
+      if (x.stiffness != 0) refuse(e, "its joint has a spring already");
+      x.stiffness = number(e, "stiffness"), x.rest = number(e, "rest_length");
+    } else if (e.type == "inertia_gen") {
+      joint(e, to(e, "coordinate")).dynamics.armature += number(e, "mass");
+    } else if (e.type == "joint_friction_gen") {
+      if (number(e, "stiction") != 0) refuse(e, "it has stiction: links and joints cannot say that");
+      auto& x = joint(e, to(e, "coordinate")).dynamics;
+      x.damping += number(e, "viscous"), x.friction += number(e, "coulomb");
+    } else {
+      refuse(e, "it is no link, joint or body, nor damping or friction of a joint");
+    }
+  }
+  /// Fixed joints have no coordinate to be named after.
+  void name_fixed() {
+    for (auto& j : d_.joints) {
+      if (j.is != kind::fixed) continue;
+      j.name = j.child + "_fixed";
+      while (!joints_.emplace(j.name, 0).second) j.name += '_';
+    }
+  }
+
+  model_record record_;
+  robot_description d_;
+  std::map<std::string, std::size_t, std::less<>> links_, joints_;
+  std::set<std::string, std::less<>> rest_;
+  std::vector<const element_record*> forces_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <kte/elements/compiled_elements.hpp>
+#include <kte/robots/detail/cpp_numbers.hpp>
+
+#include <map>
+#include <set>
+
+namespace kte::detail {
+
+/// How the factory of an element is called: what its ports are connected to, then its parameters in the order of files,
+/// but where its family says something else (`add_to`, third argument), with names of parameters where their values
+/// come: {a, b} is a struct of numbers, [a] a list, body a rigid body, a.zz the last number of a symmetric matrix.
+struct factory_call {
+  std::string header;  ///< "dyad": <kte/elements/dyad.hpp>
+  const char* arguments;
+};
+
+/// Those of this library, by the type of the element, as its families have them.
+inline const std::map<std::string, factory_call, std::less<>>& factory_calls() {
+  static const auto all = [] {
+    std::map<std::string, factory_call, std::less<>> calls;
+    // The place of the call is that of the family.
+    const auto add = [&calls](const char* type, const auto&, const char* arguments = nullptr,
+                              const char* file = __builtin_FILE()) {
+      const std::string path(file);
+      const auto name = path.find_last_of("/\\") + 1;
+      calls.emplace(type, factory_call{path.substr(name, path.rfind('.') - name), arguments});
+    };
+    [&]<class... Family>(families<Family...>) { (Family::add_to(add), ...); }(all_families{});
+    return calls;
+  }();
+  return all;
+}
+
+/// The parameters of one element as arguments of its factory.
+class argument_writer {
+ public:
+  explicit argument_writer(const element_record& e) : e_(e), in_plane_(e.type.ends_with("_2D")) {}
+
+  /// ", along_z(0.36), quarter_turn_x", what is left out being left out; then ".at(...)" of joints. Throws
+  /// `bad_argument` where the element has parameters that no argument takes.
+  std::pair<std::string, std::string> write(const char* arguments) {
+    std::string all = arguments ? by_pattern(arguments) : in_order();
+    constexpr std::string_view none = ", no_rotation{}";
+    if (all.ends_with(none)) all.resize(all.size() - none.size());
+    const auto* const position = take("position");
+    const auto* const rotation = take("rotation");
+    std::string place;
+    if (position || rotation) {
+      place = ".at(" + (position ? value(*position, 0) : "zero3{}");
+      const std::string turn = rotation ? value(*rotation, 0) : "no_rotation{}";
+      place += (turn == "no_rotation{}" ? "" : ", " + turn) + ")";
+    }
+    for (const auto& p : e_.parameters)
+      if (!taken_.contains(p.name) && p.name != "axis")
+        throw bad_argument("kte: no header can hold the parameter '" + p.name + "' of " + e_.type);
+    return {all, place};
+  }
+
+ private:
+  const parameter_record* take(std::string_view name) {
+    for (const auto& p : e_.parameters)
+      if (p.name == name && taken_.insert(p.name).second) return &p;
+    return nullptr;
+  }
+  const parameter_record& required(std::string_view name) {
+    const auto* const p = take(name);
+    if (!p) throw bad_argument("kte: " + e_.type + " has no parameter '" + std::string(name) + "'");
+    return *p;
+  }
+  std::string in_order() {
+    std::string all;
+    for (const auto& p : e_.parameters)
+      if (p.name != "position" && p.name != "rotation") taken_.insert(p.name), all += ", " + value(p, 0);
+    return all;
+  }
+  std::string by_pattern(std::string_view pattern) {
+    std::string all;
+    int depth = 0;
+    for (std::size_t i = 0; i < pattern.size();) {
+      const char c = pattern[i];
+      const std::size_t end = std::min(pattern.find_first_of("{}[], ", i), pattern.size());
+      if (end > i) {
+        all += token(pattern.substr(i, end - i), depth), i = end;
+        continue;
+      }
+      depth += (c == '{') - (c == '}');
+      if (c == '[') {
+        const std::size_t close = pattern.find(']', i);
+        all += "std::array" + cpp_list(required(pattern.substr(i + 1, close - i - 1)).values, cpp_number);
+        i = close + 1;
+      } else {
+        all += c, ++i;
+      }
+    }
+    return all.empty() ? all : ", " + all;
+  }
+  std::string token(std::string_view name, int depth) {
+    if (name == "body") {
+      const bool published = take("as_published");
+      return cpp_body(required("mass").values.at(0), required("com").values, required("inertia").values, in_plane_) +
+             (published ? ".as_published()" : "");
+    }
+    if (name.ends_with(".zz")) return cpp_entry(required(name.substr(0, name.size() - 3)).values.at(5));
+    return value(required(name), depth);
+  }
+  /// Within braces plain numbers, elsewhere typed constants where they are exact.
+  std::string value(const parameter_record& p, int depth) const {
+    const std::span<const double> v(p.values);
+    if (v.size() == 1) return depth > 0 || v[0] != 0 || p.name == "mass" ? cpp_number(v[0]) : "zero";
+    if (depth > 0 && v.size() == 9)
+      return "{" + cpp_list(v.first(3), cpp_number) + ", " + cpp_list(v.subspan(3, 3), cpp_number) + ", " +
+             cpp_list(v.last(3), cpp_number) + "}";
+    if (depth > 0) return cpp_list(v, cpp_number);
+    if (v.size() == 9) return in_plane_ ? cpp_plane_rotation(v) : cpp_rotation(v);
+    return v.size() == 6 ? cpp_symmetric(v) : cpp_vector(v);
+  }
+
+  const element_record& e_;
+  bool in_plane_;
+  std::set<std::string> taken_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <kte/robots/detail/read_urdf.hpp>
+
+namespace kte::detail {
+
+/// A robot in the format that its root says.
+robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options);
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options) {
+  if (root.name == "robot") return read_urdf(root, name, options);
+  raise<bad_file>("kte: " + place_text(name, root.line) + "<" + excerpt(root.name) +
+                  "> begins no format of robots that is read here: <robot> does (URDF)");
+}
+#endif
+
+}  // namespace kte::detail

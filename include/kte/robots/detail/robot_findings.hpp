@@ -1,0 +1,103 @@
+#pragma once
+
+#include <kte/dynamics/runtime.hpp>
+#include <kte/robots/check_robot.hpp>
+#include <kte/robots/detail/robot_tree.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <random>
+
+namespace kte {
+
+namespace detail {
+
+/// The worst condition of M at random configurations, with its rows and columns divided by the roots of its diagonal,
+/// so that units do not matter: M_ij / sqrt(M_ii M_jj). Infinite where a coordinate moves no mass.
+inline double worst_condition(const kte_map_chain& c) {
+  auto s = c.make_state();
+  std::mt19937 engine(1);
+  double worst = 1;
+  const int n = c.dofs();
+  for (int trial = 0; trial < 20; ++trial) {
+    Eigen::VectorXd step(n);
+    for (int i = 0; i < n; ++i) step[i] = (static_cast<double>(engine()) * 0x1p-31 - 1) * 3;  // rad, m
+    const auto& m = mass_matrix(c, s, integrate(c, neutral_configuration(c), step, 1.0));
+    Eigen::MatrixXd scaled(n, n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) scaled(i, j) = m(i, j) / std::sqrt(m(i, i) * m(j, j));
+    if (!scaled.allFinite()) return robot_joint::none;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled, Eigen::EigenvaluesOnly);
+    const double low = modes.eigenvalues()[0], high = modes.eigenvalues()[n - 1];
+    worst = std::max(worst, low > 0 ? high / low : robot_joint::none);
+  }
+  return worst;
+}
+
+inline void find_condition(const robot& r, std::vector<robot_note>& found) {
+  if (r.chain.dofs() == 0) return found.push_back({0, "the robot has no degrees of freedom"});
+  const double condition = worst_condition(r.chain);
+  if (condition > 1e8)
+    found.push_back({0, "the mass matrix is nearly singular: its condition is " + number(condition) +
+                            " at a random configuration, so that forward dynamics loses as many digits"});
+}
+
+/// Whether anything that a joint moves has a mass.
+inline bool moves_mass(const robot_description& d, const robot_tree& tree, std::size_t which) {
+  std::vector<char> moved(d.links.size(), 0);
+  for (const auto& s : tree.steps()) {
+    const auto& j = d.joints[s.joint];
+    const auto to = tree.link(s.reversed ? j.parent : j.child), from = tree.link(s.reversed ? j.child : j.parent);
+    moved[to] = s.joint == which || moved[from];
+    if (moved[to] && d.links[to].inertial && (d.links[to].inertial->mass > 0)) return true;
+  }
+  return false;
+}
+
+inline void find_in_joints(const robot_description& d, const robot_tree& tree, std::vector<robot_note>& found) {
+  for (std::size_t i = 0; i < d.joints.size(); ++i) {
+    const auto& j = d.joints[i];
+    if (j.is == robot_joint::kind::fixed) continue;
+    const auto say = [&](const std::string& what) { found.push_back({j.line, "joint '" + j.name + "': " + what}); };
+    if (!moves_mass(d, tree, i)) say("it moves no mass, so that the mass matrix is singular");
+    if (j.lower > j.upper) say("lower " + number(j.lower) + " is above upper " + number(j.upper));
+    if (j.lower == j.upper) say("lower and upper are both " + number(j.lower) + ": it cannot move");
+    if (j.effort == 0) say("its effort is limited to 0");
+    if (j.rate == 0) say("its velocity is limited to 0");
+    if (j.soft_lower < j.lower || j.soft_upper > j.upper) say("its soft limits are wider than its limits");
+  }
+}
+}  // namespace detail
+
+KTE_FUNCTION std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options) {
+  auto found = d.warnings;
+  try {
+    detail::find_in_joints(d, detail::robot_tree(d, options.root), found);
+    const auto r = to_robot(d, options);
+    for (auto i = d.warnings.size(); i < r.warnings.size(); ++i) found.push_back(r.warnings[i]);
+    detail::find_condition(r, found);
+  } catch (const error& e) {
+    found.push_back({0, e.what()});
+  }
+  return found;
+}
+
+KTE_FUNCTION std::vector<robot_note> check_robot(const robot& r) {
+  auto found = r.warnings;
+  for (const auto& e : detail::limited_layout(r.chain)) {
+    if (e.nv != 1) continue;
+    const auto i = static_cast<std::size_t>(e.v);
+    const auto say = [&](const std::string& what) { found.push_back({0, "coordinate '" + e.name + "': " + what}); };
+    if (r.limits.lower[i] == r.limits.upper[i]) say("it cannot move");
+    if (r.limits.effort[i] == 0) say("its effort is limited to 0");
+    if (r.limits.rate[i] == 0) say("its velocity is limited to 0");
+  }
+  try {
+    detail::find_condition(r, found);
+  } catch (const error& e) {
+    found.push_back({0, e.what()});
+  }
+  return found;
+}
+
+}  // namespace kte

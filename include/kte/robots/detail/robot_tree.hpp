@@ -1,0 +1,157 @@
+#pragma once
+
+#include <kte/detail/compiled.hpp>
+#include <kte/errors.hpp>
+#include <kte/robots/description.hpp>
+#include <kte/robots/detail/angles.hpp>
+
+#include <functional>
+#include <queue>
+#include <string_view>
+#include <unordered_map>
+
+namespace kte::detail {
+
+/// The tree that links and joints make: checked, and in the order in which a chain takes it.
+class robot_tree {
+ public:
+  struct step {
+    std::size_t joint;
+    bool reversed;  ///< from child to parent, as a root was chosen below it
+  };
+
+  /// Throws `bad_file` where links and joints make no tree; `bad_argument` for a root that is no link.
+  robot_tree(const robot_description& d, const std::string& chosen_root);
+
+  std::size_t root() const { return root_; }
+  /// Every joint once, behind that which moves its base: in the file's order where that is possible.
+  const std::vector<step>& steps() const { return steps_; }
+  std::size_t link(const std::string& name) const { return links_.at(name); }
+  std::size_t joint(const std::string& name) const { return joints_.at(name); }
+
+ private:
+  static constexpr std::size_t nowhere = ~std::size_t{0};
+  using index = std::unordered_map<std::string_view, std::size_t>;
+
+  [[noreturn]] void fail(int line, const std::string& why) const {
+    raise<bad_file>("kte: " + place_text(d_.source, line) + why);
+  }
+  void name_all();
+  void find_root();
+  void check_mimics() const;
+  void order(const std::string& chosen_root);
+
+  const robot_description& d_;
+  index links_, joints_;
+  std::vector<std::size_t> parent_joint_;  ///< of each link
+  std::size_t root_ = nowhere;
+  std::vector<step> steps_;
+};
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION robot_tree::robot_tree(const robot_description& d, const std::string& chosen_root) : d_(d) {
+  name_all();
+  find_root();
+  check_mimics();
+  order(chosen_root);
+}
+
+KTE_FUNCTION void robot_tree::name_all() {
+  for (std::size_t i = 0; i < d_.links.size(); ++i) {
+    const auto& l = d_.links[i];
+    if (l.name.empty()) fail(l.line, "a link has no name");
+    const auto [first, fresh] = links_.emplace(l.name, i);
+    if (!fresh)
+      fail(l.line,
+           "link '" + l.name + "' comes a second time, after line " + std::to_string(d_.links[first->second].line));
+  }
+  if (d_.links.empty()) fail(0, "the robot has no links");
+  parent_joint_.assign(d_.links.size(), nowhere);
+  for (std::size_t i = 0; i < d_.joints.size(); ++i) {
+    const auto& j = d_.joints[i];
+    const auto refuse = [&](const std::string& why) { fail(j.line, "joint '" + j.name + "': " + why); };
+    if (j.name.empty()) fail(j.line, "a joint has no name");
+    const auto [first, fresh] = joints_.emplace(j.name, i);
+    if (!fresh) refuse("it comes a second time, after line " + std::to_string(d_.joints[first->second].line));
+    for (const auto* end : {&j.parent, &j.child})
+      if (!links_.contains(*end))
+        refuse(std::string("its ") + (end == &j.parent ? "parent" : "child") + " '" + *end + "' is no link");
+    if (j.parent == j.child) refuse("its parent and its child are the same link '" + j.child + "'");
+    auto& above = parent_joint_[links_.at(j.child)];
+    if (above != nowhere)
+      refuse("its child '" + j.child + "' is already the child of joint '" + d_.joints[above].name + "' (line " +
+             std::to_string(d_.joints[above].line) + "): loops are not read");
+    above = i;
+  }
+}
+
+KTE_FUNCTION void robot_tree::find_root() {
+  for (std::size_t i = 0; i < d_.links.size(); ++i) {
+    if (parent_joint_[i] != nowhere) continue;
+    if (root_ != nowhere)
+      fail(d_.links[i].line, "link '" + d_.links[i].name + "' is a root beside link '" + d_.links[root_].name +
+                                 "' (line " + std::to_string(d_.links[root_].line) + "): no joint has it as child");
+    root_ = i;
+  }
+  // each link has at most one joint above it: what does not hang on the root is on a cycle, or hangs on one
+  std::vector<char> known(d_.links.size(), 0);
+  if (root_ != nowhere) known[root_] = 1;
+  for (std::size_t i = 0; i < d_.links.size(); ++i) {
+    std::vector<std::size_t> way;
+    for (std::size_t l = i; known[l] != 1; l = links_.at(d_.joints[parent_joint_[l]].parent)) {
+      if (known[l] == 2) {
+        const auto& j = d_.joints[parent_joint_[l]];
+        fail(j.line, "joint '" + j.name + "' is part of a cycle: its child '" + j.child + "' carries its parent '" +
+                         j.parent + "'");
+      }
+      known[l] = 2, way.push_back(l);
+    }
+    for (const auto l : way) known[l] = 1;
+  }
+}
+
+KTE_FUNCTION void robot_tree::check_mimics() const {
+  for (const auto& j : d_.joints) {
+    const auto refuse = [&](const std::string& why) { fail(j.line, "joint '" + j.name + "': " + why); };
+    std::size_t steps = 0;
+    for (const auto* k = &j; k->mimic; k = &d_.joints[joints_.at(k->mimic->joint)]) {
+      const auto it = joints_.find(k->mimic->joint);
+      if (it == joints_.end()) refuse("it mimics joint '" + k->mimic->joint + "', which does not exist");
+      const auto& master = d_.joints[it->second];
+      if (master.is != robot_joint::kind::revolute && master.is != robot_joint::kind::prismatic)
+        refuse("it mimics joint '" + master.name + "', which has no single coordinate");
+      if (++steps > d_.joints.size()) refuse("it mimics joints that, in the end, mimic each other");
+    }
+  }
+}
+
+KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {
+  if (!chosen_root.empty()) {
+    const auto it = links_.find(chosen_root);
+    if (it == links_.end())
+      raise<bad_argument>("kte: the robot '" + d_.name + "' has no link '" + chosen_root + "' to be its root");
+    root_ = it->second;
+  }
+  std::vector<std::vector<std::size_t>> at(d_.links.size());  // the joints of each link, to either side
+  for (std::size_t i = 0; i < d_.joints.size(); ++i)
+    for (const auto* end : {&d_.joints[i].parent, &d_.joints[i].child}) at[links_.at(*end)].push_back(i);
+  std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
+  std::vector<char> placed(d_.links.size(), 0);
+  std::vector<char> taken(d_.joints.size(), 0);
+  const auto place = [&](std::size_t l) {
+    placed[l] = 1;
+    for (const auto j : at[l])
+      if (!taken[j]) taken[j] = 1, ready.push(j);
+  };
+  place(root_);
+  while (!ready.empty()) {
+    const std::size_t j = ready.top();
+    ready.pop();
+    const std::size_t child = links_.at(d_.joints[j].child), parent = links_.at(d_.joints[j].parent);
+    steps_.push_back({j, placed[child] != 0});
+    place(placed[child] ? parent : child);
+  }
+}
+#endif
+
+}  // namespace kte::detail

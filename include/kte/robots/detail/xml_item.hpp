@@ -1,0 +1,140 @@
+#pragma once
+
+#include <kte/io/numbers.hpp>
+#include <kte/io/source_text.hpp>
+#include <kte/math/vec.hpp>
+#include <kte/robots/description.hpp>
+#include <kte/robots/detail/xml_node.hpp>
+
+#include <cmath>
+#include <initializer_list>
+namespace kte::detail {
+
+/// An element of an XML file, with errors that say where, of what, and why. Numbers are read by std::from_chars, in
+/// any locale.
+class xml_item {
+ public:
+  xml_item(const xml_node& e, robot_description& d) : e_(&e), d_(&d) {}
+
+  std::string_view name() const { return e_->name; }
+  int line() const { return e_->line; }
+  bool has(const char* attribute) const { return find(attribute) != nullptr; }
+
+  /// "kte: arm.urdf:37: joint 'elbow': why", or of what has no name "joint 'elbow': <origin>: why".
+  [[noreturn]] void fail(const std::string& why) const {
+    raise<bad_file>("kte: " + place_text(d_->source, line()) + title() + ": " + why);
+  }
+  void warn(const std::string& what) const { d_->warnings.push_back({line(), title() + ": " + what}); }
+  void not_read(const std::string& what) const { d_->not_read.push_back({line(), title() + ": " + what}); }
+
+  const std::string& title() const { return e_->title; }
+
+  std::string text_or(const char* attribute, const char* other) const {
+    const auto* t = find(attribute);
+    return t != nullptr ? *t : other;
+  }
+  /// Text that must be there and not empty.
+  std::string text(const char* attribute) const {
+    const auto* t = find(attribute);
+    if (t == nullptr) fail(std::string("has no ") + attribute);
+    if (t->empty()) fail(std::string("its ") + attribute + " is empty");
+    return *t;
+  }
+
+  /// Finite numbers, as many as there are.
+  std::vector<double> list(const char* attribute) const { return list_of(text(attribute), attribute); }
+  std::vector<double> list_of(std::string_view t, const char* what) const {
+    auto all = any_list(t, what);
+    for (const double x : all)
+      if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
+    return all;
+  }
+  double number(const char* attribute) const { return one(list(attribute), attribute); }
+  double number_or(const char* attribute, double other) const { return has(attribute) ? number(attribute) : other; }
+  double not_negative(const char* attribute) const {
+    const double x = number(attribute);
+    if (!(x >= 0)) fail(std::string(attribute) + " must not be negative, got " + detail::number(x));
+    return x;
+  }
+  double not_negative_or(const char* attribute, double other) const {
+    return has(attribute) ? not_negative(attribute) : other;
+  }
+  /// A number that may be infinite.
+  double limit(const char* attribute) const {
+    const double x = one(any_list(text(attribute), attribute), attribute);
+    if (std::isnan(x)) fail(std::string(attribute) + " is not a number");
+    return x;
+  }
+  vec3<> vector(const char* attribute) const { return three(list(attribute), attribute); }
+  vec3<> vector_or(const char* attribute, const vec3<>& other) const {
+    return has(attribute) ? vector(attribute) : other;
+  }
+  vec3<> three(const std::vector<double>& x, const char* what) const {
+    if (x.size() != 3) fail(std::string(what) + " must have three numbers, got " + std::to_string(x.size()));
+    return {x[0], x[1], x[2]};
+  }
+  double one(const std::vector<double>& x, const char* what) const {
+    if (x.size() != 1) fail(std::string(what) + " must be one number, got " + std::to_string(x.size()));
+    return x[0];
+  }
+  /// What stands between the tags.
+  const std::string& content() const { return e_->text; }
+
+  std::vector<xml_item> children(std::string_view of = {}) const {
+    std::vector<xml_item> all;
+    for (const auto& c : e_->children)
+      if (of.empty() || of == c.name) all.emplace_back(c, *d_);
+    return all;
+  }
+  /// The child of a name, of which there may be one.
+  std::optional<xml_item> child(const char* of) const {
+    const auto all = children(of);
+    if (all.size() > 1) all[1].fail("comes a second time");
+    if (all.empty()) return {};
+    return all[0];
+  }
+  xml_item needed_child(const char* of) const {
+    const auto c = child(of);
+    if (!c) fail(std::string("has no <") + of + ">");
+    return *c;
+  }
+
+  /// Lists what is none of these as not read.
+  using names = std::initializer_list<std::string_view>;
+  void only(const names& elements, const names& attributes) const {
+    const auto in = [](const names& all, std::string_view x) {
+      for (const auto n : all)
+        if (n == x) return true;
+      return false;
+    };
+    for (const auto& c : children())
+      if (!in(elements, c.name())) c.not_read("not read");
+    for (const auto& [attribute, value] : e_->attributes)
+      if (!in(attributes, attribute) && !attribute.starts_with("xmlns"))
+        not_read("its " + excerpt(attribute) + " is not read");
+  }
+
+ private:
+  std::vector<double> any_list(std::string_view t, const char* what) const {
+    std::string plain(t);
+    for (std::size_t i = 0; i < plain.size(); ++i)  // std::from_chars takes no plus sign in front
+      if (plain[i] == '+' && (i == 0 || is_blank(plain[i - 1])) && i + 1 < plain.size() && plain[i + 1] != '-')
+        plain[i] = ' ';
+    std::vector<double> all;
+    const char* why = text_to_numbers(plain, all);
+    if (t.find("${") != t.npos) why = "is an expression of xacro: run xacro, and read the file that it writes";
+    if (why != nullptr) fail(std::string(what) + " '" + excerpt(t) + "' " + why);
+    return all;
+  }
+
+  const std::string* find(std::string_view attribute) const {
+    for (const auto& [key, value] : e_->attributes)
+      if (key == attribute) return &value;
+    return nullptr;
+  }
+
+  const xml_node* e_;
+  robot_description* d_;
+};
+
+}  // namespace kte::detail

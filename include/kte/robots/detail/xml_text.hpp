@@ -1,0 +1,63 @@
+#pragma once
+
+#include <kte/detail/compiled.hpp>
+#include <kte/robots/detail/xml_node.hpp>
+
+#include <filesystem>
+#include <string_view>
+
+/// What reading XML needs besides the library of XML.
+namespace kte::detail {
+
+/// Throws `bad_file`: "kte: arm.urdf:37: why".
+[[noreturn]] void fail_xml(const std::string& source, int line, const std::string& why);
+/// For the message: of "XML_ERROR_MISMATCHED_ELEMENT" the words.
+[[noreturn]] void fail_xml_syntax(const std::string& source, int line, const char* error);
+/// The text without the mark at its beginning; throws `bad_file` unless it is UTF-8 and of a size to be read.
+std::string_view checked_text(std::string_view text, const std::string& source);
+std::string text_of_file(const std::filesystem::path& path);
+/// Sets the titles of all elements; throws `bad_file` at elements for xacro.
+void give_titles(xml_node& root, const std::string& source);
+
+}  // namespace kte::detail
+
+#ifdef KTE_FUNCTION
+#  include <kte/io/file.hpp>
+#  include <kte/io/source_text.hpp>
+#  include <kte/robots/description.hpp>
+
+namespace kte::detail {
+KTE_FUNCTION void fail_xml(const std::string& source, int line, const std::string& why) {
+  raise<bad_file>("kte: " + place_text(source, line) + why);
+}
+KTE_FUNCTION void fail_xml_syntax(const std::string& source, int line, const char* error) {
+  std::string why = error;
+  why.erase(0, why.starts_with("XML_ERROR_") ? 10 : 4);
+  for (char& c : why) c = c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  fail_xml(source, line, "this is no good XML: " + why);
+}
+KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::string& source) {
+  return source_text(text, source).text();
+}
+KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) {
+  return read_file(path, largest_model_file + 1);
+}
+
+/// `owner` is the title of the nearest element above that has a name; that of the root is the robot's.
+inline void give_title(xml_node& n, const std::string& source, const std::string& owner, bool top) {
+  if (n.name.starts_with("xacro:"))
+    fail_xml(source, n.line,
+             "<" + excerpt(n.name) +
+                 ">: this is a file for xacro, which is no robot yet: run xacro, and read the file that it writes");
+  n.title = owner + "<" + excerpt(n.name) + ">";
+  std::string below = owner;
+  for (const auto& [key, value] : n.attributes)
+    if (key == "name") {
+      n.title = excerpt(n.name) + " '" + excerpt(value) + "'";
+      if (!top) below = n.title + ": ";
+    }
+  for (auto& c : n.children) give_title(c, source, below, false);
+}
+KTE_FUNCTION void give_titles(xml_node& root, const std::string& source) { give_title(root, source, {}, true); }
+}  // namespace kte::detail
+#endif

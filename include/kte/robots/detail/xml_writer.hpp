@@ -1,0 +1,66 @@
+#pragma once
+
+#include <kte/io/numbers.hpp>
+#include <kte/math/vec.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kte::detail {
+
+/// Text in XML, two blanks deeper for each element.
+class xml_writer {
+ public:
+  void open(std::string_view name) {
+    start(name);
+    names_.emplace_back(name), is_open_ = true;
+  }
+  void attribute(std::string_view key, std::string_view value) {
+    text_.append(" ").append(key).append("=\"");
+    for (const char c : value) {
+      if (c == '&')
+        text_ += "&amp;";
+      else if (c == '<')
+        text_ += "&lt;";
+      else if (c == '"')
+        text_ += "&quot;";
+      else if (c == '\n' || c == '\t' || c == '\r')
+        text_ += "&#" + std::to_string(static_cast<int>(c)) + ";";
+      else
+        text_ += c;
+    }
+    text_ += '"';
+  }
+  void attribute(std::string_view key, const std::vector<double>& numbers) {
+    attribute(key, std::string_view(numbers_to_text(numbers)));
+  }
+  void attribute(std::string_view key, double x) { attribute(key, std::vector<double>{x}); }
+  void attribute(std::string_view key, const vec3<>& v) { attribute(key, std::vector<double>{v.x, v.y, v.z}); }
+  void close() {
+    const auto name = std::move(names_.back());
+    names_.pop_back();
+    if (is_open_)
+      text_ += "/>\n";
+    else
+      text_.append(2 * names_.size(), ' ').append("</").append(name).append(">\n");
+    is_open_ = false;
+  }
+  /// An element of attributes alone.
+  template <class Value>
+  void leaf(std::string_view name, std::string_view key, const Value& value) {
+    open(name), attribute(key, value), close();
+  }
+  std::string take() { return "<?xml version=\"1.0\"?>\n" + std::move(text_); }
+
+ private:
+  void start(std::string_view name) {
+    if (is_open_) text_ += ">\n";
+    text_.append(2 * names_.size(), ' ').append("<").append(name);
+  }
+  std::string text_;
+  std::vector<std::string> names_;
+  bool is_open_ = false;
+};
+
+}  // namespace kte::detail

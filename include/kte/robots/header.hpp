@@ -1,0 +1,121 @@
+#pragma once
+
+#include <kte/elements/registry.hpp>
+#include <kte/models/joint_limits.hpp>
+#include <kte/robots/detail/factory_calls.hpp>
+#include <kte/robots/detail/identifiers.hpp>
+
+#include <map>
+#include <set>
+
+/// Robots as types: chains written as C++.
+namespace kte {
+
+namespace detail {
+
+class header_writer {
+ public:
+  header_writer(const kte_map_chain& chain, const std::string& name)
+      : robot_(identifier_list({}).make(name)), identifiers_(names_in_use(robot_)) {
+    chain.for_each_element([this](const kte_element& e) { add(e); });
+    const vec3<>& g = chain.gravity();
+    const std::array gravity{g.x, g.y, g.z};
+    if (g != vec3<>{}) gravity_ = ".gravity(" + cpp_vector(gravity) + ")";
+  }
+
+  std::string text(const joint_limits<>* limits) const {
+    std::string s = "#pragma once\n\n";
+    for (const auto& header : headers_) s += "#include <kte/elements/" + header + ".hpp>\n";
+    if (limits) s += "#include <kte/models/joint_limits.hpp>\n";
+    s += "#include <kte/static.hpp>\n\n// clang-format off\nnamespace robots {\n\nnamespace " + robot_ + "_names {\n" +
+         keys_ + "\nconstexpr auto assembled() {\n  using namespace kte;\n  return chain(" + elements_ + ")" +
+         gravity_ + ";\n}\n}  // namespace " + robot_ + "_names\n\ninline constexpr auto " + robot_ + " = " + robot_ +
+         "_names::assembled();\n";
+    if (limits) s += limits_text(*limits);
+    return s + "\n}  // namespace robots\n";
+  }
+
+ private:
+  static std::set<std::string> names_in_use(const std::string& robot) {
+    std::set<std::string> all{"along_x",        "along_y",  "along_z",     "assembled",  "axis",
+                              "chain",          "diagonal", "mat3",        "minus_one",  "none",
+                              "no_rotation",    "one",      "kte",         "point_mass", "planar_body",
+                              "rigid_body",     "robots",   "rotation_2D", "std",        "sym3",
+                              "vec3",           "zero",     "zero3",       robot,        robot + "_names",
+                              robot + "_limits"};
+    for (const std::string turn : {"quarter_turn", "half_turn"})
+      for (const std::string about : {"", "_x", "_y", "_z"}) all.insert({turn + about, "minus_" + turn + about});
+    for (const auto& [type, call] : factory_calls()) all.insert(type);
+    return all;
+  }
+
+  void add(const kte_element& e) {
+    const auto call = factory_calls().find(e.type());
+    if (call == factory_calls().end())
+      throw bad_argument("kte: no header can hold a " + std::string(e.type()) + ": it is no element of this library");
+    headers_.insert(call->second.header);
+    std::string names;
+    for (std::size_t p = 0; p < e.ports().size(); ++p)
+      names.append(p == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
+    const auto record = e.record();
+    const auto [arguments, place] = argument_writer(record).write(call->second.arguments);
+    elements_.append(elements_.empty() ? "" : after_body_ ? ",\n" : ",").append("\n      ");
+    elements_.append(e.type()).append("(" + names + arguments + ")" + place);
+    after_body_ = record.type.starts_with("inertia_");
+  }
+  /// The identifier of a name, declared where it comes first.
+  const std::string& key(kind k, const std::string& name) {
+    auto& known = known_[{is_frame(k), name}];
+    if (known.empty()) {
+      known = identifiers_.make(name);
+      static constexpr std::array<const char*, kinds> types{"coord",   "frame_2D", "frame_3D", "input", "rotation_3D",
+                                                            "pose_2D", "pose_3D",  "internal", "vector"};
+      keys_ += "inline constexpr struct " + known + "_ final : kte::" + types[static_cast<std::size_t>(k)] + "_key<" +
+               cpp_text(name) + "> {} " + known + ";\n";
+    }
+    return known;
+  }
+  std::string limits_text(const joint_limits<>& x) const {
+    const auto text = [](double v) { return std::isinf(v) ? std::string(v < 0 ? "-none" : "none") : cpp_number(v); };
+    std::string s = "\ninline constexpr auto " + robot_ + "_limits = [] {\n" +
+                    "  constexpr double none = kte::joint_limits<>::none;\n" +
+                    "  return kte::joint_limits<std::array<double, " + std::to_string(x.lower.size()) + ">>{";
+    const auto list = [&](const char* name, const std::vector<double>& values, const char* after = ",") {
+      s.append("\n      .").append(name).append(" = " + cpp_list(values, text)).append(after);
+    };
+    list("lower", x.lower), list("upper", x.upper), list("rate", x.rate), list("acceleration", x.acceleration);
+    list("jerk", x.jerk), list("effort", x.effort, "};\n}();\n");
+    return s;
+  }
+
+  std::string robot_, keys_, elements_, gravity_;
+  bool after_body_ = false;
+  identifier_list identifiers_;
+  std::set<std::string> headers_;
+  std::map<std::pair<bool, std::string>, std::string> known_;  ///< of frames, and of what else has a name
+};
+
+}  // namespace detail
+
+/// A chain as a C++ header: keys in `robots::NAME_names`, the chain `robots::NAME`, constexpr, with typed constants
+/// where its numbers are exact zeros, ones and quarter turns, and, if they are given, `robots::NAME_limits`. It needs
+/// only this library. The same chain gives the same text; names that are no identifiers of C++ become some, in the
+/// order of the chain. Throws `bad_argument` for a chain that holds code, or elements that are not of this library.
+inline std::string to_header(const kte_map_chain& chain, const std::string& name) {
+  return detail::header_writer(chain, name).text(nullptr);
+}
+/// Also throws `bad_parameter` for limits that are none of this chain.
+inline std::string to_header(const kte_map_chain& chain, const std::string& name, const joint_limits<>& limits) {
+  check_limits(chain, limits);
+  return detail::header_writer(chain, name).text(&limits);
+}
+template <class Gravity, class... E>
+std::string to_header(const static_chain<Gravity, E...>& chain, const std::string& name) {
+  kte_map_chain c;
+  return to_header(c << chain, name);
+}
+inline std::string to_header(const model_record& model, const std::string& name) {
+  return to_header(to_chain(model), name);
+}
+
+}  // namespace kte

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <kte/robots/detail/parse_xml.hpp>
+#include <kte/robots/detail/read_any.hpp>
+#include <kte/robots/to_robot.hpp>
+#include <kte/robots/urdf_reader.hpp>
+
+namespace kte {
+
+/// A robot described by a text in URDF, of which the first tag must tell. Throws `bad_file` with line and element.
+inline robot_description describe_robot(std::string_view text, const std::string& name,
+                                        const robot_options& options = {}) {
+  return detail::read_any(detail::parse_xml(text, name), name, options);
+}
+
+/// A robot from a file (docs/robots.md): a chain, limits, shapes, and what was not read.
+inline robot load_robot(const std::filesystem::path& path, const robot_options& options = {}) {
+  const auto text = detail::text_of_file(path);
+  return to_robot(describe_robot(text, path.string(), options), options);
+}
+
+}  // namespace kte

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <kte/math/vec.hpp>
+
+#include <optional>
+#include <string>
+
+namespace kte {
+
+/// How a robot is read and made into a chain.
+struct robot_options {
+  /// Angles this near to a multiple of pi/2, rad, are taken for one, so that rotations have zeros and ones. Files with
+  /// fewer digits need more: 1e-6 takes 1.570796 for pi/2.
+  double quarter_turn_tolerance = 1e-15;
+  /// In the axes of the root link, or of the world of a floating base, m/s^2. If left out, what the file says, and of
+  /// formats that say nothing (0, 0, -9.81).
+  std::optional<vec3<>> gravity{};
+  /// The link that is the base of the chain; the file's root if empty. Joints on the way are turned round.
+  std::string root{};
+  /// Whether the root moves freely in `world`, by a coordinate of six degrees of freedom of the name `base_coordinate`.
+  bool floating_base = false;
+  std::string base_coordinate = "floating_base";
+  std::string world = "world";
+  /// Whether bodies of links that are fixed to others are added to theirs. Frames stay.
+  bool fold_fixed = false;
+  /// Whether damping and dry friction of joints become elements, as also springs and rotor inertias.
+  bool joint_dynamics = true;
+  /// Dry friction changes its sign over this rate, rad/s or m/s (docs/elements.md, `joint_friction`).
+  double friction_smoothing = 1e-3;
+};
+
+}  // namespace kte

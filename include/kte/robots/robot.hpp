@@ -1,0 +1,29 @@
+#pragma once
+
+#include <kte/models/joint_limits.hpp>
+#include <kte/robots/description.hpp>
+#include <kte/robots/options.hpp>
+
+namespace kte {
+
+/// A robot read from a file (`load_robot`): a chain, and what a chain has no place for.
+///   chain        frames are named as the links, coordinates as the joints
+///   limits       over v, from the file; infinite where it says nothing
+///   soft_limits  the same, with the narrower range of safety controllers where there is one
+///   joints       the coordinates of joints that move, in the file's order, with those that follow others
+struct robot {
+  struct shape : robot_shape {
+    std::string frame;
+    bool collision = false;
+  };
+  std::string name;
+  kte_map_chain chain;
+  joint_limits<> limits, soft_limits;
+  std::vector<std::string> joints;
+  std::vector<shape> shapes;
+  std::vector<robot_actuator> actuators;
+  std::vector<robot_note> not_read;  ///< what the file holds and the chain does not, with lines
+  std::vector<robot_note> warnings;  ///< what was taken as it is, though it is odd
+};
+
+}  // namespace kte

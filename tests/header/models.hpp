@@ -1,0 +1,63 @@
+#pragma once
+
+#include <kte/contract/port.hpp>
+#include <kte/elements/registry.hpp>
+
+#include "chain/elements_page.hpp"
+
+/// Models for headers: one for each type of element that files know, named like it, and some whose names and numbers
+/// are awkward.
+namespace header_models {
+
+/// What the element reads is declared before it.
+inline kte::model_record with_bases(const kte::element_record& e, const kte::kte_element& made) {
+  kte::model_record m{{0, 0, -9.81}, {}};
+  for (std::size_t p = 0; p < made.ports().size(); ++p) {
+    const auto& port = made.ports()[p];
+    if (kte::is_signal(port.what) || port.writes() || (port.how != kte::access::on && !kte::is_frame(port.what)))
+      continue;
+    const char* type = port.what == kte::kind::gen        ? "base_gen"
+                       : port.what == kte::kind::frame_2D ? "base_2D"
+                                                          : "base_3D";
+    m.elements.push_back({type, 1, {{"base", made.names()[p]}}, {}});
+  }
+  m.elements.push_back(e);
+  return m;
+}
+
+inline std::map<std::string, kte::model_record> all() {
+  std::map<std::string, kte::model_record> models;
+  const auto registry = kte::element_registry::standard();
+  for (auto [type, record] : elements_page::records()) {
+    for (auto& p : record.parameters)  // no turn is left out by typed constants
+      if (p.name == "rest_rotation") p.values = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+    const auto made = registry.make(record);
+    const auto& e = dynamic_cast<const kte::kte_element&>(*made);
+    models["of_" + type] = with_bases(e.record(), e);  // with all of its parameters
+  }
+  const auto link = [](const char* from, const char* to, std::vector<double> position, std::vector<double> rotation) {
+    return kte::element_record{"rigid_link_3D",
+                               1,
+                               {{"base", from}, {"end", to}},
+                               {{"position", std::move(position)}, {"rotation", std::move(rotation)}}};
+  };
+  models["awkward"] = {
+      {0.1, 0, -9.81},
+      {link("class", "a b", {0, 0, -0.5}, {0, 0, 1, 1, 0, 0, 0, 1, 0}),
+       link("a b", "a_b", {1e-300, 0.1, 1}, {0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}),
+       link("a_b", "\xc3\xa9\"\\\n", {0, 1, 0}, {-1, 0, 0, 0, 1, 0, 0, 0, -1}),
+       link("\xc3\xa9\"\\\n", "7", {0, 0, 0}, {0, -1, 0, 1, 0, 0, 0, 0, 1}),
+       link("7", "chain", {0, 2, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}),
+       link("chain", "awkward", {0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}),
+       {"revolute_joint_3D",
+        1,
+        {{"coordinate", "awkward"}, {"base", "awkward"}, {"end", "__x__"}},
+        {{"axis", {0, -1, 0}}, {"position", {0, 0, 0.25}}, {"rotation", {1, 0, 0, 0, 0, -1, 0, 1, 0}}}},
+       {"inertia_3D",
+        1,
+        {{"frame", "__x__"}},
+        {{"mass", {2.5}}, {"com", {0, 0, 0.1}}, {"inertia", {0.1, 0, 0.01, 0.2, 0, 0.25}}}}}};
+  return models;
+}
+
+}  // namespace header_models

@@ -1,0 +1,21 @@
+/// The headers that `write` wrote hold the same models: every type of element, with names and numbers as they are.
+#include <kte/runtime_chain/static_chain_map.hpp>
+
+#include <cstdio>
+
+#include "header/models.hpp"
+#include "headers.hpp"
+
+int main() {
+  int failures = 0;
+  const auto models = header_models::all();
+  std::size_t count = 0;
+  for_each_robot([&](const std::string& name, const auto& chain) {
+    ++count;
+    if (record_of(chain) == models.at(name)) return;
+    ++failures;
+    std::printf("%s is another model in its header\n", name.c_str());
+  });
+  std::printf("%zu headers, %d of them not their models\n", count, failures);
+  return failures != 0 || count != models.size();
+}
