@@ -16,6 +16,7 @@ class xml_item {
  public:
   xml_item(const xml_node& e, robot_description& d) : e_(&e), d_(&d) {}
 
+  const xml_node& node() const { return *e_; }
   std::string_view name() const { return e_->name; }
   int line() const { return e_->line; }
   bool has(const char* attribute) const { return find(attribute) != nullptr; }
