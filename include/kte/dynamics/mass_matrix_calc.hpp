@@ -54,9 +54,16 @@ class mass_matrix_calc {
  public:
   /// Works with a copy of the chain, of which it takes the same states.
   explicit mass_matrix_calc(kte_map_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
+  /// Fed with names, of inertias and of coordinates.
+  mass_matrix_calc(kte_map_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
+      : mass_matrix_calc(std::move(c)) {
+    for (const auto& n : on) *this << inertia_on(n);
+    for (const auto& n : by) *this << moved_by(n);
+  }
   /// All bodies and all coordinates of a chain, as they come.
   static mass_matrix_calc of_all(const kte_map_chain& c) {
     mass_matrix_calc calc(c);
+    calc.of_all_ = true;
     for (std::size_t e = 0; e < c.wiring().elements.size(); ++e) calc.add_body(e);
     for (const auto& f : c.wiring().free) calc.add_coordinate(f);
     return calc;
@@ -75,6 +82,7 @@ class mass_matrix_calc {
       }
     }
     if (!found) throw bad_argument("kte: mass_matrix_calc: there is no mass on '" + x.name + "'");
+    inertias_.push_back(x.name);
     return *this;
   }
   /// Throws `unknown_name`; `bad_argument` for what is no degree of freedom, or has been fed already.
@@ -82,9 +90,18 @@ class mass_matrix_calc {
     const kind k = chain_.wiring().kind_of(x.name, false);
     const int index = chain_.wiring().find(x.name, k);
     for (const auto& f : chain_.wiring().free)
-      if (f.what == k && f.slot == index) return add_coordinate(f), *this;
+      if (f.what == k && f.slot == index) {
+        add_coordinate(f), moved_by_.push_back(x.name);
+        return *this;
+      }
     throw bad_argument("kte: mass_matrix_calc: '" + x.name + "' is no degree of freedom");
   }
+
+  const kte_map_chain& chain() const { return chain_; }
+  /// Whether it was made of all, or else what it was fed with, in that order.
+  bool is_of_all() const { return of_all_; }
+  const std::vector<std::string>& inertias() const { return inertias_; }
+  const std::vector<std::string>& coordinates() const { return moved_by_; }
 
   /// Where the columns stand in v.
   std::vector<int> columns() const {
@@ -202,6 +219,8 @@ class mass_matrix_calc {
   kte_map_chain chain_;
   std::vector<body> bodies_;
   std::vector<detail::freedom> coordinates_;
+  bool of_all_ = false;
+  std::vector<std::string> inertias_, moved_by_;
 };
 
 }  // namespace kte

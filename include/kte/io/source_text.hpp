@@ -12,7 +12,7 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c
 inline std::string excerpt(std::string_view text) { return std::string(text.substr(0, 80)); }
 
 /// Of a file with more bytes than `read_options` allows.
-inline std::string too_large(std::size_t max_bytes) {
+inline std::string file_too_large(std::size_t max_bytes) {
   return "the file has more than " + std::to_string(max_bytes) + " bytes (read_options::max_bytes)";
 }
 
@@ -22,7 +22,7 @@ class source_text {
   /// `name` is what messages call the file; the text must outlive this.
   source_text(std::string_view text, std::string name, std::size_t max_bytes = ~std::size_t{0})
       : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(name))) {
-    if (text.size() > max_bytes) fail(0, too_large(max_bytes));
+    if (text.size() > max_bytes) fail(0, file_too_large(max_bytes));
     bool empty = true;
     for (std::size_t i = 0, n = 0; i < text_.size(); i += n) {
       n = utf8_length(text_.substr(i));
