@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/errors.hpp>
 #include <kte/io/binary_layout.hpp>
 #include <kte/io/bytes.hpp>
 #include <kte/io/field_scanner.hpp>
@@ -21,12 +20,12 @@ class binary_scanner final : public field_scanner {
 
   std::size_t at() const override { return at_; }
   void open_document() override {
-    if (!bytes_.starts_with(binary_magic)) fail(0, "this is no binary model file");
+    if (!bytes_.starts_with(binary_magic)) fail_at(0, "this is no binary model file");
     i_ = binary_magic.size();
     open_group("the model");
   }
   void close_document() override {
-    if (i_ != bytes_.size()) fail(i_, "something follows the end of the model");
+    if (i_ != bytes_.size()) fail_at(i_, "something follows the end of the model");
   }
   void open_group(const std::string& what) override { open(binary_tag::group, what, "a group"); }
   void open_list(const std::string& what) override { open(binary_tag::list, what, "a list"); }
@@ -41,13 +40,13 @@ class binary_scanner final : public field_scanner {
     const auto tag = next_tag();
     if (tag == binary_tag::known) {
       const auto which = count();
-      if (which >= known_.size()) fail(at_, "'" + excerpt(name) + "': there is no such text before it");
+      if (which >= known_.size()) fail_at(at_, "'" + excerpt(name) + "': there is no such text before it");
       return std::string(known_[static_cast<std::size_t>(which)]);
     }
-    if (tag != binary_tag::text) fail(at_, "'" + excerpt(name) + "' is not a text");
+    if (tag != binary_tag::text) fail_at(at_, "'" + excerpt(name) + "' is not a text");
     const auto bytes = take(count(), 1);
     for (std::size_t i = 0, n = 0; i < bytes.size(); i += n)
-      if ((n = utf8_length(bytes.substr(i))) == 0) fail(at_, "this is not UTF-8");
+      if ((n = utf8_length(bytes.substr(i))) == 0) fail_at(at_, "this is not UTF-8");
     if (bytes.size() <= longest_known) known_.push_back(bytes);
     return std::string(bytes);
   }
@@ -65,13 +64,10 @@ class binary_scanner final : public field_scanner {
     constexpr std::size_t largest = std::numeric_limits<int>::max();
     return {file_, 0, static_cast<int>(std::min(offset, largest))};
   }
-  [[noreturn]] void fail(std::size_t offset, const std::string& why) override {
-    raise<bad_file>("kte: " + to_string(place(offset)) + why);
-  }
 
  private:
   static std::string excerpt(const std::string& name) { return name.substr(0, 80); }
-  [[noreturn]] void cut_off() { fail(bytes_.size(), "the file ends in the middle of the model"); }
+  [[noreturn]] void cut_off() { fail_at(bytes_.size(), "the file ends in the middle of the model"); }
   unsigned char next_byte() {
     if (i_ >= bytes_.size()) cut_off();
     return static_cast<unsigned char>(bytes_[i_++]);
@@ -81,7 +77,7 @@ class binary_scanner final : public field_scanner {
     return static_cast<binary_tag>(next_byte());
   }
   void open(binary_tag due, const std::string& what, const char* kind) {
-    if (next_tag() != due) fail(at_, "'" + excerpt(what) + "' must be " + kind);
+    if (next_tag() != due) fail_at(at_, "'" + excerpt(what) + "' must be " + kind);
   }
   bool ends() {
     if (i_ >= bytes_.size()) cut_off();
@@ -93,7 +89,7 @@ class binary_scanner final : public field_scanner {
     std::uint64_t n = 0;
     for (int shift = 0;; shift += 7) {
       const std::uint64_t byte = next_byte(), bits = byte & 0x7F;
-      if (shift > 63 || (bits << shift) >> shift != bits) fail(at_, "a count that is no number of 64 bits");
+      if (shift > 63 || (bits << shift) >> shift != bits) fail_at(at_, "a count that is no number of 64 bits");
       n |= bits << shift;
       if ((byte & 0x80) == 0) return n;
     }

@@ -22,7 +22,7 @@ class field_reader {
   file_place place() { return in_.place(in_.at()); }
   [[noreturn]] void fail(const std::string& why) { fail_at(in_.at(), why); }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& why) {
-    in_.fail(offset, part_.empty() ? why : part_ + ": " + why);
+    in_.fail_at(offset, part_.empty() ? why : part_ + ": " + why);
   }
   /// What messages begin with from here on, "element 3"; gives what it was.
   std::string part(std::string name) { return std::exchange(part_, std::move(name)); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/file_place.hpp>
+#include <kte/errors.hpp>
 
 #include <cstddef>
 #include <string>
@@ -30,7 +31,9 @@ class field_scanner {
   virtual bool take_numbers(std::vector<double>&) { return false; }
 
   virtual file_place place(std::size_t offset) = 0;
-  [[noreturn]] virtual void fail(std::size_t offset, const std::string& why) = 0;
+  [[noreturn]] void fail_at(std::size_t offset, const std::string& why) {
+    raise<bad_file>("kte: " + to_string(place(offset)) + why);
+  }
 };
 
 }  // namespace kte::detail

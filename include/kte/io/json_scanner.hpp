@@ -52,7 +52,6 @@ class json_scanner final : public field_scanner {
     return all;
   }
   file_place place(std::size_t offset) override { return source_.place(offset); }
-  [[noreturn]] void fail(std::size_t offset, const std::string& why) override { source_.fail(offset, why); }
 
  private:
   [[noreturn]] void fail(const std::string& why) {

@@ -36,7 +36,7 @@ KTE_FUNCTION archive_record read_archive(std::string_view bytes, const std::stri
                                          const read_options& options) {
   if (format == model_format::binary) {
     binary_scanner in(bytes, file);
-    if (bytes.size() > options.max_bytes) in.fail(0, file_too_large(options.max_bytes));
+    if (bytes.size() > options.max_bytes) in.fail_at(0, file_too_large(options.max_bytes));
     return archive_reader(in, options).read();
   }
   source_text source(bytes, file, options.max_bytes);

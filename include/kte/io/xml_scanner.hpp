@@ -62,7 +62,6 @@ class xml_scanner final : public field_scanner {
   }
   std::string numbers(const std::string& name) override { return text(name); }
   file_place place(std::size_t offset) override { return source_.place(offset); }
-  [[noreturn]] void fail(std::size_t offset, const std::string& why) override { source_.fail(offset, why); }
 
  private:
   struct attribute {
