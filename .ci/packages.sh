@@ -32,6 +32,7 @@ install_packages() {
   need libcereal-dev
   need libsundials-dev
   need libxsimd-dev
+  need libxml2-utils xmllint
   for package in "$@"; do need "$package"; done
   updated=
   for package in $missing; do

@@ -53,7 +53,6 @@ TEST_CASE("files written by this version can be read for ever") {
   CHECK(kte::load_model(data / "pendulum.kte") == record_of(golden));
   // and it still writes them so
   CHECK(kte::to_json(record_of(golden)) == kte::detail::read_file(data / "pendulum.json"));
-  CHECK(kte::to_xml(record_of(golden)) == kte::detail::read_file(data / "pendulum.xml"));
   CHECK(kte::to_binary(record_of(golden)) == kte::detail::read_file(data / "pendulum.kte"));
 }
 

@@ -16,17 +16,20 @@ namespace kte::detail {
 template <class Archive>
 class cereal_writer final : public field_writer {
  public:
-  void open_group(const std::string& name) override { begin(name), archive_->startNode(); }
+  void open_group(const std::string& name) override {
+    if (const char* n = name_of(name)) archive_->setNextName(n);
+    archive_->startNode();
+  }
   void open_list(const std::string& name) override {
     open_group(name);
     (*archive_)(cereal::make_size_tag(cereal::size_type{}));
   }
   void close() override { archive_->finishNode(); }
   void text(const std::string& name, const std::string& value) override {
-    if (name.empty()) {
-      (*archive_)(value);
+    if (const char* n = name_of(name)) {
+      (*archive_)(cereal::make_nvp(n, value));
     } else {
-      (*archive_)(cereal::make_nvp(name, value));
+      (*archive_)(value);
     }
   }
   void numbers(const std::string& name, const std::vector<double>& values) override {
@@ -42,8 +45,9 @@ class cereal_writer final : public field_writer {
   }
 
  private:
-  void begin(const std::string& name) {
-    if (!name.empty()) archive_->setNextName(name.c_str());
+  /// Items are all called <value>: by cereal with their numbers, which then change with each that is put in between.
+  const char* name_of(const std::string& name) const {
+    return !name.empty() ? name.c_str() : has_tags() ? "value" : nullptr;
   }
 
   std::ostringstream out_;
