@@ -72,11 +72,12 @@ class archive_reader {
         thing(r.content.emplace<thing_record>());
       } else if (name == kinds[2]) {
         auto& s = r.content.emplace<state_record>();
-        std::set<std::pair<bool, std::string>> names;  // of frames apart
+        std::set<std::string> names;
         in_.groups(name, "thing", [&] {
           auto& x = s.things.emplace_back();
           thing(x);
-          if (!names.insert({is_frame(x.what), x.name}).second) in_.fail("a second thing '" + x.name + "'");
+          if (!names.insert((is_frame(x.what) ? "frame " : "other ") + x.name).second)  // which live apart
+            in_.fail("a second thing '" + x.name + "'");
         });
       } else if (name == kinds[3]) {
         in_.in().open_group(name);
@@ -89,7 +90,7 @@ class archive_reader {
   }
   /// Calculators share chains, which must be there.
   void check_chains(const archive_record& all) {
-    std::set<std::string_view> chains;
+    std::set<std::string> chains;
     for (const auto& r : all.roots)
       if (std::holds_alternative<model_record>(r.content)) chains.insert(r.name);
     for (const auto& r : all.roots)
@@ -137,12 +138,12 @@ class archive_reader {
       } else if (name == "version") {
         e.version = in_.whole_number(name);
       } else if (name == "ports") {
-        in_.any_fields(name, [&](const std::string& role, file_place at) {
-          e.connections.push_back({role, in_.text(role), std::move(at)});
+        in_.any_fields(name, [&](const std::string& role, const file_place& at) {
+          e.connections.push_back({role, in_.text(role), at});
         });
       } else {
-        in_.any_fields(name, [&](const std::string& parameter, file_place at) {
-          e.parameters.push_back({parameter, in_.numbers<double>(parameter), std::move(at)});
+        in_.any_fields(name, [&](const std::string& parameter, const file_place& at) {
+          e.parameters.push_back({parameter, in_.numbers<double>(parameter), at});
         });
       }
     });
@@ -180,7 +181,7 @@ class archive_reader {
         return;
       }
       auto at = in_.place();
-      l.limits.push_back({name, in_.numbers<double>(name), std::move(at)});
+      l.limits.push_back({name, in_.numbers<double>(name), at});
     });
   }
   void thing(thing_record& x) {
@@ -190,8 +191,8 @@ class archive_reader {
       } else if (name == "name") {
         x.name = in_.text(name), x.place = in_.place();
       } else {
-        in_.any_fields(name, [&](const std::string& quantity, file_place at) {
-          x.values.push_back({quantity, in_.numbers<long double>(quantity), std::move(at)});
+        in_.any_fields(name, [&](const std::string& quantity, const file_place& at) {
+          x.values.push_back({quantity, in_.numbers<long double>(quantity), at});
         });
       }
     });

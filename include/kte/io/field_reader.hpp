@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/function_ref.hpp>
 #include <kte/io/field_names.hpp>
 #include <kte/io/field_scanner.hpp>
 #include <kte/io/numbers.hpp>
@@ -30,8 +31,7 @@ class field_reader {
   /// The fields of a group that is open: those needed and others that may be left out, in any order, each once. What
   /// begins with x_ is told to `warn` and left out.
   using names = std::initializer_list<std::string_view>;
-  template <class Read>
-  void fields(const char* what, names needed, names others, const Read& read) {
+  void fields(const char* what, names needed, names others, function_ref<const std::string&> read) {
     const std::size_t start = in_.at();
     unsigned seen = 0;
     for (std::string name; in_.next_field(name);) {
@@ -49,8 +49,7 @@ class field_reader {
         fail_at(start, what + std::string(" has no '") + std::string(needed.begin()[k]) + "'");
   }
   /// A group of fields whose names are data.
-  template <class Read>
-  void any_fields(const std::string& group, const Read& read) {
+  void any_fields(const std::string& group, function_ref<const std::string&, const file_place&> read) {
     std::set<std::string> seen;
     in_.open_group(group);
     for (std::string name; in_.next_field(name);) {
@@ -61,14 +60,12 @@ class field_reader {
     }
   }
   /// A list; read(i) of each item.
-  template <class Read>
-  void list(const std::string& name, const Read& read) {
+  void list(const std::string& name, function_ref<std::size_t> read) {
     in_.open_list(name);
     for (std::size_t i = 0; in_.next_item(i); ++i) count_item(), read(i);
   }
   /// A list of groups, each called "element 3" in messages.
-  template <class Read>
-  void groups(const std::string& name, const std::string& called, const Read& read) {
+  void groups(const std::string& name, const std::string& called, function_ref<> read) {
     const std::string before = part_.empty() ? called : part_ + ", " + called;
     const std::string outside = part_;
     list(name, [&](std::size_t i) {
