@@ -33,6 +33,7 @@ install_packages() {
   need libsundials-dev
   need libtinyxml2-dev
   need libxsimd-dev
+  need libxml2-utils xmllint
   for package in "$@"; do need "$package"; done
   updated=
   for package in $missing; do

@@ -16,6 +16,12 @@ class mass_matrix_calc<kte_map_chain> {
  public:
   /// Works with a copy of the chain, of which it takes the same states.
   explicit mass_matrix_calc(kte_map_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
+  /// Fed with names, of inertias and of coordinates.
+  mass_matrix_calc(kte_map_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
+      : mass_matrix_calc(std::move(c)) {
+    for (const auto& n : on) *this << inertia_on(n);
+    for (const auto& n : by) *this << moved_by(n);
+  }
 
   /// Throws `unknown_name`; `bad_argument` where there is no mass, or it has been fed already.
   mass_matrix_calc& operator<<(const inertia_on<>& x) {
@@ -30,6 +36,7 @@ class mass_matrix_calc<kte_map_chain> {
       }
     }
     if (!found) throw bad_argument("kte: mass_matrix_calc: there is no mass on '" + x.name + "'");
+    inertias_.push_back(x.name);
     return *this;
   }
   /// Throws `unknown_name`; `bad_argument` for what is no degree of freedom, or has been fed already.
@@ -37,18 +44,35 @@ class mass_matrix_calc<kte_map_chain> {
     const kind k = chain_.wiring().kind_of(x.name, false);
     const int index = chain_.wiring().find(x.name, k);
     for (const auto& f : chain_.wiring().free)
-      if (f.what == k && f.slot == index) return add_coordinate(f), *this;
+      if (f.what == k && f.slot == index) {
+        add_coordinate(f), moved_by_.push_back(x.name);
+        return *this;
+      }
     throw bad_argument("kte: mass_matrix_calc: '" + x.name + "' is no degree of freedom");
   }
 
   mass_matrix_calc& operator<<(all_inertias_t) {
-    for (std::size_t e = 0; e < chain_.wiring().elements.size(); ++e) (void)add_body(e);
+    for (std::size_t e = 0; e < chain_.wiring().elements.size(); ++e)
+      if (add_body(e)) {
+        const auto& at = chain_.wiring().elements[e];
+        const auto& name =
+            chain_.wiring().names[static_cast<std::size_t>(at.ports[0].what)][static_cast<std::size_t>(at.index[0])];
+        if (std::find(inertias_.begin(), inertias_.end(), name) == inertias_.end()) inertias_.push_back(name);
+      }
     return *this;
   }
   mass_matrix_calc& operator<<(all_coordinates_t) {
-    for (const auto& f : chain_.wiring().free) add_coordinate(f);
+    for (const auto& f : chain_.wiring().free) {
+      add_coordinate(f);
+      moved_by_.push_back(chain_.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)]);
+    }
     return *this;
   }
+
+  const kte_map_chain& chain() const { return chain_; }
+  // What it was fed with, in that order: names of what has inertia, and of coordinates.
+  const std::vector<std::string>& inertias() const { return inertias_; }
+  const std::vector<std::string>& coordinates() const { return moved_by_; }
 
   /// Where the columns stand in v.
   std::vector<int> columns() const {
@@ -166,6 +190,7 @@ class mass_matrix_calc<kte_map_chain> {
   kte_map_chain chain_;
   std::vector<body> bodies_;
   std::vector<detail::freedom> coordinates_;
+  std::vector<std::string> inertias_, moved_by_;
 };
 mass_matrix_calc(kte_map_chain)->mass_matrix_calc<kte_map_chain>;
 

@@ -20,6 +20,16 @@ void append_bytes(std::string& out, U x) {
 }
 inline void append_bytes(std::string& out, double x) { append_bytes(out, std::bit_cast<std::uint64_t>(x)); }
 
+template <std::unsigned_integral U>
+U from_bytes(std::string_view bytes) {
+  std::uint64_t x = 0;
+  for (std::size_t i = 0; i < sizeof(U); ++i) x |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+  return static_cast<U>(x);
+}
+inline double real_from_bytes(std::string_view bytes) {
+  return std::bit_cast<double>(from_bytes<std::uint64_t>(bytes));
+}
+
 /// Takes bytes off the front of a file or of a part of it. Lengths are checked against what is there before anything is
 /// done with them; all errors are `bad_file` with the path and the offset in the file.
 class byte_reader {
@@ -49,15 +59,9 @@ class byte_reader {
   }
   template <std::unsigned_integral U>
   U number(const char* what) {
-    std::uint64_t x = 0;
-    int shift = 0;
-    for (const char c : take(sizeof(U), what)) {
-      x |= std::uint64_t{static_cast<unsigned char>(c)} << shift;
-      shift += 8;
-    }
-    return static_cast<U>(x);
+    return from_bytes<U>(take(sizeof(U), what));
   }
-  double real(const char* what) { return std::bit_cast<double>(number<std::uint64_t>(what)); }
+  double real(const char* what) { return real_from_bytes(take(8, what)); }
 
   /// Whether these bytes come next, which are then taken.
   bool next(std::string_view literal) {

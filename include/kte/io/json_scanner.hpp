@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/io/field_scanner.hpp>
 #include <kte/io/source_text.hpp>
 
 #include <algorithm>
@@ -7,25 +8,21 @@
 
 namespace kte::detail {
 
-/// Reads a JSON text field by field, as its reader asks for them: what is not asked for is an error, so that nothing
-/// nests deeper than the reader does. (The parsers that cereal brings take duplicates, and tell no places.)
-///
-/// Groups are objects, lists are arrays. After each step `at` is the offset of what was read. Throws `bad_file`.
-class json_scanner {
+/// JSON: groups are objects, lists are arrays. (The parsers that cereal brings take duplicates, and tell no places.)
+class json_scanner final : public field_scanner {
  public:
   explicit json_scanner(source_text& source) : source_(source), text_(source.text()) {}
 
-  std::size_t at() const { return at_; }
+  std::size_t at() const override { return at_; }
 
-  void open_document() { open('{', "a model must be an object {...}"); }
-  void close_document() {
+  void open_document() override { open('{', "a model must be an object {...}"); }
+  void close_document() override {
     start();
     if (i_ != text_.size()) source_.fail(i_, "something follows the end of the model");
   }
-  void open_group(const std::string& what) { open('{', "'" + what + "' must be an object {...}"); }
-  void open_list(const std::string& what) { open('[', "'" + what + "' must be a list [...]"); }
-  /// Whether the innermost group has one more field, whose name that then is; else the group is closed.
-  bool next_field(std::string& name) {
+  void open_group(const std::string& what) override { open('{', "'" + what + "' must be an object {...}"); }
+  void open_list(const std::string& what) override { open('[', "'" + what + "' must be a list [...]"); }
+  bool next_field(std::string& name) override {
     if (!next('}')) return false;
     if (current() != '"') fail("a name in quotes is due here");
     name = quoted();
@@ -35,17 +32,15 @@ class json_scanner {
     ++i_;
     return true;
   }
-  /// Whether the innermost list has one more item, else it is closed.
-  bool next_item(std::size_t) { return next(']'); }
+  bool next_item(std::size_t) override { return next(']'); }
 
-  /// A text in quotes.
-  std::string text(const std::string& name) {
+  std::string text(const std::string& name) override {
     start();
     if (current() != '"') fail("'" + name + "' is not a text in quotes");
     return quoted();
   }
-  /// Numbers with blanks between them: of a text, a number or a list of numbers.
-  std::string numbers(const std::string& name) {
+  /// Of a text, a number or a list of numbers.
+  std::string numbers(const std::string& name) override {
     start();
     if (current() == '"') return quoted();
     if (current() != '[') return number(name);
@@ -56,6 +51,7 @@ class json_scanner {
     at_ = first;
     return all;
   }
+  file_place place(std::size_t offset) override { return source_.place(offset); }
 
  private:
   [[noreturn]] void fail(const std::string& why) {

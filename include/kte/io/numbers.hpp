@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,28 +9,58 @@
 /// Numbers as text that reads back as the same bits, whatever the locale.
 namespace kte::detail {
 
+/// Appends a number to a text of them; whatever its sign and bits, what is no number is "nan".
+template <class Real>
+void append_number(std::string& text, Real x) {
+  char digits[64];
+  if (!text.empty()) text += ' ';
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, std::isnan(x) ? std::abs(x) : x).ptr);
+}
 /// "0 0 -9.81": the shortest digits that give the same doubles.
 inline std::string numbers_to_text(const std::vector<double>& values) {
   std::string s;
-  char digits[40];
-  for (const double x : values) {
-    const auto end = std::to_chars(digits, digits + sizeof digits, x).ptr;
-    if (!s.empty()) s += ' ';
-    s.append(digits, end);
+  for (const double x : values) append_number(s, x);
+  return s;
+}
+
+/// Numbers of more digits than a double has stand in texts with a suffix, 0.1L.
+inline std::string numbers_to_text(const std::vector<long double>& values) {
+  std::string s;
+  for (const long double x : values) {
+    const auto d = static_cast<double>(x);
+    if (std::isnan(x) || d == x) {
+      append_number(s, d);
+    } else {
+      append_number(s, x), s += 'L';
+    }
   }
   return s;
 }
 
+/// Takes one number off a text. Of a double only where it fits: decimals that are read in more digits and then cut are
+/// rounded twice.
+inline std::from_chars_result take_number(const char* p, const char* end, double& x) {
+  return std::from_chars(p, end, x);
+}
+inline std::from_chars_result take_number(const char* p, const char* end, long double& x) {
+  double d{};
+  const auto r = std::from_chars(p, end, d);
+  x = d;
+  if (r.ec == std::errc::invalid_argument || r.ptr == end || *r.ptr != 'L') return r;
+  const auto wide = std::from_chars(p, r.ptr, x);
+  return {wide.ptr == r.ptr ? r.ptr + 1 : p, wide.ec};
+}
 /// The reverse: numbers with blanks between them. Gives what is wrong with the text, or nullptr.
-inline const char* text_to_numbers(std::string_view text, std::vector<double>& values) {
+template <class Real>
+const char* text_to_numbers(std::string_view text, std::vector<Real>& values) {
   const char* p = text.data();
   const char* const end = p + text.size();
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
   for (;;) {
     while (p != end && blank(*p)) ++p;
     if (p == end) return nullptr;
-    double x{};
-    const auto [next, error] = std::from_chars(p, end, x);
+    Real x{};
+    const auto [next, error] = take_number(p, end, x);
     if (error == std::errc::invalid_argument || (next != end && !blank(*next))) return "is not a list of numbers";
     if (error == std::errc::result_out_of_range) return "holds a number too large or too small for a double";
     values.push_back(x);

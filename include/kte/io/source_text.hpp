@@ -6,21 +6,23 @@
 
 namespace kte::detail {
 
-/// Larger than any model file, in bytes.
-inline constexpr std::size_t largest_model_file = std::size_t{1} << 28;
-
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 /// As much of a text as fits into a message.
 inline std::string excerpt(std::string_view text) { return std::string(text.substr(0, 80)); }
 
+/// Of a file with more bytes than `read_options` allows.
+inline std::string file_too_large(std::size_t max_bytes) {
+  return "the file has more than " + std::to_string(max_bytes) + " bytes (read_options::max_bytes)";
+}
+
 /// The text of a model file and the places in it. Throws `bad_file` unless it is UTF-8 without control characters.
 class source_text {
  public:
   /// `name` is what messages call the file; the text must outlive this.
-  source_text(std::string_view text, std::string name)
+  source_text(std::string_view text, std::string name, std::size_t max_bytes = ~std::size_t{0})
       : text_(without_mark(text)), file_(std::make_shared<const std::string>(std::move(name))) {
-    if (text.size() > largest_model_file) fail(0, "the file is too large for a model");
+    if (text.size() > max_bytes) fail(0, file_too_large(max_bytes));
     bool empty = true;
     for (std::size_t i = 0, n = 0; i < text_.size(); i += n) {
       n = utf8_length(text_.substr(i));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/io/field_scanner.hpp>
 #include <kte/io/xml_cursor.hpp>
 
 #include <optional>
@@ -8,38 +9,37 @@
 
 namespace kte::detail {
 
-/// Reads an XML text as `json_scanner` reads JSON, in the form that cereal writes: all within <cereal>; fields are
-/// tags, items of lists are <value0>, <value1> ... or just <value>. Comments may stand between fields and around
-/// values. There are no attributes but size="dynamic" on a list, and xml:space on a value; DOCTYPE is refused, as it
-/// could change what the rest means.
-class xml_scanner {
+/// XML in the form that cereal writes: all within <cereal>; fields are tags, items of lists are <value0>, <value1> ...
+/// or just <value>. Comments may stand between fields and around values. There are no attributes but size="dynamic" on
+/// a list, and xml:space on a value; DOCTYPE is refused, as it could change what the rest means.
+class xml_scanner final : public field_scanner {
  public:
-  explicit xml_scanner(source_text& source) : in_(source) {}
+  explicit xml_scanner(source_text& source) : source_(source), in_(source) {}
 
-  std::size_t at() const { return at_; }
+  std::size_t at() const override { return at_; }
 
-  void open_document() {
+  void open_document() override {
     if (in_.here("<?xml") && is_blank(in_.peek(5))) declaration();
     std::string name;
     if (!next_tag(name) || name != "cereal") in_.fail_at(at_, "a model file begins with <cereal>");
     open_group(name);
   }
-  void close_document() {
+  void close_document() override {
     in_.skip_between();
     if (!in_.at_end()) in_.fail("something follows the end of the model");
   }
-  void open_group(const std::string& what) { check_attributes(what); }
-  void open_list(const std::string& what) {
+  void open_group(const std::string& what) override { check_attributes(what); }
+  void open_list(const std::string& what) override {
     if (take_attribute("size").value_or("dynamic") != "dynamic")
       in_.fail_at(at_, "the size of '" + what + "' must be \"dynamic\"");
     check_attributes(what);
   }
-  bool next_field(std::string& name) {
+  bool next_field(std::string& name) override {
     if (next_tag(name)) return true;
     close();
     return false;
   }
-  bool next_item(std::size_t number) {
+  bool next_item(std::size_t number) override {
     std::string name;
     if (!next_field(name)) return false;
     if (const auto due = "value" + std::to_string(number); name != "value" && name != due)
@@ -48,7 +48,7 @@ class xml_scanner {
   }
 
   /// The text of a field, without blanks around it unless xml:space="preserve".
-  std::string text(const std::string& name) {
+  std::string text(const std::string& name) override {
     const auto space = take_attribute("xml:space").value_or("default");
     if (space != "preserve" && space != "default") in_.fail_at(at_, "xml:space must be \"preserve\" or \"default\"");
     check_attributes(name);
@@ -60,7 +60,8 @@ class xml_scanner {
     const auto first = std::min(out.find_first_not_of(blank), out.size());
     return out.substr(first, out.find_last_not_of(blank) + 1 - first);
   }
-  std::string numbers(const std::string& name) { return text(name); }
+  std::string numbers(const std::string& name) override { return text(name); }
+  file_place place(std::size_t offset) override { return source_.place(offset); }
 
  private:
   struct attribute {
@@ -166,6 +167,7 @@ class xml_scanner {
     }
   }
 
+  source_text& source_;
   xml_cursor in_;
   std::size_t at_ = 0;
   bool closed_ = false;  ///< whether the tag read last was <so/>

@@ -163,6 +163,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
       return output_(state_at(t, x));
     }
   }
+  /// Whether it has another output than (q, v).
+  static constexpr bool has_output() { return !std::is_void_v<Output>; }
   /// The same system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
   template <class F>
   auto with_output(const F& f) const {

@@ -23,6 +23,8 @@ class manipulator_kinematics_model : public Chain {
  public:
   explicit constexpr manipulator_kinematics_model(const Chain& c, const Frames&...) : Chain(c) {}
 
+  /// The names of the frames.
+  static constexpr std::array<std::string_view, sizeof...(Frames)> tools() { return {Frames::name...}; }
   /// Where the frames stand, in the axes of the base.
   template <indexable Q>
   auto getDependentPoses(const Q& q) const {

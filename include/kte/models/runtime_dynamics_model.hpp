@@ -153,6 +153,8 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return wiring().elements.at(element).element->capacity(s_);
   }
 
+  /// Whether it has another output than (q, v).
+  bool has_output() const { return static_cast<bool>(output_); }
   /// The same system with another output, of a state of the chain.
   manipulator_dynamics_model with_output(output_function f) const {
     auto m = *this;

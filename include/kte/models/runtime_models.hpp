@@ -46,6 +46,8 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
       if (!is_frame(wiring().kind_of(f, true))) throw unknown_name("kte: '" + f + "' is no frame");
   }
 
+  const std::vector<std::string>& tools() const { return frames_; }
+
   template <indexable Q>
   std::vector<pose<mat3<vec3<>>, vec3<>>> getDependentPoses(const Q& q) const {
     detail::take(*this, s_, q);

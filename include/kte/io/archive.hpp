@@ -1,0 +1,210 @@
+#pragma once
+
+#include <kte/dynamics/twist_shaping.hpp>
+#include <kte/elements/registry.hpp>
+#include <kte/io/limit_records.hpp>
+#include <kte/io/model_inputs.hpp>
+#include <kte/io/model_reader.hpp>
+#include <kte/io/state_records.hpp>
+#include <kte/runtime_chain/from_record.hpp>
+
+namespace kte {
+
+/// Several things in one file, each under a name of its own, its root:
+///
+///   kte::archive a;
+///   a.add("pendulum", chain).add("joint_coord", "q", s.coordinate("q")).add("end_frame", "tip", s.frame_2D("tip"));
+///   a.add("mass_mat1", calculator).add("start", s).add("q0", q);
+///   kte::save_archive("pendulum.xml", a);
+///
+///   const auto b = kte::load_archive("pendulum.xml");
+///   const auto c = b.chain("pendulum");
+///   auto t = c.make_state();
+///   b.restore("joint_coord", t);
+///
+/// Roots share coordinates, frames and chains, by the names that these have: what is restored into a state of the chain
+/// is what the chain moves. Numbers come back as the same bits. A value.
+class archive {
+ public:
+  archive() = default;
+  explicit archive(archive_record r) : record_(std::move(r)) {}
+  const archive_record& record() const { return record_; }
+
+  /// The names of the roots, in their order.
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const auto& r : record_.roots) all.push_back(r.name);
+    return all;
+  }
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+
+  /// Adds a chain of either kind; a kinematics or dynamics model, with its tools and inputs; a state of either kind; a
+  /// `mass_matrix_calc`, whose chain must be there; numbers, as q and v. Throws `bad_argument` for a name that is
+  /// there.
+  template <class T>
+  archive& add(const std::string& name, const T& x) {
+    if constexpr (requires { x.inertias(), x.coordinates(); }) {
+      return put(name, calculator_of(x));
+    } else if constexpr (detail::any_state<T>) {
+      return put(name, record_of(x));
+    } else if constexpr (requires { record_of(x); }) {
+      return put(name, model_of(x));
+    } else {
+      numbers_record numbers;
+      for (const auto& number : x) numbers.push_back(number);
+      return put(name, std::move(numbers));
+    }
+  }
+  /// A chain, or such a model, with the limits of its coordinates.
+  template <class Chain, class Numbers>
+  archive& add(const std::string& name, const Chain& c, const joint_limits<Numbers>& limits) {
+    auto m = model_of(c);
+    m.limits = limit_records(c, limits);
+    return put(name, std::move(m));
+  }
+  /// A chain with its tools, and limits.
+  template <class Chain, class Numbers>
+  archive& add(const std::string& name, const Chain& c, std::vector<std::string> tools,
+               const joint_limits<Numbers>& limits) {
+    auto m = model_of(c);
+    m.tools = std::move(tools), m.limits = limit_records(c, limits);
+    return put(name, std::move(m));
+  }
+  /// A coordinate, frame, input or internal state with its values, under its name in chains, a text or a key.
+  template <class Name, class T>
+  requires(key_type<Name> || text_type<Name>) archive& add(const std::string& name, const Name& in_chain, const T& x) {
+    constexpr kind k = detail::kind_of_thing<T>;
+    if constexpr (key_type<Name>) {
+      static_assert(k == Name::what, "kte: this is the key of another kind of thing");
+      return put(name, detail::record_of_thing(k, Name::name, x));
+    } else {
+      return put(name, detail::record_of_thing(k, in_chain, x));
+    }
+  }
+
+  // ---- what is under a name; throws `unknown_name`, `bad_argument` where it is something else
+  /// A chain with all that a model has besides.
+  const model_record& model(std::string_view name) const { return get<model_record>(name, "a chain"); }
+  /// A runtime chain of elements of this library, or of those of a registry.
+  template <class = void>
+  kte_map_chain chain(std::string_view name) const {
+    return to_chain(model(name));
+  }
+  kte_map_chain chain(std::string_view name, const element_registry& registry) const {
+    return to_chain(model(name), registry);
+  }
+  /// A static chain of the type of `like`; throws `bad_file` that says which element differs, and how.
+  template <class Gravity, class... E>
+  static_chain<Gravity, E...> chain(std::string_view name, const static_chain<Gravity, E...>& like) const {
+    return from_record(like, model(name));
+  }
+  const std::vector<std::string>& tools(std::string_view name) const { return model(name).tools; }
+  /// Infinite where the file has none.
+  template <class Chain>
+  auto limits(std::string_view name, const Chain& c) const {
+    return limits_of(c, model(name));
+  }
+  /// Of a chain that came from this archive, whose states it takes (include kte/dynamics/mass_matrix_calc.hpp). Throws
+  /// `bad_argument` for another chain.
+  template <class Calculator = mass_matrix_calc<kte_map_chain>>
+  Calculator calculator(std::string_view name, const kte_map_chain& c) const {
+    const auto& r = get<calculator_record>(name, "a calculator of the mass matrix");
+    if (!same_chain(record_of(c), model(r.chain)))
+      throw bad_argument("kte: '" + std::string(name) + "' of the archive is of its chain '" + r.chain +
+                         "', not of this one");
+    if (!r.of_all) return Calculator(c, r.inertias, r.coordinates);
+    return Calculator(c) << all_inertias << all_coordinates;
+  }
+  /// One thing with its values, `thing<kte::gen_coord<>>("joint_coord")`; zero, or no rotation, where the file has
+  /// none.
+  template <class T>
+  T thing(std::string_view name) const {
+    const auto& r = get<thing_record>(name, "a thing");
+    if (r.what != detail::kind_of_thing<T>) wrong(name, to_string(r.what), to_string(detail::kind_of_thing<T>));
+    T x{};
+    detail::assign_thing(x, r);
+    return x;
+  }
+  /// Its name in chains.
+  const std::string& name_of_thing(std::string_view name) const { return get<thing_record>(name, "a thing").name; }
+  /// Puts a thing, or all of a state, into a state of a chain; of a model, its inputs into a model. What the file does
+  /// not have stays. All or nothing: throws `unknown_name` for what the state does not have.
+  template <class T>
+  void restore(std::string_view name, T& x) const {
+    if constexpr (!detail::any_state<T>) {
+      detail::restore_inputs(model(name), x);
+    } else if (const auto* one = std::get_if<thing_record>(&content(name))) {
+      kte::restore(state_record{{*one}}, x);
+    } else {
+      kte::restore(get<state_record>(name, "a state or a thing"), x);
+    }
+  }
+  template <class S = double>
+  std::vector<S> numbers(std::string_view name) const {
+    std::vector<S> all;
+    for (const long double x : get<numbers_record>(name, "numbers")) all.push_back(static_cast<S>(x));
+    return all;
+  }
+
+ private:
+  template <class T>
+  static model_record model_of(const T& x) {
+    model_record m = record_of(x);
+    if constexpr (requires { x.tools(); })
+      for (const auto& t : x.tools()) m.tools.emplace_back(t);
+    if constexpr (requires { x.has_output(); }) {
+      if (x.has_output())
+        throw bad_argument("kte: the output of this model is a function of its program, which no file can hold");
+      m.inputs = detail::input_records(x);
+    }
+    return m;
+  }
+  static bool same_chain(const model_record& a, const model_record& b) {
+    return a.gravity == b.gravity && a.elements == b.elements;
+  }
+  template <class Calculator>
+  calculator_record calculator_of(const Calculator& c) const {
+    const auto chain = record_of(c.chain());
+    for (const auto& r : record_.roots)
+      if (const auto* m = std::get_if<model_record>(&r.content); m && same_chain(*m, chain))
+        return {r.name, false, c.inertias(), c.coordinates()};
+    throw bad_argument("kte: the chain of a mass_matrix_calc must be in the archive before it");
+  }
+  archive& put(const std::string& name, root_record::content_type content) {
+    if (has(name)) throw bad_argument("kte: the archive has a '" + name + "' already");
+    record_.roots.push_back({name, std::move(content)});
+    return *this;
+  }
+  const root_record* find(std::string_view name) const {
+    for (const auto& r : record_.roots)
+      if (r.name == name) return &r;
+    return nullptr;
+  }
+  const root_record::content_type& content(std::string_view name) const {
+    if (const auto* r = find(name)) return r->content;
+    std::string all;
+    for (const auto& r : record_.roots) all += " '" + r.name + "'";
+    throw unknown_name("kte: the archive has no '" + std::string(name) + "'; it has" +
+                       (all.empty() ? " nothing" : all));
+  }
+  template <class T>
+  const T& get(std::string_view name, std::string_view wanted) const {
+    const auto& c = content(name);
+    if (const T* x = std::get_if<T>(&c)) return *x;
+    wrong(name, detail::content_fields[c.index()], wanted);
+  }
+  [[noreturn]] static void wrong(std::string_view name, std::string_view is, std::string_view wanted) {
+    throw bad_argument("kte: '" + std::string(name) + "' of the archive is '" + std::string(is) + "', not " +
+                       std::string(wanted));
+  }
+
+  archive_record record_;
+};
+
+/// Reads a file by its ending: .xml, .json or .kte. One of a chain alone (`save_model`) is an archive with the root
+/// "model". Throws `bad_file`.
+inline archive load_archive(const std::filesystem::path& path, const read_options& options = {}) {
+  return archive(detail::read_archive(path, options));
+}
+
+}  // namespace kte

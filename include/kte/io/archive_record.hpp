@@ -1,0 +1,69 @@
+#pragma once
+
+#include <kte/contract/key.hpp>
+#include <kte/contract/record.hpp>
+
+#include <variant>
+
+/// What an archive holds, as plain data. Roots share coordinates, frames and chains by their names.
+namespace kte {
+
+/// The versions of the format: 1 is a chain alone; 2 has archives of several roots, and models of manipulators.
+inline constexpr int model_file_version = 1;
+inline constexpr int archive_file_version = 2;
+
+/// Numbers of a quantity. They hold those of float, double and long double.
+struct quantity_record {
+  std::string name;
+  std::vector<long double> values;
+  file_place place{};
+  friend bool operator==(const quantity_record&, const quantity_record&) = default;
+};
+/// A coordinate, frame, input or internal state, under its name in chains, with its values; what is not there is zero.
+struct thing_record {
+  kind what{};
+  std::string name;
+  std::vector<quantity_record> values;
+  file_place place{};
+  friend bool operator==(const thing_record&, const thing_record&) = default;
+};
+/// Of a chain: things with their values.
+struct state_record {
+  std::vector<thing_record> things;
+  friend bool operator==(const state_record&, const state_record&) = default;
+};
+/// A `mass_matrix_calc`: the root that is its chain, and the names that it was fed with; of all bodies and coordinates,
+/// none.
+struct calculator_record {
+  std::string chain;
+  bool of_all = true;
+  std::vector<std::string> inertias{}, coordinates{};
+  friend bool operator==(const calculator_record&, const calculator_record&) = default;
+};
+/// Numbers by themselves, as q and v.
+using numbers_record = std::vector<long double>;
+
+struct root_record {
+  using content_type = std::variant<model_record, thing_record, state_record, calculator_record, numbers_record>;
+  std::string name;
+  content_type content;
+  file_place place{};
+  friend bool operator==(const root_record&, const root_record&) = default;
+};
+struct archive_record {
+  std::vector<root_record> roots;
+  friend bool operator==(const archive_record&, const archive_record&) = default;
+};
+
+namespace detail {
+/// The fields that hold the content of a root, in the order of `content_type`.
+inline constexpr std::string_view content_fields[]{"chain", "thing", "state", "mass_matrix_calc", "numbers"};
+/// Of limits, as `joint_limits` has them.
+inline constexpr std::string_view limit_fields[]{"lower", "upper", "rate", "acceleration", "jerk", "effort"};
+/// Of things in files, in the order of `kind`.
+inline constexpr std::string_view kind_names[]{"coordinate", "frame_2D", "frame_3D", "input", "rotation_3D",
+                                               "pose_2D",    "pose_3D",  "internal", "vector"};
+static_assert(std::size(kind_names) == kinds);
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <kte/contract/file_place.hpp>
+#include <kte/errors.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace kte::detail {
+
+/// Reads a file of any format field by field, as its reader asks for them: what is not asked for is an error, so that
+/// nothing nests deeper than the reader does. Groups hold fields, which have names, lists hold items. After each step
+/// `at` is the offset of what was read. Throws `bad_file`.
+class field_scanner {
+ public:
+  virtual ~field_scanner() = default;
+  virtual std::size_t at() const = 0;
+  virtual void open_document() = 0;
+  virtual void close_document() = 0;
+  virtual void open_group(const std::string& what) = 0;
+  virtual void open_list(const std::string& what) = 0;
+  /// Whether the innermost group has one more field, whose name that then is; else the group is closed.
+  virtual bool next_field(std::string& name) = 0;
+  /// Whether the innermost list has an item of this number, from 0; else it is closed.
+  virtual bool next_item(std::size_t number) = 0;
+  virtual std::string text(const std::string& name) = 0;
+  /// Numbers as text, with blanks between them.
+  virtual std::string numbers(const std::string& name) = 0;
+  /// Takes numbers, if the file has them here as they are and not as text.
+  virtual bool take_numbers(std::vector<double>&) { return false; }
+
+  virtual file_place place(std::size_t offset) = 0;
+  [[noreturn]] void fail_at(std::size_t offset, const std::string& why) {
+    raise<bad_file>("kte: " + to_string(place(offset)) + why);
+  }
+};
+
+}  // namespace kte::detail

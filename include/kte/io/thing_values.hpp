@@ -1,0 +1,114 @@
+#pragma once
+
+#include <kte/contract/thing.hpp>
+#include <kte/errors.hpp>
+#include <kte/frames/coordinates.hpp>
+#include <kte/frames/frame_3D.hpp>
+#include <kte/frames/gen_coord.hpp>
+#include <kte/frames/internal_state.hpp>
+#include <kte/io/archive_record.hpp>
+
+#include <algorithm>
+#include <concepts>
+
+/// The values of coordinates, frames and signals as plain data, and back.
+namespace kte::detail {
+
+/// visit(name, value) of what a thing holds by itself; sines and matrices of its position follow from that.
+template <class T, class Visit>
+void visit_quantities(T& x, const Visit& visit) {
+  const auto member = [&](const char* name, auto& value) { visit(name, value); };
+  if constexpr (std::floating_point<T> || requires {
+                  x.z;
+                  requires requires { x.x; };
+                }) {  // a signal
+    member("value", x);
+  } else {
+    if constexpr (requires { x.q; }) member("q", x.q), member("q_dot", x.q_dot), member("q_ddot", x.q_ddot);
+    if constexpr (requires { x.f; }) member("f", x.f);
+    if constexpr (requires { x.position; }) member("position", x.position);
+    if constexpr (requires { x.rotation; }) member("rotation", x.rotation);
+    if constexpr (requires { x.angle; }) member("angle", x.angle);
+    if constexpr (requires { x.velocity; }) member("velocity", x.velocity);
+    if constexpr (requires { x.ang_velocity; }) member("ang_velocity", x.ang_velocity);
+    if constexpr (requires { x.acceleration; }) member("acceleration", x.acceleration);
+    if constexpr (requires { x.ang_acceleration; }) member("ang_acceleration", x.ang_acceleration);
+    if constexpr (requires { x.force; }) member("force", x.force);
+    if constexpr (requires { x.torque; }) member("torque", x.torque);
+    if constexpr (requires { x.z_dot; }) member("z", x.z), member("z_dot", x.z_dot);
+  }
+}
+/// visit(number) of all numbers: vectors x y z, matrices by rows, quaternions w x y z, rotations in the plane cos sin.
+template <class T, class Visit>
+void visit_numbers_of(T& x, const Visit& visit) {
+  if constexpr (std::floating_point<std::remove_const_t<T>>) {
+    visit(x);
+  } else if constexpr (requires { x.cos; }) {
+    visit(x.cos), visit(x.sin);
+  } else {
+    if constexpr (requires { x.w; }) visit_numbers_of(x.w, visit);
+    visit_numbers_of(x.x, visit), visit_numbers_of(x.y, visit);
+    if constexpr (requires { x.z; }) visit_numbers_of(x.z, visit);
+  }
+}
+
+/// Of a thing by its type, of any scalar.
+template <class T>
+inline constexpr kind kind_of_thing = [] {
+  static_assert(!std::is_same_v<T, T>, "kte: this is no coordinate, frame, input or internal state");
+  return kind{};
+}();
+template <std::floating_point S>
+inline constexpr kind kind_of_thing<S> = kind::input;
+template <class S>
+inline constexpr kind kind_of_thing<gen_coord<S>> = kind::gen;
+template <class S>
+inline constexpr kind kind_of_thing<frame_2D<S>> = kind::frame_2D;
+template <class S>
+inline constexpr kind kind_of_thing<frame_3D<S>> = kind::frame_3D;
+template <class S>
+inline constexpr kind kind_of_thing<rotation_coord_3D<S>> = kind::rotation_3D;
+template <class S>
+inline constexpr kind kind_of_thing<pose_coord_2D<S>> = kind::pose_2D;
+template <class S>
+inline constexpr kind kind_of_thing<pose_coord_3D<S>> = kind::pose_3D;
+template <class S>
+inline constexpr kind kind_of_thing<internal_state<S>> = kind::internal;
+template <class S>
+inline constexpr kind kind_of_thing<vec3<S, S, S>> = kind::vector;
+
+template <class T>
+thing_record record_of_thing(kind what, std::string_view name, const T& x) {
+  thing_record r{what, std::string(name), {}};
+  visit_quantities(x, [&r](const char* quantity, const auto& value) {
+    auto& numbers = r.values.emplace_back(quantity_record{quantity, {}}).values;
+    visit_numbers_of(value, [&numbers](const auto& number) { numbers.push_back(number); });
+  });
+  return r;
+}
+/// Puts what the record has into a thing; the rest stays. Throws `bad_file` for a quantity that such a thing does not
+/// have, or one with another count of numbers.
+template <class T>
+void assign_thing(T& x, const thing_record& r) {
+  const auto fail = [&r](const quantity_record& v, const std::string& why) {
+    raise<bad_file>("kte: " + to_string(v.place) + std::string(to_string(r.what)) + " '" + r.name + "' " + why);
+  };
+  for (const auto& v : r.values) {
+    bool known = false;
+    visit_quantities(x, [&](const char* quantity, auto& value) {
+      if (v.name != quantity) return;
+      known = true;
+      std::size_t n = 0;
+      visit_numbers_of(value, [&n](const auto&) { ++n; });
+      if (v.values.size() != n)
+        fail(v, "has " + std::to_string(v.values.size()) + " numbers as '" + v.name + "', not " + std::to_string(n));
+      auto next = v.values.begin();
+      visit_numbers_of(value,
+                       [&next](auto& number) { number = static_cast<std::remove_cvref_t<decltype(number)>>(*next++); });
+    });
+    if (!known) fail(v, "has no '" + v.name + "'");
+  }
+  if constexpr (requires { update_angle(x); }) update_angle(x);
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,267 @@
+#include <kte/dynamics/mass_matrix_calc.hpp>
+#include <kte/dynamics/runtime.hpp>
+#include <kte/io/archive_file.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
+#include <kte/models/runtime_models.hpp>
+
+#include <cstring>
+
+#include "catch.hpp"
+#include "chain/elements_page.hpp"
+#include "chain/models.hpp"
+#include "io/scratch.hpp"
+#include "robots/iiwa14.hpp"
+
+using namespace models;
+using kte::test::contains_text, kte::test::scratch;
+
+namespace {
+
+const std::filesystem::path data =
+    std::filesystem::path(__FILE__).lexically_normal().parent_path().parent_path() / "data";
+
+/// Through a file of each format.
+template <class Check>
+void in_all_formats(const kte::archive& a, const Check& check) {
+  for (const char* extension : {".xml", ".json", ".kte"}) {
+    CAPTURE(extension);
+    const scratch file(extension);
+    kte::save_archive(file.path, a);
+    const auto b = kte::load_archive(file.path);
+    CHECK(b.record() == a.record());
+    check(b);
+  }
+}
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+constexpr auto golden = pendulum.gravity(kte::along_y(-9.81));
+
+/// The roots of the tutorial of the predecessor.
+kte::archive tutorial(const kte::kte_map_chain& c, const kte::runtime_state& s) {
+  kte::archive a;
+  a.add("joint_coord", "q", s.coordinate("q")).add("pendulum", c).add("end_frame", "tip", s.frame_2D("tip"));
+  return a.add("mass_mat1", kte::mass_matrix_calc(c) << kte::all_inertias << kte::all_coordinates);
+}
+
+}  // namespace
+
+TEST_CASE("a coordinate, a chain, a frame and a calculator in one file share what they have in common") {
+  kte::kte_map_chain c;
+  c << golden;
+  auto s = c.make_state();
+  s.coordinate("q").q = 0.1, s.coordinate("q").q_dot = -1.0 / 3, s.coordinate("q").q_ddot = 1e-300;
+  c.doMotion(s), c.clearForce(s), c.doForce(s);
+  in_all_formats(tutorial(c, s), [&](const kte::archive& b) {
+    CHECK(b.names() == std::vector<std::string>{"joint_coord", "pendulum", "end_frame", "mass_mat1"});
+    const auto d = b.chain("pendulum", models::registry());
+    CHECK(record_of(d) == record_of(c));
+    auto t = d.make_state();
+    b.restore("joint_coord", t), b.restore("end_frame", t);
+    CHECK(same_bits(t.coordinate("q"), s.coordinate("q")));
+    CHECK(same_bits(t.frame_2D("tip"), s.frame_2D("tip")));
+    // of this state, which the chain moves and the calculator reads
+    d.doMotion(t), d.clearForce(t), d.doForce(t);
+    CHECK(same_bits(t.frame_2D("tip"), s.frame_2D("tip")));
+    const auto calculator = b.calculator("mass_mat1", d);
+    CHECK(calculator.inertias() == std::vector<std::string>{"tip"});
+    CHECK(calculator.mass_matrix(t)(0, 0) == kte::mass_matrix(c, s)(0, 0));
+    CHECK(b.thing<kte::gen_coord<>>("joint_coord").q == 0.1);
+    CHECK(b.name_of_thing("end_frame") == "tip");
+    // the same into a static chain and its state
+    const auto e = b.chain("pendulum", golden);
+    auto u = kte::make_state(e);
+    b.restore("joint_coord", u);
+    CHECK(u[q].q_dot == -1.0 / 3);
+    CHECK(u[q].sin == s.coordinate("q").sin);
+  });
+}
+
+TEST_CASE("golden archives of version 2 can be read for ever") {
+  kte::kte_map_chain c;
+  c << golden;
+  auto s = c.make_state();
+  s.coordinate("q").q = 0.1;
+  c.doMotion(s), c.clearForce(s), c.doForce(s);
+  auto limits = kte::unlimited(c);
+  limits.upper[0] = 1.5, limits.effort[0] = 20;
+  auto a = tutorial(c, s);
+  a.add("robot", c, {"tip"}, limits).add("start", s).add("v", std::array{0.5L, 0.1L});
+  CHECK(kte::load_archive(data / "tutorial.json").record() == a.record());
+  CHECK(kte::load_archive(data / "tutorial.xml").record() == a.record());
+  CHECK(kte::load_archive(data / "tutorial.kte").record() == a.record());
+  CHECK(kte::to_json(a.record()) == kte::detail::read_file(data / "tutorial.json"));
+  CHECK(kte::to_xml(a.record()) == kte::detail::read_file(data / "tutorial.xml"));
+  CHECK(kte::to_binary(a.record()) == kte::detail::read_file(data / "tutorial.kte"));
+  CHECK(kte::load_archive(data / "pendulum.xml").names() == std::vector<std::string>{"model"});
+}
+
+TEST_CASE("every element and every kind of thing") {
+  kte::archive a;
+  kte::model_record all;
+  for (const auto& [type, record] : elements_page::records()) all.elements.push_back(record);
+  CHECK(all.elements.size() > 90);
+  for (const auto& back :
+       {kte::from_json(kte::to_json(all)), kte::from_xml(kte::to_xml(all)), kte::from_binary(kte::to_binary(all))})
+    CHECK(back == all);
+
+  kte::kte_map_chain c;
+  c << kte::base_3D("w") << kte::base_2D("p") << kte::free_joint_3D("x", "w", "body")
+    << kte::free_joint_2D("y", "p", "disc") << kte::spherical_joint_3D("r", "body", "hand")
+    << kte::joint_lugre_gen(
+           "g", "z",
+           {.sigma0 = 1e5, .sigma1 = 316, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 1e-3})
+    << kte::driving_actuator_gen("g", "u") << kte::inertia_gen("g", 2.0) << kte::driving_actuator_3D("hand", "f", "t");
+  auto s = c.make_state();
+  double next = 0.1;
+  kte::detail::for_each_thing(s, [&next](auto, auto, auto& x) {
+    kte::detail::visit_quantities(x, [&next](auto, auto& value) {
+      kte::detail::visit_numbers_of(value, [&next](double& number) { number = next *= -1.1; });
+    });
+  });
+  s.coordinate("g").f = std::numeric_limits<double>::infinity(), s.coordinate("g").q_ddot = -0.0;
+  s.internal("z").z = std::nan("");
+  a.add("s", s).add("q", positions(s)).add("v", velocities(s)).add("hand", "hand", s.frame_3D("hand"));
+  for (const char* extension : {".xml", ".json", ".kte"}) {
+    const scratch file(extension);
+    kte::save_archive(file.path, a);
+    const auto b = kte::load_archive(file.path);
+    auto t = c.make_state();
+    b.restore("s", t);
+    kte::detail::for_each_thing(s, [&t](kte::kind k, auto name, const auto& x) {
+      kte::detail::for_each_thing(t, [&](kte::kind l, auto other, const auto& y) {
+        if constexpr (std::is_same_v<decltype(x), decltype(y)>)
+          if (k == l && name == other)
+            CHECK(kte::to_json(kte::archive().add("x", std::string(name), x).record()) ==
+                  kte::to_json(kte::archive().add("x", std::string(name), y).record()));
+      });
+    });
+    CHECK(std::isnan(t.internal("z").z));
+    CHECK(std::signbit(t.coordinate("g").q_ddot));
+    CHECK(same_bits(t.frame_3D("hand"), s.frame_3D("hand")));
+    t = c.make_state();
+    set_positions(t, b.numbers("q")), set_velocities(t, b.numbers("v"));
+    CHECK(positions(t) == positions(s));
+    CHECK(velocities(t) == velocities(s));
+  }
+}
+
+TEST_CASE("states of float and long double, bit for bit") {
+  auto wide = kte::make_state<long double>(golden);
+  wide[q].q = 0.1L, wide[q].q_dot = 1 / 3.0L, wide[q].q_ddot = -1e-4000L, wide[tip].position.x = 1e4000L;
+  auto narrow = kte::make_state<float>(golden);
+  narrow[q].q = 0.1f, narrow[q].q_dot = 1e-45f;
+  in_all_formats(kte::archive().add("wide", wide).add("narrow", narrow), [&](const kte::archive& b) {
+    auto w = kte::make_state<long double>(golden);
+    b.restore("wide", w);
+    CHECK((w[q].q == 0.1L && w[q].q_dot == 1 / 3.0L && w[q].q_ddot == -1e-4000L && w[tip].position.x == 1e4000L));
+    auto n = kte::make_state<float>(golden);
+    b.restore("narrow", n);
+    CHECK((n[q].q == 0.1f && n[q].q_dot == 1e-45f));
+  });
+}
+
+TEST_CASE("models of manipulators: tools, limits and inputs") {
+  kte::kte_map_chain c;
+  c << golden << kte::driving_actuator_gen("q", "motor");
+  auto limits = kte::unlimited(c);
+  limits.lower[0] = -1, limits.rate[0] = 2.5;
+  kte::manipulator_dynamics_model moved(c);
+  moved.input("motor") = 0.7;
+  kte::archive a;
+  a.add("arm", kte::manipulator_kinematics_model<kte::kte_map_chain>(c, {"tip", "joint"})).add("moved", moved, limits);
+  in_all_formats(a, [&](const kte::archive& b) {
+    CHECK(b.tools("arm") == std::vector<std::string>{"tip", "joint"});
+    CHECK(b.limits("moved", b.chain("moved", models::registry())) == limits);
+    CHECK(b.limits("arm", c) == kte::unlimited(c));
+    kte::manipulator_dynamics_model again(b.chain("moved", models::registry()));
+    b.restore("moved", again);
+    CHECK(again.input("motor") == 0.7);
+  });
+  CHECK(kte::archive().add("arm", kte::manipulator_kinematics_model(golden, tip)).tools("arm").at(0) == "tip");
+  const auto other = moved.with_output([](const auto&) { return Eigen::VectorXd(); });
+  CHECK_THROWS_WITH(a.add("other", other), contains_text("a function of its program"));
+  limits.upper[0] = -2;
+  CHECK_THROWS_AS(a.add("bad", c, limits), kte::bad_parameter);
+  CHECK(a.names().size() == 2);
+}
+
+TEST_CASE("calculators come back as they were fed") {
+  kte::kte_map_chain c;
+  c << robots::iiwa14;
+  kte::mass_matrix_calc calc(c);
+  const auto& frames = c.wiring().names[static_cast<std::size_t>(kte::kind::frame_3D)];
+  const auto& joints = c.wiring().names[static_cast<std::size_t>(kte::kind::gen)];
+  const auto masses = kte::mass_matrix_calc(c) << kte::all_inertias << kte::all_coordinates;
+  std::vector<std::string> on;
+  for (const auto& f : frames)
+    if (on.size() < 2) try {
+        calc << kte::inertia_on(f);
+        on.push_back(f);
+      } catch (const kte::bad_argument&) {
+      }
+  calc << kte::moved_by(joints.at(3)) << kte::moved_by(joints.at(1));
+  auto s = c.make_state();
+  const std::vector<double> q{0.1, -0.4, 0.3, 1.2, 0.2, -0.6, 0.5};
+  const auto m = calc.mass_matrix(s, q);
+  CHECK_THROWS_WITH(kte::archive().add("calc", calc), contains_text("must be in the archive before"));
+  in_all_formats(kte::archive().add("arm", robots::iiwa14).add("calc", calc), [&](const kte::archive& b) {
+    const auto d = b.chain("arm", models::registry());
+    const auto again = b.calculator("calc", d);
+    CHECK(again.inertias() == on);
+    CHECK(again.columns() == calc.columns());
+    auto t = d.make_state();
+    CHECK(again.mass_matrix(t, q) == m);
+    // and the arm itself is bit for bit what it was
+    s = c.make_state();
+    CHECK(record_of(d) == record_of(c));
+    CHECK(inverse_dynamics(d, t, q, q, q) == inverse_dynamics(c, s, q, q, q));
+    CHECK(mass_matrix(d, t, q) == mass_matrix(c, s, q));
+  });
+}
+
+TEST_CASE("what is not there, or something else, is said by name") {
+  const auto message = [](const auto& f) { return kte::test::message_of<kte::error>(f); };
+  kte::kte_map_chain c;
+  c << golden;
+  auto s = c.make_state();
+  kte::archive a = tutorial(c, s);
+  CHECK(message([&] { (void)a.chain("arm", models::registry()); }) ==
+        "kte: the archive has no 'arm'; it has 'joint_coord' 'pendulum' 'end_frame' 'mass_mat1'");
+  CHECK(message([&] { (void)a.chain("end_frame", models::registry()); }) ==
+        "kte: 'end_frame' of the archive is 'thing', not a chain");
+  CHECK(message([&] { a.add("pendulum", c); }) == "kte: the archive has a 'pendulum' already");
+  CHECK(message([&] { (void)a.thing<kte::gen_coord<>>("end_frame"); }) ==
+        "kte: 'end_frame' of the archive is '2D frame', not coordinate");
+  kte::kte_map_chain longer;
+  longer << golden << kte::damper_gen("q", "w", 1.0);
+  CHECK(message([&] { (void)a.calculator("mass_mat1", longer); }) ==
+        "kte: 'mass_mat1' of the archive is of its chain 'pendulum', not of this one");
+  kte::archive b;
+  b.add("x", "elbow", kte::gen_coord<>{.q = 1});
+  s.coordinate("q").q = 3;
+  CHECK(message([&] { b.restore("x", s); }) == "kte: the chain has no coordinate 'elbow'");
+  const auto restored = [&](const std::string& values) {
+    return message([&] {
+      kte::archive x(kte::detail::read_archive(
+          R"({"kte_archive":{"version":2,"roots":[{"name":"x","thing":{"type":"coordinate","name":"q","values":{)" +
+              values + "}}}]}}",
+          "m", kte::model_format::json, {}));
+      x.restore("x", s);
+    });
+  };
+  CHECK(restored("\"q\":1,\"dq\":2").ends_with("coordinate 'q' has no 'dq'"));
+  CHECK(restored("\"q_dot\":[1,2]").ends_with("coordinate 'q' has 2 numbers as 'q_dot', not 1"));
+  CHECK(s.coordinate("q").q == 3);
+  CHECK(restored("\"q_dot\":4").empty());
+  CHECK((s.coordinate("q").q == 3 && s.coordinate("q").q_dot == 4));
+
+  const scratch file(".json");
+  kte::save_archive(file.path, kte::archive().add("one", golden).add("two", golden));
+  CHECK(message([&] {
+          (void)kte::load_model(file.path);
+        }).ends_with("an archive of several chains, for load_archive: 'one' 'two'"));
+  kte::save_archive(file.path, kte::archive().add("one", golden).add("q", std::array{1.0}));
+  CHECK(kte::load_model(file.path) == record_of(golden));
+}
