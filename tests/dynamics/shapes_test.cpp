@@ -234,8 +234,6 @@ TEST_CASE("what algorithms cannot count they refuse by name", "[shapes]") {
   dry << dry_revolute_joint_3D("q", "ground", "end", axis::y, 0.02)
       << inertia_3D("end", rigid_body{1.5, vec3{0.1, 0.0, 0.0}, diagonal(0.03, 0.025, 0.02)});
   CHECK_THROWS_MATCHES(dry.make_state<float>(), bad_argument, says("dry_revolute_joint_3D"));
-  auto s = dry.make_state();
-  CHECK_THROWS_MATCHES(forward_dynamics_derivatives(dry, s), bad_argument, says("dry_revolute_joint_3D"));
 
   kte_map_chain spread;
   spread << revolute_joint_3D("q", "ground", "end", axis::y) << inertia_3D("end", point_mass(1.0, along_x(0.3)))

@@ -131,6 +131,11 @@ TEST_CASE("a static chain of all shapes is what it is at run time", "[shapes]") 
   CHECK(difference_of(mass_matrix(c, s), Eigen::Matrix2d(mass_matrix(r, t))) < 1e-15);
   CHECK(difference_of(mass_matrix_inverse(c, s), Eigen::Matrix2d(mass_matrix_inverse(r, t))) < 1e-14);
   CHECK(difference_of(forward_dynamics(c, s), Eigen::Vector2d(forward_dynamics(r, t))) < 1e-14);
+  const auto known = forward_dynamics_derivatives(c, s);
+  const auto& of_runtime = forward_dynamics_derivatives(r, t);
+  CHECK(difference_of(known.by_q, Eigen::Matrix2d(of_runtime.by_q)) < 1e-13);
+  CHECK(difference_of(known.by_v, Eigen::Matrix2d(of_runtime.by_v)) < 1e-13);
+  CHECK(difference_of(known.by_tau, Eigen::Matrix2d(of_runtime.by_tau)) < 1e-13);
   CHECK(difference_of(jacobian(c, q, foot), Eigen::Matrix<double, 6, 2>(jacobian(r, t, q, "foot"))) < 1e-14);
   CHECK(difference_of(jacobian(c, q, foot, in_world_axes),
                       Eigen::Matrix<double, 6, 2>(jacobian(r, t, q, "foot", in_world_axes))) < 1e-14);
@@ -148,7 +153,7 @@ TEST_CASE("a static chain of all shapes is what it is at run time", "[shapes]") 
   CHECK(difference_of(rate, Eigen::Vector4d(runtime_model(0.7, Eigen::VectorXd(x)))) < 1e-14);
   CHECK(difference_of(rate, Eigen::Vector4d(runtime_model(0.8, Eigen::VectorXd(x)))) > 1e-3);
 
-  // stiff methods take differences where derivatives are not known, of both kinds of chain
+  // stiff methods, of both kinds of chain
   const auto end_of = [](auto solver) {
     solver.integrate(0.75);
     return Eigen::VectorXd(solver.state());

@@ -89,12 +89,6 @@ struct check_bodies {
                 "kte: this algorithm counts the masses of single frames and coordinates, and this element has a mass "
                 "between several");
 };
-/// A joint whose friction depends on what it carries, in derivatives.
-template <class Core, bool None>
-struct check_reactions {
-  static_assert(None, "kte: derivatives of friction that depends on what a joint carries are not known");
-};
-
 /// What stands for an element that was refused with a sentence, so that nothing more is said about it.
 struct refused {
   template <class... Place>

@@ -24,7 +24,7 @@ inline constexpr bool is_analytical =
 /// At q, v and a, with bases and inputs as given.
 template <class S, class Chain, class At, class Base, class Q, class V, class A>
 KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v, const A& a) {
-  static_assert(sizeof(check_loads_of<Chain>) > 0 && sizeof(check_reactions_of<Chain>) > 0);
+  static_assert(sizeof(check_loads_of<Chain>) > 0);
   inverse_dynamics_result<S, Chain::dofs> r;
   if constexpr (is_analytical<Chain>) {
     const given g{at, each<S, V>{v}, each<S, A>{a}, base};
@@ -40,7 +40,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
     check_forces<typename Chain::wiring>(r.tau, g);
   } else {
     dual_derivatives<S>(c, base, q, v, a, r);
-    r.by_a = local_mass_matrix<S>(c, at, base);
+    if constexpr (!reads_reactions<Chain>) r.by_a = local_mass_matrix<S>(c, at, base);
   }
   return r;
 }
@@ -48,12 +48,14 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
 /// From accelerations a under tau and the derivatives of inverse dynamics there:
 ///
 ///   da/dq = -M^-1 dtau/dq,   da/dv = -M^-1 dtau/dv,   da/dtau = M^-1          (1)
+///
+/// with dtau/da for M where friction depends on what joints carry, and so on accelerations.
 template <class S, class Chain, class At, class Base, class Q, class V>
 KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base& base, const Q& q, const V& v,
                                        const joint_vector<S, Chain::dofs>& tau) {
   forward_dynamics_result<S, Chain::dofs> r;
   const each<S, V> rates{v};
-  constexpr bool inverted = is_tree_of_joints<Chain> || !Chain::common;
+  constexpr bool rubs = reads_reactions<Chain>, inverted = !rubs && (is_tree_of_joints<Chain> || !Chain::common);
   if constexpr (inverted) {
     at.check(), base.check();
     const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
@@ -66,7 +68,9 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     r.a = accelerations_under<S>(c, at, rates, base, tau);
   }
   auto of_forces = derivatives_at<S>(c, at, base, q, v, r.a);
-  if constexpr (!inverted)
+  if constexpr (rubs)
+    invert_by_records<S>(c, given{at, rates, same<zero_t>{}, base}, of_forces.by_a, r.by_tau);
+  else if constexpr (!inverted)
     invert_by_factors(of_forces.by_a, r.by_tau,
                       [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
   solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
@@ -74,7 +78,8 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
 }
 }  // namespace detail
 
-/// Inverse dynamics and its derivatives; by_a is the mass matrix. Arguments as for `inverse_dynamics`. In a tree of
+/// Inverse dynamics and its derivatives; by_a is the mass matrix, less the derivatives of friction that depends on what
+/// joints carry. Arguments as for `inverse_dynamics`. In a tree of
 /// joints and bodies, with springs, dampers and masses on coordinates, by recursion over the elements
 /// (kernels/variation.hpp); where other forces act between frames, or coordinates follow others, by dual numbers.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>

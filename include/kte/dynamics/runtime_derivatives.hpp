@@ -18,7 +18,8 @@ namespace detail {
 template <class S>
 bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
-  return t.plan.tree && t.weights.empty() && t.followers.empty() && t.late.empty() && c.wiring().has_derivatives;
+  return t.plan.tree && t.weights.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
+         c.wiring().has_derivatives;
 }
 
 template <class S>
@@ -51,14 +52,6 @@ const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runti
 }
 
 namespace detail {
-/// Throws `bad_argument` for joints whose friction depends on what they carry.
-template <class S>
-void check_derivable(const kte_map_chain& c, const basic_runtime_state<S>& s) {
-  check_regular(c, s);
-  if (!s.tree().readers.empty()) [[unlikely]]
-    throw bad_argument("kte: derivatives of friction that depends on what a joint carries are not known: " +
-                       runtime_elements{c}.element(s.tree().readers.front()).record().type);
-}
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s) {
   coordinate_forces(c, s);
@@ -80,7 +73,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
-  detail::check_derivable(c, s);
+  detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
@@ -88,7 +81,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(c
 template <class S, indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
-  detail::check_derivable(c, s);
+  detail::check_regular(c, s);
   detail::take(c, s, q, v, a);
   return detail::forces_derived(c, s);
 }
@@ -102,6 +95,13 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
   const Eigen::Index n = s.dofs();
   r.a = s.work.forces;
   r.by_q.resize(n, n), r.by_v.resize(n, n);
+  if constexpr (std::is_same_v<S, double>)
+    if (!s.tree().readers.empty()) [[unlikely]] {
+      const auto& forces = forces_derived(c, s);
+      invert_unheld_rubbing(runtime_elements{c}, s, forces.by_a, r.by_tau);
+      solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
+      return r;
+    }
   if (s.tree().plan.tree && s.tree().holders.empty()) [[likely]]
     invert_articulated(s, r.by_tau);
   else
@@ -122,7 +122,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
 template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
-  detail::check_derivable(c, s);
+  detail::check_regular(c, s);
   forward_dynamics(c, s);
   return detail::accelerations_derived(c, s);
 }
@@ -130,7 +130,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(c
 template <class S, indexable Q, indexable V, indexable T>
 const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
-  detail::check_derivable(c, s);
+  detail::check_regular(c, s);
   forward_dynamics(c, s, q, v, tau);
   return detail::accelerations_derived(c, s);
 }

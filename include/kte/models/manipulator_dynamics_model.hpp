@@ -59,8 +59,9 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
   /// as set. Stiff methods take it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
-  /// Not of chains with friction by what joints carry, of which stiff methods take differences.
-  static constexpr bool has_jacobian = !(detail::reads_reaction<typename E::core_type> || ...);
+  /// Not of chains with friction by what joints carry that keep internal states, of which stiff methods take
+  /// differences: friction answers accelerations, and so those states, by no matrix alone.
+  static constexpr bool has_jacobian = size::z == 0 || !(detail::reads_reaction<typename E::core_type> || ...);
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);

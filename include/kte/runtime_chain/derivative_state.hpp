@@ -23,6 +23,7 @@ class basic_derivative_state {
         work(tree_->forest),
         q(static_cast<std::size_t>(t.nq)),
         v(static_cast<std::size_t>(t.nv)),
+        a(v),
         forces(v) {}
 
   template <kind K>
@@ -46,7 +47,7 @@ class basic_derivative_state {
 
  public:
   tree::dual_memory<scalar> work;
-  std::vector<scalar> q, v, forces;
+  std::vector<scalar> q, v, a, forces;
 };
 
 }  // namespace kte::detail

@@ -91,6 +91,10 @@ class kte_element : public kte_map {
   /// doMotion and doForce with derivatives, of an element that is more than a joint, a link or a body.
   virtual void derive_motion(detail::derivative_state&) const = 0;
   virtual void derive_force(detail::derivative_state&) const = 0;
+  /// Its friction with derivatives, of a joint that has it by the wrench that it carries at its end.
+  virtual detail::derivative_number derive_friction(
+      detail::derivative_state&,
+      const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end) const = 0;
 };
 
 }  // namespace kte

@@ -61,6 +61,15 @@ class kte_map_adapter final : public kte_element {
     if constexpr (detail::acts<Core>)
       detail::lean_pass<Core, detail::derivative_state>(core_, s, index_.data()).force();
   }
+  detail::derivative_number derive_friction(
+      [[maybe_unused]] detail::derivative_state& s,
+      [[maybe_unused]] const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end)
+      const override {
+    if constexpr (detail::reads_reaction<Core>)
+      return detail::lean_pass<Core, detail::derivative_state>(core_, s, index_.data()).friction(end);
+    else
+      return {};
+  }
 
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;

@@ -65,6 +65,11 @@ class lean_pass<Core, State, std::index_sequence<P...>> {
         (is_output(P) ? 0 : (add_lean_load<Core::ports[P].what>(state_, index_[P], std::get<P>(things_)), 0))...};
     (void)done;
   }
+  /// Of a joint that carries a wrench.
+  auto friction(const wrench<vec3<typename State::scalar>, vec3<typename State::scalar>>& end) const {
+    const auto copy = std::bit_cast<wrench<vec3<scalar>, vec3<scalar>>>(end);
+    return scalar(core_.friction(std::get<0>(things_), copy)).number;
+  }
   /// What is connected to port i.
   template <kind K>
   auto& get(int i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/rare_shapes.hpp>
+#include <kte/kernels/invert_general.hpp>
 #include <kte/kernels/solve.hpp>
 #include <kte/tree/fill_symmetric.hpp>
 
@@ -239,6 +240,22 @@ void invert_unheld(const Elements& c, State& s, Matrix& inverse) {
   });
   inverse.resize(s.dofs(), s.dofs());
   invert_by_factors(m, inverse, [&](int row) { c.blame_mass(s, row, true); });
+  for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
+}
+
+/// The same where friction depends on what joints carry: by dtau/da, which is not symmetric.
+template <class Elements, class State, class Matrix>
+void invert_unheld_rubbing(const Elements& c, State& s, const Matrix& by_a, Matrix& inverse) {
+  using S = typename State::scalar;
+  Matrix m = by_a;
+  for_each_held(c, s, [&m](int, int row) {
+    m.row(row).setZero(), m.col(row).setZero();
+    m(row, row) = S(1);
+  });
+  if (!invert_general(m, inverse)) [[unlikely]]
+    raise<no_solution>(
+        "kte: accelerations do not follow smoothly from forces: friction of joints by what they carry is "
+        "about to jam");
   for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
 }
 

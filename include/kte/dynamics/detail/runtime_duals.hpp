@@ -17,7 +17,7 @@ State& state_with_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s)
   if (d.layout() != t.layout) d = make();
   return d;
 }
-/// All that is given from outside, and accelerations, as constants.
+/// All that is given from outside, as constants, and q, v and a.
 template <std::same_as<double> S, class D>
 void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   const auto take = [](auto& to, const auto& x) {
@@ -45,10 +45,8 @@ void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   }
   for (int i = 0; i < t.count(kind::internal); ++i)
     d.template get<kind::internal>(i).z = s.template get<kind::internal>(i).z;
-  auto& a = d.forces;
-  read_listed_numbers<vector_of::a>(s, a);
-  for_each_listed_freedom(d, [&a](auto& x, const freedom& at) { put<vector_of::a>(x, at, a); });
   read_listed_numbers<vector_of::q>(s, d.q), read_listed_numbers<vector_of::v>(s, d.v);
+  read_listed_numbers<vector_of::a>(s, d.a);
 }
 
 /// How far the coordinates of joints move them along their axes, in axes of the body, and their rates. Rotations and
@@ -64,21 +62,22 @@ void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
     else
       for (auto k = first; k < first + static_cast<std::size_t>(r.axes); ++k) {
         w.shift[k] = D(0);
-        if (const int lane = f.row[k] - moving.first; !moving.by_v && lane >= 0 && lane < D::variables)
+        if (const int lane = f.row[k] - moving.first; moving.by == vector_of::q && lane >= 0 && lane < D::variables)
           w.shift[k].derivative[static_cast<std::size_t>(lane)] = 1;
       }
     each_axis<vector_of::v>(d, r, [&w](const D& x, std::size_t k) { w.rate[k] = x; });
     each_axis<vector_of::a>(d, r, [&w](const D& x, std::size_t k) { w.acceleration[k] = x; });
   }
 }
-/// Inverse dynamics at q, v of the state with derivatives: what must be applied, into its `forces`.
+/// Inverse dynamics at q, v, a of the state with derivatives: what must be applied, into its `forces`.
 template <std::same_as<double> S, class D>
 void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
                             const directions& moving) {
   const runtime_elements elements{c};
   const auto& t = s.tree();
-  for_each_listed_freedom(
-      d, [&d](auto& x, const freedom& at) { put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v); });
+  for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
+    put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
+  });
   bring_up_to_date(elements, d);
   take_shifts(d, moving);
   clear_coordinates(d);
@@ -99,27 +98,34 @@ void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>
   tree::take_needs_in_duals(t.forest, s.work, d.work);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(d, r, [&d](auto& f, std::size_t k) { f -= d.work.force[k]; });
+  for_each_friction(elements, d, [&d](const auto& r, const D& friction) {
+    auto& x = d.template get<kind::gen>(r.slot);
+    x.f = x.f + friction;
+  });
   push_on_coordinates(elements, d, acting::all);
   read_listed_numbers<vector_of::f>(d, d.forces);
   for (auto& f : d.forces) f = -f;
 }
 
-/// By q and v at what the state has, into `of_forces`; by_a is the mass matrix. After inverse dynamics.
+/// By q and v at what the state has, into `of_forces`; by_a is the mass matrix, where friction depends on what joints
+/// carry it is derived too. After inverse dynamics.
 template <std::same_as<double> S>
 void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
   auto& r = s.work.of_forces;
   const Eigen::Index n = s.dofs();
-  r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n);
+  r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
+  const bool rubs = !s.tree().readers.empty();
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
   derive_by_duals(
-      s.freedoms(), std::span(d.q), std::span(d.v),
+      s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), rubs,
       [&](const directions& moving) -> const auto& {
         needed_forces_in_duals(c, s, d, moving);
         return d.forces;
       },
       r);
+  if (rubs) return;
   mass_of_coordinates(runtime_elements{c}, s);
   r.by_a = s.work.mass;
 }

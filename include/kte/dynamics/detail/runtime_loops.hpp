@@ -26,6 +26,9 @@ struct runtime_elements {
   }
   void move(int e, derivative_state& s) const { element(e).derive_motion(s); }
   void push(int e, derivative_state& s) const { element(e).derive_force(s); }
+  derivative_number friction(int e, derivative_state& s, const tree::dense_wrench<derivative_number>& end) const {
+    return element(e).derive_friction(s, end);
+  }
   // States of other scalars are for chains in which nothing is left for elements to do.
   template <class State>
   void move(int, State&) const {}

@@ -209,6 +209,15 @@ void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const 
     invert_unheld(static_elements{c, g}, s, s.work.inverse);
   inverse = s.work.inverse;
 }
+/// How accelerations answer forces, from dtau/da.
+template <class S, class Chain, class Given>
+void invert_by_records(const Chain& c, const Given& g, const joint_matrix<S, Chain::dofs>& by_a,
+                       joint_matrix<S, Chain::dofs>& inverse) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  s.take(g);
+  invert_unheld_rubbing(static_elements{c, g}, s, by_a, inverse);
+}
 template <class S, class Chain, class Given>
 joint_matrix<S, Chain::dofs> inverse_mass_by_records(const Chain& c, const Given& g) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);

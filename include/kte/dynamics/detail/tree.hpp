@@ -47,12 +47,14 @@ struct has_spread_mass : std::bool_constant<spreads_mass<Core>> {};
 template <class Core>
 struct has_reaction : std::bool_constant<reads_reaction<Core>> {};
 
+/// Whether joints have friction by what they carry.
+template <class Chain>
+inline constexpr bool reads_reactions = !Chain::common && !std::is_void_v<first_element<Chain, has_reaction>>;
+
 /// Of algorithms that would leave such things out.
 template <class Chain, class Core = first_element<Chain, has_own_loads>>
 using check_loads_of = check_loads<Core, std::is_void_v<Core>>;
 template <class Chain, class Core = first_element<Chain, has_spread_mass>>
 using check_bodies_of = check_bodies<Core, std::is_void_v<Core>>;
-template <class Chain, class Core = first_element<Chain, has_reaction>>
-using check_reactions_of = check_reactions<Core, std::is_void_v<Core>>;
 
 }  // namespace kte::detail
