@@ -15,7 +15,7 @@ class static_model {
   using scalar = S;
   using vector = std::vector<S>;
 
-  explicit static_model(const Chain& chain, Frames...) : chain_(chain) {}
+  explicit static_model(const Chain& chain) : chain_(chain) {}
 
   auto layout() const { return kte::layout(chain_); }
   auto inverse_dynamics(const vector& q, const vector& v, const vector& a) const {

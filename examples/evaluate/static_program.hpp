@@ -44,6 +44,13 @@ inline std::string main_text(const robot_file& r, const options& o) {
   return s + ");\n}\n";
 }
 
+/// Of this program: who builds it anew may have changed the library.
+inline std::string time_of_build() {
+  std::error_code none;
+  const auto time = std::filesystem::last_write_time("/proc/self/exe", none);
+  return none ? "" : std::to_string(time.time_since_epoch().count());
+}
+
 /// Compiles the program for a robot if there is none yet, and runs it with the same arguments; its exit code. The
 /// folder is named after all that the program depends on, by a hash.
 inline int run_static(const robot_file& r, const options& o, int count, char** arguments) {
@@ -53,7 +60,7 @@ inline int run_static(const robot_file& r, const options& o, int count, char** a
   const std::string header = kte::to_header(r.chain, "robot"), main = main_text(r, o);
   char name[20];
   std::snprintf(name, sizeof name, "%016llx",
-                static_cast<unsigned long long>(kte::detail::hash(header + main + compiler + flags)));
+                static_cast<unsigned long long>(kte::detail::hash(header + main + compiler + flags + time_of_build())));
   const auto folder = cache_folder() / name;
   const auto program = folder / "program";
   if (!std::filesystem::exists(program)) {

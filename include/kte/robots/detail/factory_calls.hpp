@@ -22,8 +22,8 @@ inline const std::map<std::string, factory_call, std::less<>>& factory_calls() {
     std::map<std::string, factory_call, std::less<>> calls;
     // The place of the call is that of the family.
     const auto add = [&calls](const char* type, const auto&, const char* arguments = nullptr,
-                              const char* file = __builtin_FILE()) {
-      const std::string path(file);
+                              const char* family = __builtin_FILE()) {
+      const std::string path(family);
       const auto name = path.find_last_of("/\\") + 1;
       calls.emplace(type, factory_call{path.substr(name, path.rfind('.') - name), arguments});
     };
