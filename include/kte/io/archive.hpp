@@ -165,9 +165,11 @@ class archive {
   template <class Calculator>
   calculator_record calculator_of(const Calculator& c) const {
     const auto chain = record_of(c.chain());
+    const auto all = Calculator(c.chain()) << all_inertias << all_coordinates;
+    const bool of_all = c.inertias() == all.inertias() && c.coordinates() == all.coordinates();
     for (const auto& r : record_.roots)
       if (const auto* m = std::get_if<model_record>(&r.content); m && same_chain(*m, chain))
-        return {r.name, false, c.inertias(), c.coordinates()};
+        return of_all ? calculator_record{r.name} : calculator_record{r.name, false, c.inertias(), c.coordinates()};
     throw bad_argument("kte: the chain of a mass_matrix_calc must be in the archive before it");
   }
   archive& put(const std::string& name, root_record::content_type content) {

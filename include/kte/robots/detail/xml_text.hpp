@@ -23,6 +23,7 @@ void give_titles(xml_node& root, const std::string& source);
 
 #ifdef KTE_FUNCTION
 #  include <kte/io/file.hpp>
+#  include <kte/io/read_options.hpp>
 #  include <kte/io/source_text.hpp>
 #  include <kte/robots/description.hpp>
 
@@ -37,10 +38,10 @@ KTE_FUNCTION void fail_xml_syntax(const std::string& source, int line, const cha
   fail_xml(source, line, "this is no good XML: " + why);
 }
 KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::string& source) {
-  return source_text(text, source).text();
+  return source_text(text, source, read_options{}.max_bytes).text();
 }
 KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) {
-  return read_file(path, largest_model_file + 1);
+  return read_file(path, read_options{}.max_bytes);
 }
 
 /// `owner` is the title of the nearest element above that has a name; that of the root is the robot's.
