@@ -135,8 +135,8 @@ class archive {
   void restore(std::string_view name, T& x) const {
     if constexpr (!detail::any_state<T>) {
       detail::restore_inputs(model(name), x);
-    } else if (const auto* one = std::get_if<thing_record>(&content(name))) {
-      kte::restore(state_record{{*one}}, x);
+    } else if (const auto* single = std::get_if<thing_record>(&content(name))) {
+      kte::restore(state_record{{*single}}, x);
     } else {
       kte::restore(get<state_record>(name, "a state or a thing"), x);
     }
