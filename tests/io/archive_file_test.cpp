@@ -5,6 +5,7 @@
 #include <kte/models/runtime_models.hpp>
 
 #include <cstring>
+#include <locale>
 
 #include "catch.hpp"
 #include "chain/elements_page.hpp"
@@ -37,6 +38,13 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 constexpr auto golden = pendulum.gravity(kte::along_y(-9.81));
+
+/// Decimal commas, and points between thousands.
+struct comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
 
 /// The roots of the tutorial of the predecessor.
 kte::archive tutorial(const kte::kte_map_chain& c, const kte::runtime_state& s) {
@@ -94,6 +102,12 @@ TEST_CASE("golden archives of version 2 can be read for ever") {
   CHECK(kte::to_json(a.record()) == kte::detail::read_file(data / "tutorial.json"));
   CHECK(kte::to_xml(a.record()) == kte::detail::read_file(data / "tutorial.xml"));
   CHECK(kte::to_binary(a.record()) == kte::detail::read_file(data / "tutorial.kte"));
+  const std::locale before = std::locale::global(std::locale(std::locale(), new comma));
+  const auto with_comma = kte::to_xml(a.record());
+  const auto read_with_comma = kte::load_archive(data / "tutorial.json");
+  std::locale::global(before);
+  CHECK(with_comma == kte::to_xml(a.record()));
+  CHECK(read_with_comma.record() == a.record());
   CHECK(kte::load_archive(data / "pendulum.xml").names() == std::vector<std::string>{"model"});
 }
 
@@ -180,11 +194,41 @@ TEST_CASE("models of manipulators: tools, limits and inputs") {
     CHECK(again.input("motor") == 0.7);
   });
   CHECK(kte::archive().add("arm", kte::manipulator_kinematics_model(golden, tip)).tools("arm").at(0) == "tip");
+  const scratch file(".json");
+  kte::save_model(file.path, moved, limits);
+  CHECK(kte::load_model(file.path).inputs == a.model("moved").inputs);
+  CHECK(kte::limits_of(c, kte::load_model(file.path)) == limits);
+
+  // of a static chain
+  constexpr auto driven = kte::chain(golden, kte::driving_actuator_gen(q, motor));
+  kte::manipulator_dynamics_model fixed(driven);
+  auto of_fixed = kte::unlimited(driven);
+  of_fixed.upper[0] = 0.5;
+  a.add("fixed", fixed, of_fixed);
+  a.restore("moved", fixed);
+  CHECK(fixed.input(motor) == 0.7);
+  CHECK(a.limits("fixed", driven) == of_fixed);
   const auto other = moved.with_output([](const auto&) { return Eigen::VectorXd(); });
   CHECK_THROWS_WITH(a.add("other", other), contains_text("a function of its program"));
   limits.upper[0] = -2;
   CHECK_THROWS_AS(a.add("bad", c, limits), kte::bad_parameter);
-  CHECK(a.names().size() == 2);
+  CHECK(a.names().size() == 3);
+  const auto bad = [&](kte::model_record m) {
+    return kte::test::message_of<kte::error>([&] {
+      kte::archive x(kte::archive_record{{{"x", m, {}}}});
+      (void)x.limits("x", c), x.restore("x", moved);
+    });
+  };
+  const auto chain = record_of(c);
+  CHECK(bad({chain.gravity, chain.elements, {}, {{"elbow", {}}}}) ==
+        "kte: limits of 'elbow', which is no degree of freedom of the chain");
+  CHECK(bad({chain.gravity, chain.elements, {}, {{"q", {{"upper", {1, 2}}}}}}) ==
+        "kte: limits of 'q': upper must have 1 numbers, got 2");
+  CHECK(bad({chain.gravity, chain.elements, {}, {{"q", {{"upper", {-1}}, {"lower", {1}}}}}}) ==
+        "kte: limits of coordinate 'q': lower must not be above upper, got 1 and -1");
+  CHECK(bad({chain.gravity, chain.elements, {}, {}, {{"brake", {1}}}}) == "kte: the model has no input 'brake'");
+  CHECK(bad({chain.gravity, chain.elements, {}, {}, {{"motor", {1, 2}}}}) == "kte: input 'motor' has 2 numbers, not 1");
+  CHECK(moved.input("motor") == 0.7);
 }
 
 TEST_CASE("calculators come back as they were fed") {

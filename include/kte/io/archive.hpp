@@ -48,17 +48,19 @@ class archive {
     } else if constexpr (detail::any_state<T>) {
       return put(name, record_of(x));
     } else if constexpr (requires { record_of(x); }) {
-      return put(name, model_of(x));
+      return put(name, detail::record_of_model(x));
     } else {
+      static_assert(
+          requires { x[x.size()]; }, "kte: an archive holds chains, models, states, calculators and numbers");
       numbers_record numbers;
-      for (const auto& number : x) numbers.push_back(number);
+      for (decltype(x.size()) i = 0; i < x.size(); ++i) numbers.push_back(x[i]);
       return put(name, std::move(numbers));
     }
   }
   /// A chain, or such a model, with the limits of its coordinates.
   template <class Chain, class Numbers>
   archive& add(const std::string& name, const Chain& c, const joint_limits<Numbers>& limits) {
-    auto m = model_of(c);
+    auto m = detail::record_of_model(c);
     m.limits = limit_records(c, limits);
     return put(name, std::move(m));
   }
@@ -66,7 +68,7 @@ class archive {
   template <class Chain, class Numbers>
   archive& add(const std::string& name, const Chain& c, std::vector<std::string> tools,
                const joint_limits<Numbers>& limits) {
-    auto m = model_of(c);
+    auto m = detail::record_of_model(c);
     m.tools = std::move(tools), m.limits = limit_records(c, limits);
     return put(name, std::move(m));
   }
@@ -133,8 +135,8 @@ class archive {
   void restore(std::string_view name, T& x) const {
     if constexpr (!detail::any_state<T>) {
       detail::restore_inputs(model(name), x);
-    } else if (const auto* one = std::get_if<thing_record>(&content(name))) {
-      kte::restore(state_record{{*one}}, x);
+    } else if (const auto* single = std::get_if<thing_record>(&content(name))) {
+      kte::restore(state_record{{*single}}, x);
     } else {
       kte::restore(get<state_record>(name, "a state or a thing"), x);
     }
@@ -147,18 +149,6 @@ class archive {
   }
 
  private:
-  template <class T>
-  static model_record model_of(const T& x) {
-    model_record m = record_of(x);
-    if constexpr (requires { x.tools(); })
-      for (const auto& t : x.tools()) m.tools.emplace_back(t);
-    if constexpr (requires { x.has_output(); }) {
-      if (x.has_output())
-        throw bad_argument("kte: the output of this model is a function of its program, which no file can hold");
-      m.inputs = detail::input_records(x);
-    }
-    return m;
-  }
   static bool same_chain(const model_record& a, const model_record& b) {
     return a.gravity == b.gravity && a.elements == b.elements;
   }

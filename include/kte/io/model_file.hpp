@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kte/elements/registry.hpp>
+#include <kte/io/limit_records.hpp>
+#include <kte/io/model_inputs.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/io/model_writer.hpp>
 #include <kte/runtime_chain/from_record.hpp>
@@ -15,12 +17,21 @@
 /// Numbers are written as texts of the shortest digits that read back to the same double (docs/file_format.md).
 namespace kte {
 
-/// Writes a chain of either kind to a file, by its ending: .xml, .json or .kte. The file is replaced only when all is
-/// written; a link stays one. Throws `bad_file`, or `bad_argument` for a chain that no file can hold.
+/// Writes a chain of either kind, or a model with its tools and inputs, to a file, by its ending: .xml, .json or .kte.
+/// The file is replaced only when all is written; a link stays one. Throws `bad_file`, or `bad_argument` for a chain
+/// that no file can hold.
 template <class Chain>
 void save_model(const std::filesystem::path& path, const Chain& chain) {
   const auto format = detail::model_format_of(path);
-  detail::save_record(path, format, record_of(chain));
+  detail::save_record(path, format, detail::record_of_model(chain));
+}
+/// The same with the limits of its coordinates.
+template <class Chain, class Numbers>
+void save_model(const std::filesystem::path& path, const Chain& chain, const joint_limits<Numbers>& limits) {
+  const auto format = detail::model_format_of(path);
+  auto record = detail::record_of_model(chain);
+  record.limits = limit_records(chain, limits);
+  detail::save_record(path, format, record);
 }
 
 }  // namespace kte

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <kte/io/state_records.hpp>
+#include <kte/runtime_chain/static_chain_map.hpp>
 
-/// The inputs of dynamics models as plain data, by their names, and back.
+/// Models of manipulators as plain data: of dynamics models the inputs by their names, and back.
 namespace kte::detail {
 
 /// visit(name, where it begins in u, count) for all inputs of a model from outside.
@@ -27,6 +28,19 @@ std::vector<parameter_record> input_records(const Model& m) {
     for (int i = u; i < u + n; ++i) values.push_back(static_cast<double>(m.input()[i]));
   });
   return all;
+}
+/// Of a chain of either kind or a model, with all that it has besides. Throws `bad_argument` for what no file can hold.
+template <class T>
+model_record record_of_model(const T& x) {
+  model_record m = record_of(x);
+  if constexpr (requires { x.tools(); })
+    for (const auto& t : x.tools()) m.tools.emplace_back(t);
+  if constexpr (requires { x.has_output(); }) {
+    if (x.has_output())
+      throw bad_argument("kte: the output of this model is a function of its program, which no file can hold");
+    m.inputs = input_records(x);
+  }
+  return m;
 }
 /// Throws `unknown_name`, `bad_file`; the model is then as before.
 template <class Model>

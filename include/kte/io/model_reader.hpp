@@ -28,18 +28,18 @@ inline model_format model_format_of(const std::filesystem::path& path) {
   return model_format::binary;
 }
 
-/// `file` is what messages call it.
-archive_record read_archive(std::string_view bytes, const std::string& file, model_format format,
+/// `name` is what messages call it.
+archive_record read_archive(std::string_view bytes, const std::string& name, model_format format,
                             const read_options& options);
 #ifdef KTE_FUNCTION
-KTE_FUNCTION archive_record read_archive(std::string_view bytes, const std::string& file, model_format format,
+KTE_FUNCTION archive_record read_archive(std::string_view bytes, const std::string& name, model_format format,
                                          const read_options& options) {
   if (format == model_format::binary) {
-    binary_scanner in(bytes, file);
+    binary_scanner in(bytes, name);
     if (bytes.size() > options.max_bytes) in.fail_at(0, file_too_large(options.max_bytes));
     return archive_reader(in, options).read();
   }
-  source_text source(bytes, file, options.max_bytes);
+  source_text source(bytes, name, options.max_bytes);
   if (format == model_format::json) {
     json_scanner in(source);
     return archive_reader(in, options).read();
@@ -55,7 +55,7 @@ inline archive_record read_archive(const std::filesystem::path& path, const read
 }
 
 /// The only chain of an archive.
-inline model_record only_model(archive_record&& all, const std::string& file) {
+inline model_record only_model(archive_record&& all, const std::string& name) {
   model_record* found = nullptr;
   std::string chains;
   for (auto& r : all.roots)
@@ -64,7 +64,7 @@ inline model_record only_model(archive_record&& all, const std::string& file) {
       chains += " '" + r.name + "'";
     }
   if (!found)
-    raise<bad_file>("kte: " + file +
+    raise<bad_file>("kte: " + name +
                     (chains.empty() ? ": an archive without a chain"
                                     : ": an archive of several chains, for load_archive:" + chains));
   return std::move(*found);
