@@ -71,20 +71,21 @@ inline robot_pose inverse_of(const robot_pose& a) {
 }
 inline bool is_nothing(const robot_pose& a) { return a == robot_pose{}; }
 
-/// A rotation that takes z to the unit vector n: of coordinate axes one that exchanges them, exactly.
+/// The shortest turn that takes z to the unit vector n; where n is -z the half turn about x.
 ///
-///   u = z x n,   R = 1 + [u]x + [u]x^2 / (1 + n_z)          (2)
+///   u = z x n,   R = 1 + [u]x + [u]x^2 / (1 + n_z),   1/(1 + n_z) = (1 - n_z)/(n_x^2 + n_y^2)          (2)
+inline mat3<vec3<>> shortest_turn_of_z_to(const vec3<>& n) {
+  const double across = n.x * n.x + n.y * n.y;
+  if (across == 0) return n.z > 0 ? robot_pose{}.rotation : mat3<vec3<>>{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  const double k = n.z > 0 ? 1 / (1 + n.z) : (1 - n.z) / across;  // either without cancellation
+  return without_minus_zero(
+      {{1 - k * n.x * n.x, -k * n.x * n.y, n.x}, {-k * n.x * n.y, 1 - k * n.y * n.y, n.y}, {-n.x, -n.y, n.z}});  // (2)
+}
+/// A rotation that takes z to n: of x and y, those that exchange the axes.
 inline mat3<vec3<>> turn_of_z_to(const vec3<>& n) {
   if (n == vec3<>{1, 0, 0}) return {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
   if (n == vec3<>{0, 1, 0}) return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-  if (n.z < -0.5) {  // where (2) loses digits: by way of -z
-    const auto m = turn_of_z_to({n.x, 0.0 - n.y, 0.0 - n.z});
-    return without_minus_zero(mat3<vec3<>>{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}} * m);
-  }
-  const double k = 1 / (1 + n.z);
-  return {{1 - k * n.x * n.x, 0.0 - k * n.x * n.y, n.x},
-          {0.0 - k * n.x * n.y, 1 - k * n.y * n.y, n.y},
-          {0.0 - n.x, 0.0 - n.y, n.z}};  // (2)
+  return shortest_turn_of_z_to(n);
 }
 
 /// A body given in axes that stand at `place` in the link.

@@ -16,6 +16,7 @@ class xml_item {
  public:
   xml_item(const xml_node& e, robot_description& d) : e_(&e), d_(&d) {}
 
+  const xml_node& node() const { return *e_; }
   std::string_view name() const { return e_->name; }
   int line() const { return e_->line; }
   bool has(const char* attribute) const { return find(attribute) != nullptr; }
@@ -49,6 +50,8 @@ class xml_item {
       if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
     return all;
   }
+  /// Numbers that may be infinite.
+  std::vector<double> limits_of(std::string_view t, const char* what) const { return any_list(t, what); }
   double number(const char* attribute) const { return one(list(attribute), attribute); }
   double number_or(const char* attribute, double other) const { return has(attribute) ? number(attribute) : other; }
   double not_negative(const char* attribute) const {

@@ -1,0 +1,105 @@
+#include <kte/dynamics/runtime.hpp>
+#include <kte/robots/load_robot.hpp>
+#include <kte/robots/mjcf_reader.hpp>
+
+#include "catch.hpp"
+#include "robots/files.hpp"
+
+using namespace kte;
+using test::robot_file, test::says;
+
+namespace {
+constexpr double pi = 3.141592653589793;
+
+std::string mjcf(const std::string& inside) { return "<mujoco>\n<worldbody>\n" + inside + "</worldbody></mujoco>"; }
+}  // namespace
+
+TEST_CASE("what a file in MJCF says") {
+  const auto d = load_mjcf(robot_file("everything.xml"));
+  CHECK(d.gravity == vec3<>{0, 0, -1.625});
+  std::vector<std::string> links, joints;
+  for (const auto& l : d.links) links.push_back(l.name);
+  for (const auto& j : d.joints) joints.push_back(j.name);
+  CHECK(links == std::vector<std::string>{"world", "base", "upper", "upper.1", "hand", "tool", "drone"});
+  CHECK(joints == std::vector<std::string>{"shoulder", "elbow", "reach", "ball", "tool_fixed", "drone"});
+
+  const auto& shoulder = d.joints[0];
+  CHECK(shoulder.origin.rotation == mat3<vec3<>>{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}});
+  CHECK(shoulder.axis == vec3<>{0, 1, 0});
+  CHECK(shoulder.lower == within(-pi / 2, 0));
+  CHECK(shoulder.upper == within(pi, 0));
+  CHECK((shoulder.dynamics.damping == 0.5 && shoulder.dynamics.armature == 0.25 && shoulder.dynamics.friction == 0.25));
+  CHECK(shoulder.child_pose.rotation == mat3<vec3<>>{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}});  // back by ref
+  const auto& elbow = d.joints[1];
+  CHECK((elbow.continuous && elbow.axis == vec3<>{0, 0, 1} && elbow.dynamics.armature == 0));
+  CHECK((elbow.dynamics.stiffness == 3 && elbow.child == "upper.1"));
+  CHECK(elbow.dynamics.rest == within(pi / 4, 0));
+  CHECK(elbow.origin.position == vec3<>{0.5, -0.25, 0});
+  CHECK(elbow.child_pose.position == vec3<>{0, -0.25, 0});
+  const auto& reach = d.joints[2];
+  CHECK((reach.is == robot_joint::kind::prismatic && reach.axis == vec3<>{0, 1, 0} && reach.upper == 0.5));
+  CHECK((reach.parent == "upper.1" && reach.child == "upper"));
+  CHECK(d.joints[3].origin.rotation == mat3<vec3<>>{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}});
+  CHECK(d.joints[4].origin.rotation == mat3<vec3<>>{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}});
+
+  CHECK(d.links[1].inertial->inertia == sym3<>{2, 0, 0, 1, 0, 2.5});
+  CHECK(d.links[2].inertial->inertia == sym3<>{1, 0.125, 0.25, 2, 0.5, 2.5});
+  const auto& tool = *d.links[5].inertial;  // m (3 r^2 + (2 h)^2)/12, m r^2/2
+  CHECK((tool.mass == 12 && tool.inertia.xx == 4.75 && tool.inertia.zz == 1.5));
+  CHECK(d.links[6].inertial->inertia == sym3<>{13, 0, 0, 10, 0, 5});
+  const double ball = 500 * 4 * pi / 3 * 0.001;
+  CHECK(d.links[4].inertial->mass == within(1 + ball, 1e-15));
+  CHECK(d.links[4].inertial->com.z == within(0.5 / (1 + ball), 1e-16));
+  CHECK((d.links[1].visuals.size() == 1 && d.links[1].visuals[0].size == vec3<>{0.2, 0.4, 0.6}));
+  CHECK((d.links[1].collisions.empty() && d.links[0].collisions.size() == 1));
+  REQUIRE(d.actuators.size() == 2);
+  CHECK((d.actuators[0].joint == "shoulder" && d.actuators[0].gear == 100 && d.actuators[1].gear == 1));
+  std::string all;
+  for (const auto& n : d.not_read) all += std::to_string(n.line) + " " + n.text + "\n";
+  CHECK(all ==
+        "42 <sensor>: not read\n"
+        "34 freejoint 'drone': the pose of its body is where it starts, which is no part of a chain\n"
+        "15 <light>: not read\n"
+        "40 <position>: its kp is not read\n");
+}
+
+TEST_CASE("a robot in MJCF moves") {
+  const auto r = load_robot(robot_file("everything.xml"));
+  CHECK(r.chain.gravity() == vec3<>{0, 0, -1.625});
+  auto s = r.chain.make_state();
+  auto q = neutral_configuration(r.chain);
+  q[0] = pi / 2, q[1] = 0.3, q[2] = 0.25;  // the shoulder as it is written
+  const auto hand = forward_kinematics(r.chain, s, q, "hand");
+  // base: z down along x; upper: 0.5 along x of it, half turned about z; elbow: a turn about (0, 0.25) of upper
+  const double c = std::cos(0.3), sn = std::sin(0.3);
+  const double x = -sn * (0.25 - 0.25), y = 0.25 + c * (0.25 - 0.25);  // reach 0.25 along y brings it to the axis
+  CHECK(hand.position.x == within(0, 1e-16));
+  CHECK(hand.position.y == within(-y, 1e-16));
+  CHECK(hand.position.z == within(0.5 - (0.5 - x), 1e-16));
+  CHECK(mass_matrix(r.chain, s, q)(0, 0) > 0.25);
+}
+
+TEST_CASE("errors in MJCF name file, line and element") {
+  const auto refused = [](const std::string& inside, const std::string& why) {
+    CHECK_THROWS_MATCHES(from_mjcf(mjcf(inside), "a.xml"), bad_file, says("kte: a.xml:" + why));
+  };
+  const auto joint = [&](const std::string& attributes, const std::string& why) {
+    refused("<body name='b'><joint name='j' " + attributes + "/></body>", "3: joint 'j': " + why);
+  };
+  joint("type='screw'", "type 'screw' is none of hinge, slide, ball, free");
+  joint("axis='0 0 0'", "the axis has length 0");
+  joint("range='2 1'", "the lower end 2 is above the upper 1");
+  joint("range='1'", "range must have two numbers, got 1");
+  joint("class='x'", "there is no default class 'x'");
+  joint("damping='-1'", "damping must not be negative");
+  refused("<body name='b' childclass='x'/>", "3: body 'b': there is no default class 'x'");
+  refused("<body name='b' quat='0 0 0 0'/>", "3: body 'b': a quaternion of length 0 is no rotation");
+  refused("<body name='b'>\n<inertial mass='1'/></body>", "4: body 'b': <inertial>: has no diaginertia");
+  refused("<body name='b'><geom type='mesh' mesh='m'/></body>", "3: body 'b': <geom>: the mass of a mesh is not read");
+  refused("<body name='b'><geom type='box' size='1'/></body>", "3: body 'b': <geom>: its size must have 3 numbers");
+  refused("<frame><body name='b'/></frame>", "3: <frame>: is not read: write the bodies out");
+  refused("<body name='b'><body name='c'><freejoint/></body></body>",
+          "3: body 'c': <freejoint>: a free joint must be the only one of a body in the world");
+  CHECK_THROWS_MATCHES(from_mjcf("<mujoco><compiler coordinate='global'/></mujoco>", "a.xml"), bad_file,
+                       says("coordinate='global' is not read"));
+}
