@@ -35,10 +35,10 @@ class state_columns {
   state_columns(const state_table& t, const column_order& order)
       : table_(t),
         order_(order),
-        q_(t.required("q_", order.q.size())),
-        v_(t.required("v_", order.v.size())),
-        a_(t.columns("a_", order.v.size())),
-        tau_(t.columns("tau_", order.v.size())) {}
+        q_(t.columns("q_", order.q.size(), true)),
+        v_(t.columns("v_", order.v.size(), true)),
+        a_(t.columns("a_", order.v.size(), false)),
+        tau_(t.columns("tau_", order.v.size(), false)) {}
 
   bool has_a() const { return !a_.empty(); }
   bool has_tau() const { return !tau_.empty(); }

@@ -25,9 +25,9 @@ class state_table {
   }
 
   std::size_t rows() const { return rows_.size(); }
-  /// Which columns are prefix0, prefix1 ... up to count: none at all gives none. Throws `kte::bad_file` where only some
-  /// are there, or more.
-  std::vector<std::size_t> columns(const std::string& prefix, std::size_t count) const {
+  /// Which columns are prefix0, prefix1 ... up to count; none at all gives none, if they need not be there. Throws
+  /// `kte::bad_file` with the names of those that are missing, and where there are more.
+  std::vector<std::size_t> columns(const std::string& prefix, std::size_t count, bool needed) const {
     std::vector<std::size_t> found;
     std::string missing;
     for (std::size_t i = 0; i < count; ++i) {
@@ -37,16 +37,11 @@ class state_table {
       else
         missing += (missing.empty() ? " " : ", ") + prefix + std::to_string(i);
     }
-    if (!found.empty() && found.size() < count) fail_missing(missing);
+    if (!missing.empty() && (needed || !found.empty()))
+      throw kte::bad_file("kte: " + path_.string() + ":1: missing columns:" + missing);
     if (names_.contains(prefix + std::to_string(count)))
       throw kte::bad_file("kte: " + path_.string() + ":1: a column " + prefix + std::to_string(count) +
                           ", but there are " + std::to_string(count) + " of them, from " + prefix + "0");
-    return found;
-  }
-  /// The same where they must be there.
-  std::vector<std::size_t> required(const std::string& prefix, std::size_t count) const {
-    auto found = columns(prefix, count);
-    if (found.size() < count) fail_missing(" " + prefix + "0 to " + prefix + std::to_string(count - 1));
     return found;
   }
   double at(std::size_t row, std::size_t column) const { return rows_[row][column]; }
@@ -54,9 +49,6 @@ class state_table {
   std::string place(std::size_t row) const { return path_.string() + ":" + std::to_string(lines_[row]) + ": "; }
 
  private:
-  [[noreturn]] void fail_missing(const std::string& which) const {
-    throw kte::bad_file("kte: " + path_.string() + ":1: missing columns:" + which);
-  }
   void read_line(std::string_view text, int line) {
     const std::string_view whole = text;
     if (kte::detail::without_blanks(text).empty()) return;

@@ -2,12 +2,14 @@
 
 #include <kte/robots/detail/parse_xml.hpp>
 #include <kte/robots/detail/read_any.hpp>
+#include <kte/robots/mjcf_reader.hpp>
+#include <kte/robots/sdf_reader.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_reader.hpp>
 
 namespace kte {
 
-/// A robot described by a text in URDF, of which the first tag must tell. Throws `bad_file` with line and element.
+/// A robot described by a text in URDF, MJCF or SDF, as its first tag says. Throws `bad_file` with line and element.
 inline robot_description describe_robot(std::string_view text, const std::string& name,
                                         const robot_options& options = {}) {
   return detail::read_any(detail::parse_xml(text, name), name, options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/read_mjcf.hpp>
+#include <kte/robots/detail/read_sdf.hpp>
 #include <kte/robots/detail/read_urdf.hpp>
 
 namespace kte::detail {
@@ -12,8 +13,9 @@ robot_description read_any(const xml_node& root, const std::string& name, const 
 KTE_FUNCTION robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options) {
   if (root.name == "robot") return read_urdf(root, name, options);
   if (root.name == "mujoco") return read_mjcf(root, name, options);
+  if (root.name == "sdf") return read_sdf(root, name, options);
   raise<bad_file>("kte: " + place_text(name, root.line) + "<" + excerpt(root.name) +
-                  "> begins no format of robots that is read here: <robot> (URDF) and <mujoco> (MJCF) do");
+                  "> begins no format of robots that is read here: <robot> (URDF), <mujoco> (MJCF) and <sdf> do");
 }
 #endif
 

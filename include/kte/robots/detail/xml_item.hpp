@@ -50,6 +50,8 @@ class xml_item {
       if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
     return all;
   }
+  /// Numbers that may be infinite.
+  std::vector<double> limits_of(std::string_view t, const char* what) const { return any_list(t, what); }
   double number(const char* attribute) const { return one(list(attribute), attribute); }
   double number_or(const char* attribute, double other) const { return has(attribute) ? number(attribute) : other; }
   double not_negative(const char* attribute) const {

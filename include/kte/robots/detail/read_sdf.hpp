@@ -1,0 +1,26 @@
+#pragma once
+
+#include <kte/detail/compiled.hpp>
+#include <kte/robots/description.hpp>
+#include <kte/robots/detail/xml_node.hpp>
+#include <kte/robots/options.hpp>
+
+namespace kte::detail {
+
+/// A robot from the root of a file in SDF; `name` is what messages call the file.
+robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options);
+
+}  // namespace kte::detail
+
+#ifdef KTE_FUNCTION
+#  include <kte/robots/detail/sdf_model.hpp>
+
+namespace kte::detail {
+KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options) {
+  robot_description d;
+  d.source = name;
+  sdf_model(d, options).read({root, d});
+  return d;
+}
+}  // namespace kte::detail
+#endif

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <kte/errors.hpp>
+#include <kte/robots/detail/parse_xml.hpp>
+#include <kte/robots/detail/read_sdf.hpp>
+
+namespace kte {
+
+/// A robot from a text in SDF; `name` is what messages call it. Throws `bad_file` with line and
+/// element.
+inline robot_description from_sdf(std::string_view text, const std::string& name = "SDF",
+                                  const robot_options& options = {}) {
+  return detail::read_sdf(detail::parse_xml(text, name), name, options);
+}
+
+/// The same from a file.
+inline robot_description load_sdf(const std::filesystem::path& path, const robot_options& options = {}) {
+  return from_sdf(detail::text_of_file(path), path.string(), options);
+}
+
+}  // namespace kte
