@@ -35,7 +35,14 @@ enum class closed_form : std::uint8_t {
   srs
 };
 
-constexpr double length_of(const vec3<>& v) { return constexpr_sqrt(dot(v, v)); }
+constexpr double root_of(double x) {
+  double unit = 1;
+  if (!(x > 0)) return 0;
+  while (x < 1) x *= 4, unit /= 2;  // exact
+  while (x > 4) x /= 4, unit *= 2;
+  return unit * constexpr_sqrt(x);
+}
+constexpr double length_of(const vec3<>& v) { return root_of(dot(v, v)); }
 constexpr vec3<> direction_of(const vec3<>& v) { return (1 / length_of(v)) * v; }
 /// v without its part along a unit vector.
 constexpr vec3<> normal_part(const vec3<>& v, const vec3<>& unit) { return v - dot(v, unit) * unit; }
