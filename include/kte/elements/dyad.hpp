@@ -116,12 +116,8 @@ struct dyad_family {
                           x.number("crank2"),
                           x.number("side")};
     };
-    add("dyad_bar1_2D", [lengths](const auto& x) {
-      return connect(core::dyad_bar1(lengths(x)), x.name("crank1"), x.name("crank2"), x.name("bar"));
-    });
-    add("dyad_bar2_2D", [lengths](const auto& x) {
-      return connect(core::dyad_bar2(lengths(x)), x.name("crank1"), x.name("crank2"), x.name("bar"));
-    });
+    add("dyad_bar1_2D", [lengths](const auto& x) { return x.connected(core::dyad_bar1(lengths(x))); });
+    add("dyad_bar2_2D", [lengths](const auto& x) { return x.connected(core::dyad_bar2(lengths(x))); });
   }
 };
 }  // namespace detail

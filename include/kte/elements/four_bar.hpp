@@ -108,12 +108,8 @@ struct four_bar_family {
                               x.number("rocker"),
                               x.number("side")};
     };
-    add("four_bar_coupler_2D", [lengths](const auto& x) {
-      return connect(core::four_bar_coupler(lengths(x)), x.name("crank"), x.name("coupler"));
-    });
-    add("four_bar_rocker_2D", [lengths](const auto& x) {
-      return connect(core::four_bar_rocker(lengths(x)), x.name("crank"), x.name("rocker"));
-    });
+    add("four_bar_coupler_2D", [lengths](const auto& x) { return x.connected(core::four_bar_coupler(lengths(x))); });
+    add("four_bar_rocker_2D", [lengths](const auto& x) { return x.connected(core::four_bar_rocker(lengths(x))); });
   }
 };
 }  // namespace detail

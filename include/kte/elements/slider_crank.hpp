@@ -102,12 +102,9 @@ struct slider_crank_family {
     const auto lengths = [](const auto& x) {
       return slider_crank_lengths{x.number("crank"), x.number("rod"), x.number("offset"), x.number("side")};
     };
-    add("slider_crank_rod_2D", [lengths](const auto& x) {
-      return connect(core::slider_crank_rod(lengths(x)), x.name("crank"), x.name("rod"));
-    });
-    add("slider_crank_slider_2D", [lengths](const auto& x) {
-      return connect(core::slider_crank_slider(lengths(x)), x.name("crank"), x.name("slider"));
-    });
+    add("slider_crank_rod_2D", [lengths](const auto& x) { return x.connected(core::slider_crank_rod(lengths(x))); });
+    add("slider_crank_slider_2D",
+        [lengths](const auto& x) { return x.connected(core::slider_crank_slider(lengths(x))); });
   }
 };
 }  // namespace detail
