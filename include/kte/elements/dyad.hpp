@@ -126,16 +126,10 @@ struct dyad_family {
                           x.number("side")};
     };
     add(
-        "dyad_bar1_2D",
-        [lengths](const auto& x) {
-          return dyad_bar1_2D(x.name("crank1"), x.name("crank2"), x.name("bar"), lengths(x));
-        },
+        "dyad_bar1_2D", [lengths](const auto& x) { return x.connected(core::dyad_bar1(lengths(x))); },
         "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}");
     add(
-        "dyad_bar2_2D",
-        [lengths](const auto& x) {
-          return dyad_bar2_2D(x.name("crank1"), x.name("crank2"), x.name("bar"), lengths(x));
-        },
+        "dyad_bar2_2D", [lengths](const auto& x) { return x.connected(core::dyad_bar2(lengths(x))); },
         "{{pivot_x, pivot_y}, crank1, bar1, bar2, crank2, side}");
   }
 };

@@ -118,12 +118,10 @@ struct four_bar_family {
                               x.number("side")};
     };
     add(
-        "four_bar_coupler_2D",
-        [lengths](const auto& x) { return four_bar_coupler_2D(x.name("crank"), x.name("coupler"), lengths(x)); },
+        "four_bar_coupler_2D", [lengths](const auto& x) { return x.connected(core::four_bar_coupler(lengths(x))); },
         "{{pivot_x, pivot_y}, crank, coupler, rocker, side}");
     add(
-        "four_bar_rocker_2D",
-        [lengths](const auto& x) { return four_bar_rocker_2D(x.name("crank"), x.name("rocker"), lengths(x)); },
+        "four_bar_rocker_2D", [lengths](const auto& x) { return x.connected(core::four_bar_rocker(lengths(x))); },
         "{{pivot_x, pivot_y}, crank, coupler, rocker, side}");
   }
 };

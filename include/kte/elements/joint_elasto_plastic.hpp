@@ -24,61 +24,43 @@ namespace core {
 ///   g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2),  z_s = g(v)/sigma0,  u = z sign(v)          (1)
 ///   alpha = 0 for u <= z_b,  1 for u >= z_s,  else 1/2 + sin(pi ((u - z_b)/(z_s - z_b) - 1/2))/2          (2)
 ///   z_dot = v (1 - alpha u/z_s)                                                       (3)
-///   f -= sigma0 z + sigma1 z_dot + sigma2 v                                           (4)
+///   f -= sigma0 z + sigma1 z_dot + sigma2 v
 ///
 /// With z_b = 0 and alpha = 1 it is `joint_lugre_gen`, which creeps under a load that swings below stiction. Stiff as
 /// that.
 ///
 /// Dupont, Hayward, Armstrong and Altpeter, Single state elastoplastic friction models, IEEE Trans. Automatic Control
 /// 47 (2002).
-struct joint_elasto_plastic_gen {
+struct joint_elasto_plastic_gen : bristle_friction<joint_elasto_plastic_gen, elasto_plastic_parameters> {
   static constexpr type_name type{"joint_elasto_plastic", kind::gen};
-  static constexpr std::array<port, 2> ports{
-      {{kind::gen, access::on, "coordinate"}, {kind::internal, access::keep, "bristles"}}};
+  using bristle_friction::bristle_friction;
 
-  elasto_plastic_parameters p;
-
-  template <class C, class Z>
-  KTE_INLINE constexpr auto z_dot(const C& c, const Z& z) const {
-    return rate(c.q_dot, z);
-  }
-  template <class C, class Z>
-  KTE_INLINE constexpr auto doForce(const C& c, const Z& z) const {
-    return make_loads(-(p.sigma0 * z + p.sigma1 * rate(c.q_dot, z) + p.sigma2 * c.q_dot));  // (4)
-  }
   constexpr void check(const parameter_check& where) const {
-    detail::check_bristles(where, p);
+    bristle_friction::check(where);
     where.positive(p.breakaway, "breakaway must be finite and positive");
     where.require(p.breakaway <= p.coulomb / p.sigma0, "breakaway must not be above coulomb / sigma0", p.breakaway);
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
-    detail::visit_bristles(self.p, visit);
+    bristle_friction::parameters(self, visit);
     visit("breakaway", self.p.breakaway);
   }
-
- private:
   template <class V, class Z>
   KTE_INLINE constexpr auto rate(const V& v, const Z& z) const {
-    if constexpr (std::is_same_v<V, zero_t>) {
-      return zero;
-    } else {
-      using std::acos;
-      using std::sin;
-      using number = std::remove_cvref_t<decltype(v / p.stribeck_velocity + z)>;
-      using plain = detail::plain_scalar<number>;
-      const auto g = detail::stribeck_force(v, p.coulomb, p.stiction, p.stribeck_velocity);
-      const number rate_now(v), deflection(as<number>(z)), z_s = number(g / p.sigma0), z_b = number(p.breakaway);
-      const number u = select(rate_now < number(0), number(-deflection), deflection);  // (1)
-      const number pi(plain(acos(plain(-1)))), range = z_s - z_b, over = u - z_b;
-      const auto sharp = range <= number(0);
-      const number x = select(sharp, number(select(over > number(0), number(1), number(0))),
-                              number(over / select(sharp, number(1), range)));
-      const number middle = number(0.5) + number(0.5) * number(sin(number(pi * (x - number(0.5)))));
-      const number alpha =
-          select(x > number(0), number(select(x < number(1), middle, number(1))), number(x - x));  // (2)
-      return number(rate_now * (number(1) - alpha * u / z_s));                                     // (3)
-    }
+    using std::acos;
+    using std::sin;
+    using number = std::remove_cvref_t<decltype(v / p.stribeck_velocity + z)>;
+    using plain = detail::plain_scalar<number>;
+    const auto g = detail::stribeck_force(v, p.coulomb, p.stiction, p.stribeck_velocity);
+    const number rate_now(v), deflection(as<number>(z)), z_s = number(g / p.sigma0), z_b = number(p.breakaway);
+    const number u = select(rate_now < number(0), number(-deflection), deflection);  // (1)
+    const number pi(plain(acos(plain(-1)))), range = z_s - z_b, over = u - z_b;
+    const auto sharp = range <= number(0);
+    const number x = select(sharp, number(select(over > number(0), number(1), number(0))),
+                            number(over / select(sharp, number(1), range)));
+    const number middle = number(0.5) + number(0.5) * number(sin(number(pi * (x - number(0.5)))));
+    const number alpha = select(x > number(0), number(select(x < number(1), middle, number(1))), number(x - x));  // (2)
+    return number(rate_now * (number(1) - alpha * u / z_s));                                                      // (3)
   }
 };
 
@@ -90,7 +72,7 @@ struct joint_elasto_plastic_gen {
 ///                                          .stiction = 1.5, .stribeck_velocity = 0.001, .breakaway = 7e-6})
 template <class Q, class Z>
 constexpr auto joint_elasto_plastic_gen(const Q& coordinate, const Z& bristles, const elasto_plastic_parameters& p) {
-  return connect(core::joint_elasto_plastic_gen{p}, coordinate, bristles);
+  return connect(core::joint_elasto_plastic_gen(p), coordinate, bristles);
 }
 
 KTE_CALL(joint_elasto_plastic_gen, "(coordinate, bristles, parameters)")

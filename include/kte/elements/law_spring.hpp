@@ -66,40 +66,47 @@ struct law_spring {
 
 }  // namespace core
 
+namespace detail {
+template <class Force>
+constexpr const Force& spring_law(const Force& force) {
+  return force;
+}
+template <class Force, class Energy>
+constexpr auto spring_law(const Force& force, const Energy& energy) {
+  return force_and_energy<Force, Energy>(force, energy);
+}
+/// A force, or a force and its energy.
+template <kind Dim, class A, class B, class... Law>
+constexpr auto connect_law_spring(const A& anchor1, const B& anchor2, const Law&... law) {
+  using law_type = std::remove_cvref_t<decltype(spring_law(law...))>;
+  return connect(core::law_spring<Dim, law_type>{spring_law(law...)}, anchor1, anchor2);
+}
+template <class... Law>
+inline constexpr bool is_spring_law = sizeof...(Law) == 1 || sizeof...(Law) == 2;
+}  // namespace detail
+
 /// A spring between two coordinates by a function of yours, of the length (m, rad): force (N, Nm), and optionally
 /// energy (J), its integral. Write it for numbers of any type, such as duals, by which derivatives are found:
 ///
 ///   law_spring_gen(q1, q2, [](const auto& x) { return 5.0 * x + 2.0 * x * x * x; })
 ///
 /// It holds code: a model with it cannot be saved.
-template <class Q1, class Q2, class Force>
-constexpr auto law_spring_gen(const Q1& anchor1, const Q2& anchor2, const Force& force) {
-  return connect(core::law_spring<kind::gen, Force>{force}, anchor1, anchor2);
-}
-template <class Q1, class Q2, class Force, class Energy>
-constexpr auto law_spring_gen(const Q1& anchor1, const Q2& anchor2, const Force& force, const Energy& energy) {
-  using law = detail::force_and_energy<Force, Energy>;
-  return connect(core::law_spring<kind::gen, law>{law(force, energy)}, anchor1, anchor2);
+template <class Q1, class Q2, class... Law>
+requires detail::is_spring_law<Law...>
+constexpr auto law_spring_gen(const Q1& anchor1, const Q2& anchor2, const Law&... law) {
+  return detail::connect_law_spring<kind::gen>(anchor1, anchor2, law...);
 }
 /// The same between the origins of two frames in the plane.
-template <class F1, class F2, class Force>
-constexpr auto law_spring_2D(const F1& anchor1, const F2& anchor2, const Force& force) {
-  return connect(core::law_spring<kind::frame_2D, Force>{force}, anchor1, anchor2);
-}
-template <class F1, class F2, class Force, class Energy>
-constexpr auto law_spring_2D(const F1& anchor1, const F2& anchor2, const Force& force, const Energy& energy) {
-  using law = detail::force_and_energy<Force, Energy>;
-  return connect(core::law_spring<kind::frame_2D, law>{law(force, energy)}, anchor1, anchor2);
+template <class F1, class F2, class... Law>
+requires detail::is_spring_law<Law...>
+constexpr auto law_spring_2D(const F1& anchor1, const F2& anchor2, const Law&... law) {
+  return detail::connect_law_spring<kind::frame_2D>(anchor1, anchor2, law...);
 }
 /// The same in space.
-template <class F1, class F2, class Force>
-constexpr auto law_spring_3D(const F1& anchor1, const F2& anchor2, const Force& force) {
-  return connect(core::law_spring<kind::frame_3D, Force>{force}, anchor1, anchor2);
-}
-template <class F1, class F2, class Force, class Energy>
-constexpr auto law_spring_3D(const F1& anchor1, const F2& anchor2, const Force& force, const Energy& energy) {
-  using law = detail::force_and_energy<Force, Energy>;
-  return connect(core::law_spring<kind::frame_3D, law>{law(force, energy)}, anchor1, anchor2);
+template <class F1, class F2, class... Law>
+requires detail::is_spring_law<Law...>
+constexpr auto law_spring_3D(const F1& anchor1, const F2& anchor2, const Law&... law) {
+  return detail::connect_law_spring<kind::frame_3D>(anchor1, anchor2, law...);
 }
 
 KTE_CALL(law_spring_gen, "(anchor1, anchor2, force[, energy]); both are functions of the length")

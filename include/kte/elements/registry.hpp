@@ -102,6 +102,12 @@ class record_reader {
     planar.published = b.published;
     return planar;
   }
+  /// A core connected to the names that the roles of its ports have.
+  template <class Core>
+  auto connected(const Core& core) const {
+    return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(core, name(Core::ports[P].role)...); }
+    (std::make_index_sequence<port_count<Core>>{});
+  }
   /// Calls f with the typed axis of the same value if there is one, else with the numbers: a joint read from a file is
   /// the one that was written.
   template <class F>

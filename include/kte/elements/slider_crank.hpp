@@ -112,12 +112,11 @@ struct slider_crank_family {
       return slider_crank_lengths{x.number("crank"), x.number("rod"), x.number("offset"), x.number("side")};
     };
     add(
-        "slider_crank_rod_2D",
-        [lengths](const auto& x) { return slider_crank_rod_2D(x.name("crank"), x.name("rod"), lengths(x)); },
+        "slider_crank_rod_2D", [lengths](const auto& x) { return x.connected(core::slider_crank_rod(lengths(x))); },
         "{crank, rod, offset, side}");
     add(
         "slider_crank_slider_2D",
-        [lengths](const auto& x) { return slider_crank_slider_2D(x.name("crank"), x.name("slider"), lengths(x)); },
+        [lengths](const auto& x) { return x.connected(core::slider_crank_slider(lengths(x))); },
         "{crank, rod, offset, side}");
   }
 };

@@ -10,4 +10,4 @@ inline constexpr struct elbow_ final : kte::frame_3D_key<"elbow">  {} elbow;
 // clang-format on
 
 constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::inertia_3D(elbow, kte::point_mass(1.0)));
-constexpr auto calc = kte::mass_matrix_calc(arm) << kte::all_inertias << kte::inertia_on(elbow);
+constexpr auto calc = kte::mass_matrix_calc(arm) << kte::moved_by(q) << kte::moved_by(q);
