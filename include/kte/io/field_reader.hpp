@@ -77,8 +77,8 @@ class field_reader {
   }
 
   /// Names of which each comes once.
-  void once(std::set<std::string>& names, const std::string& name) {
-    if (!names.insert(name).second) fail("a second '" + excerpt(name) + "'");
+  void once(std::set<std::string>& seen, const std::string& name) {
+    if (!seen.insert(name).second) fail("a second '" + excerpt(name) + "'");
   }
   [[noreturn]] void refuse_version(int version) {
     fail("version " + std::to_string(version) + " of the format; this library reads versions 1 and 2");
