@@ -231,6 +231,21 @@ TEST_CASE("models of manipulators: tools, limits and inputs") {
   CHECK(moved.input("motor") == 0.7);
 }
 
+TEST_CASE("limits find their coordinates, of one number or of several") {
+  kte::kte_map_chain c;
+  c << kte::free_joint_3D("trunk", "world", "body") << kte::revolute_joint_3D("knee", "body", "shank", kte::axis::y);
+  auto limits = kte::unlimited(c);
+  for (std::size_t i = 0; i < 7; ++i) limits.upper[i] = 1.0 + static_cast<double>(i);
+  limits.effort[6] = 30;
+  const auto records = kte::limit_records(c, limits);
+  REQUIRE(records.size() == 2);
+  CHECK(records[0] == kte::limit_record{"trunk", {{"upper", {1, 2, 3, 4, 5, 6}}}});
+  CHECK(records[1] == kte::limit_record{"knee", {{"upper", {7}}, {"effort", {30}}}});
+  kte::model_record m;
+  m.limits = {records[1], records[0]};
+  CHECK(kte::limits_of(c, m) == limits);
+}
+
 TEST_CASE("calculators come back as they were fed") {
   kte::kte_map_chain c;
   c << robots::iiwa14;

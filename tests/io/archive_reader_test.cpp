@@ -115,6 +115,7 @@ TEST_CASE("bytes: what counts claim is not believed") {
   const auto bad = [](const std::string& rest) { return fault((bytes() << rest).all, model_format::binary); };
   CHECK(bad("") == ", byte 8: the file ends in the middle of the model");
   CHECK(bad("\2") == ", byte 8: 'the model' must be a group");
+  CHECK(bad(std::string("\1\4\0", 3)) == ", byte 9: 'the name of a field': there is no such text before it");
   CHECK(bad("\1\4\5") == ", byte 9: 'the name of a field': there is no such text before it");
   CHECK(bad("\1\3\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x01").ends_with("the file ends in the middle of the model"));
   CHECK(bad("\1\3\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x02").ends_with("a count that is no number of 64 bits"));

@@ -76,6 +76,14 @@ class field_reader {
     part_ = outside;
   }
 
+  /// Names of which each comes once.
+  void once(std::set<std::string>& seen, const std::string& name) {
+    if (!seen.insert(name).second) fail("a second '" + excerpt(name) + "'");
+  }
+  [[noreturn]] void refuse_version(int version) {
+    fail("version " + std::to_string(version) + " of the format; this library reads versions 1 and 2");
+  }
+
   std::string text(const std::string& name) {
     std::string value = in_.text(name);
     if (const char* why = name_fault(value)) fail("'" + name + "' " + why);
