@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/runtime.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/robots/load_robot.hpp>
@@ -38,14 +39,14 @@ inline robot_file read_robot(const options& o) {
       throw kte::bad_argument("kte: a model file is taken as it is, without --floating-base and --joint-dynamics");
     r.chain = without_fixed_bodies(kte::to_chain(kte::load_model(o.robot)));
     if (o.gravity) r.chain.gravity(*o.gravity);
-    for (const auto& e : layout(r.chain)) r.coordinates.push_back(e.name);
+    for (const auto& e : kte::layout(r.chain)) r.coordinates.push_back(e.name);
     return r;
   }
   const auto wanted = robot_options_of(o);
   const auto robot = kte::load_robot(o.robot, wanted);
   r.chain = without_fixed_bodies(robot.chain);
   std::set<std::string> free;
-  for (const auto& e : layout(r.chain)) free.insert(e.name);
+  for (const auto& e : kte::layout(r.chain)) free.insert(e.name);
   if (o.floating_base) r.coordinates.push_back(wanted.base_coordinate);
   for (const auto& name : robot.joints)  // those that follow others have no columns
     if (free.contains(name)) r.coordinates.push_back(name);

@@ -12,6 +12,7 @@
 #include "evaluate/fixed_bodies.hpp"
 #include "evaluate/rows.hpp"
 #include "evaluate/runtime_model.hpp"
+#include "evaluate/static_main.hpp"
 #include "io/scratch.hpp"
 
 namespace {
@@ -19,6 +20,13 @@ namespace {
 struct state_file : kte::test::scratch {
   explicit state_file(const std::string& text) : scratch(".csv", text) {}
 };
+
+// clang-format off
+inline constexpr struct q_    final : kte::coord_key<"q">       {} q;
+inline constexpr struct base_ final : kte::frame_3D_key<"base"> {} base;
+inline constexpr struct arm_  final : kte::frame_3D_key<"arm">  {} arm;
+inline constexpr struct tip_  final : kte::frame_3D_key<"tip">  {} tip;
+// clang-format on
 
 /// A pendulum of 3 kg at 0.5 m, which turns about z; gravity is along -y.
 kte::kte_map_chain pendulum() {
@@ -93,6 +101,27 @@ TEST_CASE("a row has what the closed forms of a pendulum say") {
   REQUIRE(row.size() == expected.size());
   for (std::size_t i = 0; i < row.size(); ++i)
     CHECK(row[i] == within(expected[i], 4e-15 * (1 + std::abs(expected[i]))));
+}
+
+TEST_CASE("a robot that is a type has the same rows") {
+  constexpr auto chain =
+      kte::chain(kte::revolute_joint_3D(q, base, arm, kte::axis::z), kte::rigid_link_3D(arm, tip, kte::along_x(0.5)),
+                 kte::inertia_3D(tip, kte::point_mass(3.0)))
+          .gravity(kte::along_y(-10.0));
+  using frame = decltype(evaluate::frame_named<"tip">(chain));
+  STATIC_REQUIRE(std::is_same_v<frame, tip_>);
+  evaluate::options o;
+  o.frames = {"tip"}, o.derivatives = true;
+  const std::string states = "tau_0,a_0,v_0,q_0\n2,0.25,2,0.5\n";
+  const auto expected = table_of<double>(pendulum(), states, {"q"}, o);
+  const state_file file(states);
+  const evaluate::state_table table(file.path);
+  evaluate::static_model<double, decltype(chain), frame> model(chain);
+  const auto text = evaluate::row_writer(model, table, {"q"}, o).text();
+  CHECK(text.starts_with(expected[0] + "\n"));
+  const auto row = numbers_of(text.substr(expected[0].size() + 1)), same = numbers_of(expected[1]);
+  REQUIRE(row.size() == same.size());
+  for (std::size_t i = 0; i < row.size(); ++i) CHECK(row[i] == within(same[i], 4e-15 * (1 + std::abs(same[i]))));
 }
 
 TEST_CASE("what needs columns that are not there is left out, and there may be no rows") {
