@@ -63,6 +63,25 @@ TEST_CASE("what a file in MJCF says") {
         "40 <position>: its kp is not read\n");
 }
 
+TEST_CASE("angles of MJCF turn with the frame, or do not, and capsules weigh") {
+  const auto turned = [](const std::string& sequence) {
+    return from_mjcf("<mujoco><compiler eulerseq='" + sequence + "'/>" +
+                     "<worldbody><body euler='90 90 0'/></worldbody></mujoco>")
+        .joints[0]
+        .origin.rotation;
+  };
+  CHECK(turned("xyz") == mat3<vec3<>>{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(turned("XYZ") == mat3<vec3<>>{{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}});
+  const auto tilted = from_mjcf(mjcf("<body zaxis='0.6 0 -0.8'/>")).joints[0].origin.rotation;
+  CHECK(tilted.x.z == within(0.6, 0));
+  CHECK(tilted.x.x == within(-0.8, 5e-16));
+  CHECK(tilted.z.x == within(-0.6, 0));
+  // six tenths of it are the tube, with 1/4 + 1/3 and 1/2; four the ends, with 2/5 + 1 + 3/4 and 2/5
+  const auto d = from_mjcf(mjcf("<body><geom type='capsule' size='1 1' mass='100'/></body>"));
+  CHECK(d.links[1].inertial->inertia.xx == within(121, 1e-13));
+  CHECK(d.links[1].inertial->inertia.zz == within(46, 1e-13));
+}
+
 TEST_CASE("a robot in MJCF moves") {
   const auto r = load_robot(robot_file("everything.xml"));
   CHECK(r.chain.gravity() == vec3<>{0, 0, -1.625});

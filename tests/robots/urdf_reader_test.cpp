@@ -26,6 +26,10 @@ TEST_CASE("what a URDF says") {
   CHECK((elbow.dynamics.damping == 0.25 && elbow.dynamics.friction == 0.5));
   const auto& shoulder = d.joints[1];
   CHECK((shoulder.lower == -1 && shoulder.upper == 2 && shoulder.soft_lower == -0.5 && shoulder.soft_upper == 1.5));
+  const auto half =
+      from_urdf(urdf("<link name='a'/><link name='b'/>" +
+                     joint_text("j", "prismatic", "a", "b", "<limit upper='1' effort='1' velocity='1'/>")));
+  CHECK((half.joints[0].lower == 0 && half.joints[0].upper == 1));
   const auto& finger = d.joints[3];
   CHECK((finger.mimic && finger.mimic->joint == "lift" && finger.mimic->ratio == -2 && finger.mimic->offset == 0.01));
   CHECK(d.joints[2].axis.x == within(0.6, 2e-16));
@@ -58,7 +62,8 @@ TEST_CASE("turns by any angles, and quarter turns") {
     return from_urdf(text, "URDF", {.quarter_turn_tolerance = tolerance}).joints[0].origin.rotation;
   };
   const mat3<vec3<>> x90{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
-  for (const auto* angle : {"1.5707963267948966", "1.570796326794897", "-4.71238898038469", "7.853981633974483"})
+  for (const auto* angle :
+       {"1.5707963267948966", "1.570796326794897", "-4.71238898038469", "7.853981633974483", "158.65042900628455"})
     CHECK(turned(std::string(angle) + " 0 0", 1e-15) == x90);
   CHECK(turned("1.5707963 0 0", 1e-6) == x90);
   CHECK(turned("1.5707963 0 0", 1e-15).y.y != 0);

@@ -77,7 +77,7 @@ inline bool is_nothing(const robot_pose& a) { return a == robot_pose{}; }
 inline mat3<vec3<>> shortest_turn_of_z_to(const vec3<>& n) {
   const double across = n.x * n.x + n.y * n.y;
   if (across == 0) return n.z > 0 ? robot_pose{}.rotation : mat3<vec3<>>{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  const double k = n.z > 0 ? 1 / (1 + n.z) : (1 - n.z) / across;  // either without cancellation
+  const double k = (1 - n.z) / across;
   return without_minus_zero(
       {{1 - k * n.x * n.x, -k * n.x * n.y, n.x}, {-k * n.x * n.y, 1 - k * n.y * n.y, n.y}, {-n.x, -n.y, n.z}});  // (2)
 }
