@@ -16,5 +16,6 @@
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/read_any.hpp>
 #include <kte/robots/detail/xml_text.hpp>
+#include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_writer.hpp>

@@ -17,4 +17,38 @@ std::vector<robot_note> check_robot(const robot& r);
 
 #ifdef KTE_FUNCTION
 #  include <kte/robots/detail/robot_findings.hpp>
+
+namespace kte {
+KTE_FUNCTION std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options) {
+  auto found = d.warnings;
+  try {
+    detail::find_in_joints(d, detail::robot_tree(d, options.root), found);
+    const auto r = to_robot(d, options);
+    for (auto i = d.warnings.size(); i < r.warnings.size(); ++i) found.push_back(r.warnings[i]);
+    detail::find_condition(r, found);
+  } catch (const error& e) {
+    found.push_back({0, e.what()});
+  }
+  return found;
+}
+
+KTE_FUNCTION std::vector<robot_note> check_robot(const robot& r) {
+  auto found = r.warnings;
+  for (const auto& e : detail::limited_layout(r.chain)) {
+    if (e.nv != 1) continue;
+    const auto i = static_cast<std::size_t>(e.v);
+    const auto say = [&](const std::string& what) { found.push_back({0, "coordinate '" + e.name + "': " + what}); };
+    if (r.limits.lower[i] == r.limits.upper[i]) say("it cannot move");
+    if (r.limits.effort[i] == 0) say("its effort is limited to 0");
+    if (r.limits.rate[i] == 0) say("its velocity is limited to 0");
+  }
+  try {
+    detail::find_condition(r, found);
+  } catch (const error& e) {
+    found.push_back({0, e.what()});
+  }
+  return found;
+}
+
+}  // namespace kte
 #endif

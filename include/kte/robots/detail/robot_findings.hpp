@@ -1,16 +1,14 @@
 #pragma once
 
 #include <kte/dynamics/runtime.hpp>
-#include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
+#include <kte/robots/robot.hpp>
 
 #include <Eigen/Eigenvalues>
 
 #include <random>
 
-namespace kte {
-
-namespace detail {
+namespace kte::detail {
 
 /// The worst condition of M at random configurations, with its rows and columns divided by the roots of its diagonal,
 /// so that units do not matter: M_ij / sqrt(M_ii M_jj). Infinite where a coordinate moves no mass.
@@ -67,37 +65,4 @@ inline void find_in_joints(const robot_description& d, const robot_tree& tree, s
     if (j.soft_lower < j.lower || j.soft_upper > j.upper) say("its soft limits are wider than its limits");
   }
 }
-}  // namespace detail
-
-KTE_FUNCTION std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options) {
-  auto found = d.warnings;
-  try {
-    detail::find_in_joints(d, detail::robot_tree(d, options.root), found);
-    const auto r = to_robot(d, options);
-    for (auto i = d.warnings.size(); i < r.warnings.size(); ++i) found.push_back(r.warnings[i]);
-    detail::find_condition(r, found);
-  } catch (const error& e) {
-    found.push_back({0, e.what()});
-  }
-  return found;
-}
-
-KTE_FUNCTION std::vector<robot_note> check_robot(const robot& r) {
-  auto found = r.warnings;
-  for (const auto& e : detail::limited_layout(r.chain)) {
-    if (e.nv != 1) continue;
-    const auto i = static_cast<std::size_t>(e.v);
-    const auto say = [&](const std::string& what) { found.push_back({0, "coordinate '" + e.name + "': " + what}); };
-    if (r.limits.lower[i] == r.limits.upper[i]) say("it cannot move");
-    if (r.limits.effort[i] == 0) say("its effort is limited to 0");
-    if (r.limits.rate[i] == 0) say("its velocity is limited to 0");
-  }
-  try {
-    detail::find_condition(r, found);
-  } catch (const error& e) {
-    found.push_back({0, e.what()});
-  }
-  return found;
-}
-
-}  // namespace kte
+}  // namespace kte::detail
