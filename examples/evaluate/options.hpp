@@ -18,7 +18,7 @@ inline constexpr const char* usage =
     "  --frame name       also its pose and its Jacobian in axes of the world; may come several times\n"
     "  --derivatives      also those of inverse and forward dynamics by q and v\n"
     "  --floating-base    the root moves freely: its q and v come first\n"
-    "  --joint-dynamics   with damping and friction of joints\n"
+    "  --joint-dynamics   with damping, friction, springs and rotors of joints\n"
     "  --precision 50     with 50 digits instead of 17\n"
     "  --static           by a program for this robot, which is compiled once\n";
 

@@ -25,13 +25,27 @@ inline kte::model_record with_bases(const kte::element_record& e, const kte::kte
   return m;
 }
 
+/// Numbers are all different, so that none can stand for another, where the element allows that.
+inline std::unique_ptr<kte::kte_map> made_of_different_numbers(const kte::element_registry& registry,
+                                                               const kte::element_record& record) {
+  auto different = record;
+  double next = 1;
+  for (auto& p : different.parameters)
+    if (p.values.size() == 1 && p.name != "side" && p.name != "as_published") p.values[0] = next += 1.0 / 64;
+  try {
+    return registry.make(different);
+  } catch (const kte::bad_parameter&) {
+    return registry.make(record);
+  }
+}
+
 inline std::map<std::string, kte::model_record> all() {
   std::map<std::string, kte::model_record> models;
   const auto registry = kte::element_registry::standard();
   for (auto [type, record] : elements_page::records()) {
     for (auto& p : record.parameters)  // no turn is left out by typed constants
       if (p.name == "rest_rotation") p.values = {0, -1, 0, 1, 0, 0, 0, 0, 1};
-    const auto made = registry.make(record);
+    const auto made = made_of_different_numbers(registry, record);
     const auto& e = dynamic_cast<const kte::kte_element&>(*made);
     models["of_" + type] = with_bases(e.record(), e);  // with all of its parameters
   }
