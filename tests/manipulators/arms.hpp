@@ -76,6 +76,51 @@ inline auto scara() {
   return chain({0, 0, .3}, {{z, {.4, 0, 0}}, {z, {.3, 0, 0}}, {z, {0, 0, -.1}, true}, {z, {.05, 0, 0}}});
 }
 
+/// A spherical wrist behind axes that are neither parallel nor meet.
+inline auto bent() {
+  return chain(
+      none,
+      {{z, {.2, .1, .6}}, {{0, .6, .8}, {.1, 0, .7}}, {x, {-.1, .2, .7}}, {z, none}, {y, none}, {z, {0, 0, .085}}});
+}
+/// A UR5 of which axes 5 and 6 pass by each other.
+inline auto ur5_with_offset() {
+  return chain({0, 0, .089159}, {{z, {0, .13585, 0}},
+                                 {y, {.425, -.1197, 0}},
+                                 {y, {.39225, 0, 0}},
+                                 {y, {0, .093, 0}},
+                                 {minus_z, {.07, 0, -.09465}},
+                                 {y, {0, .0823, 0}}});
+}
+/// Franka Emika's Panda.
+inline auto panda() {
+  return chain({0, 0, .333}, {{z, none},
+                              {y, {0, 0, .316}},
+                              {z, {.0825, 0, 0}},
+                              {minus_y, {-.0825, 0, .384}},
+                              {z, none},
+                              {minus_y, {.088, 0, 0}},
+                              {minus_z, {0, 0, -.107}}});
+}
+/// The European Robotic Arm, and one like Canadarm2.
+inline auto era() {
+  return chain({0, 0, 1.228}, {{z, {0, 0, 1.228}},
+                               {y, {0, 0, .34}},
+                               {x, {0, 0, 4.072}},
+                               {x, {0, 0, 4.072}},
+                               {x, {0, 0, .34}},
+                               {y, {0, 0, 1.228}},
+                               {z, none}});
+}
+inline auto ssrms() {
+  return chain(none, {{z, {.38, -.635, 0}},
+                      {minus_y, {.38, 0, .504}},
+                      {z, {6.85, 0, .504}},
+                      {z, {6.85, 0, .504}},
+                      {z, {.38, 0, 0}},
+                      {minus_y, {0, -.635, 0}},
+                      {z, none}});
+}
+
 using numbers = Eigen::VectorXd;
 using tool = kte::pose<kte::mat3<vec3<>>, vec3<>>;
 
