@@ -1,0 +1,106 @@
+#pragma once
+
+#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/static_chain/layout.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace kte {
+
+namespace detail {
+/// A std::array full of x; of lists without a size of their own one without numbers.
+template <class Numbers>
+constexpr Numbers all_of(double x) {
+  Numbers out{};
+  for (auto& number : out) number = x;
+  return out;
+}
+}  // namespace detail
+
+/// What the coordinates of a chain can do and bear, each a list over v, in the order of the chain's degrees of freedom:
+///   lower, upper    of the coordinate, rad or m; of a pose or rotation along its numbers of v
+///   rate            of |v|, rad/s or m/s
+///   acceleration, jerk    of |v'|, |v''|
+///   effort          of |tau|, Nm or N
+/// Infinite where there is no limit. They change nothing that a chain does (`joint_limit_gen` is an element that does):
+/// inverse kinematics, planners and controls read them.
+template <class Numbers = std::vector<double>>
+struct joint_limits {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  Numbers lower = detail::all_of<Numbers>(-none);
+  Numbers upper = detail::all_of<Numbers>(none);
+  Numbers rate = upper;
+  Numbers acceleration = upper;
+  Numbers jerk = upper;
+  Numbers effort = upper;
+  bool operator==(const joint_limits&) const = default;
+};
+
+/// Limits that limit nothing, to begin with.
+template <class Gravity, class... E>
+constexpr auto unlimited(const static_chain<Gravity, E...>&) {
+  return joint_limits<std::array<double, static_cast<std::size_t>(static_chain<Gravity, E...>::dofs)>>{};
+}
+inline joint_limits<> unlimited(const kte_map_chain& c) {
+  const std::vector<double> none(static_cast<std::size_t>(c.dofs()), joint_limits<>::none);
+  return {std::vector<double>(none.size(), -joint_limits<>::none), none, none, none, none, none};
+}
+
+namespace detail {
+/// Of number i of v: "coordinate 'elbow'", "coordinate 'trunk', number 2 of v".
+template <class Table>
+std::string text_of_rate(const Table& table, int i) {
+  for (const auto& e : table)
+    if (e.v <= i && i < e.v + e.nv)
+      return "coordinate '" + std::string(e.name) + "'" +
+             (e.nv > 1 ? ", number " + std::to_string(i - e.v + 1) + " of v" : "");
+  return {};
+}
+/// The chain's layout without the algorithms of dynamics/runtime.hpp.
+inline std::vector<layout_entry<std::string>> limited_layout(const kte_map_chain& c) {
+  std::vector<layout_entry<std::string>> table;
+  for (const auto& f : c.wiring().free)
+    table.push_back({c.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what, f.q,
+                     nq_of(f.what), f.v, nv_of(f.what)});
+  return table;
+}
+template <class Gravity, class... E>
+constexpr auto limited_layout(const static_chain<Gravity, E...>& c) {
+  return layout(c);
+}
+}  // namespace detail
+
+/// Throws `bad_parameter`, with the name of the coordinate, unless the lists are as long as v, lower <= upper, and the
+/// others not negative. Infinity is a limit, NaN none.
+template <class Chain, class Numbers>
+constexpr void check_limits(const Chain& chain, const joint_limits<Numbers>& limits) {
+  const auto table = detail::limited_layout(chain);
+  std::size_t n = 0;
+  for (const auto& e : table) n += static_cast<std::size_t>(e.nv);
+  const auto refuse = [&table](std::size_t i, const std::string& why) {
+    detail::raise<bad_parameter>("kte: limits of " + detail::text_of_rate(table, static_cast<int>(i)) + why);
+  };
+  const auto sized = [n](const Numbers& list, const char* which) {
+    if (list.size() != n)
+      detail::raise<bad_parameter>("kte: limits: " + std::string(which) + " must have " + std::to_string(n) +
+                                   " numbers, one for each of v, got " + std::to_string(list.size()));
+  };
+  sized(limits.lower, "lower"), sized(limits.upper, "upper");
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(limits.lower[i] <= limits.upper[i]))
+      refuse(i, ": lower must not be above upper, got " + detail::number(limits.lower[i]) + " and " +
+                    detail::number(limits.upper[i]));
+  const auto not_negative = [&](const Numbers& list, const char* which) {
+    sized(list, which);
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(list[i] >= 0))
+        refuse(i, ": " + std::string(which) + " must not be negative, got " + detail::number(list[i]));
+  };
+  not_negative(limits.rate, "rate"), not_negative(limits.acceleration, "acceleration");
+  not_negative(limits.jerk, "jerk"), not_negative(limits.effort, "effort");
+}
+
+}  // namespace kte
