@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kte/models/joint_limits.hpp>
+#include <kte/models/manipulator_kinematics_model.hpp>
+
+namespace kte {
+
+namespace detail {
+template <key_type... Tools>
+struct tool_keys {};
+
+template <class T>
+inline constexpr bool is_limits = false;
+template <class Numbers>
+inline constexpr bool is_limits<joint_limits<Numbers>> = true;
+
+/// The keys of a list that may end with limits.
+template <class Keys, class... Rest>
+struct keys_before_limits {
+  using type = Keys;
+};
+template <class... Keys, class First, class... Rest>
+requires(!is_limits<First>) struct keys_before_limits<tool_keys<Keys...>, First, Rest...>
+    : keys_before_limits<tool_keys<Keys..., First>, Rest...> {
+};
+}  // namespace detail
+
+/// A chain with tools, and with limits of its coordinates: what inverse kinematics is asked of. It is its chain, as a
+/// `manipulator_kinematics_model` is, so that all algorithms and files take it.
+///
+///   constexpr auto arm = kte::manipulator(chain, tool);            // or (chain, left, right)
+///   constexpr auto arm = kte::manipulator(chain, tool, limits);    // joint_limits of the chain, kte::unlimited(chain)
+///
+/// Of a runtime chain: manipulators/runtime_manipulator.hpp.
+template <class Chain, class Tools = void>
+class manipulator;
+
+template <class Chain, key_type... Tools>
+class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinematics_model<Chain, Tools...> {
+  using model = manipulator_kinematics_model<Chain, Tools...>;
+
+ public:
+  using limits_type = joint_limits<std::array<double, std::size_t{Chain::dofs}>>;
+
+  explicit constexpr manipulator(const Chain& c, const Tools&... tools) : model(c, tools...) {}
+  /// Throws `bad_parameter`, with the name of the coordinate, for limits that make no sense (`check_limits`).
+  template <class Numbers>
+  constexpr manipulator(const Chain& c, const Tools&... tools, const joint_limits<Numbers>& limits)
+      : model(c, tools...), limits_(checked(c, limits)) {}
+
+  /// Infinite, where none were given.
+  constexpr const limits_type& limits() const { return limits_; }
+  static constexpr std::size_t tools() { return sizeof...(Tools); }
+
+ private:
+  template <class Numbers>
+  static constexpr limits_type checked(const Chain& c, const joint_limits<Numbers>& limits) {
+    static_assert(std::is_same_v<joint_limits<Numbers>, limits_type>,
+                  "kte: limits of a static chain are those of as many numbers as it has degrees of freedom: begin with "
+                  "kte::unlimited(chain)");
+    check_limits(c, limits);
+    return limits;
+  }
+
+  limits_type limits_{};
+};
+template <class Gravity, class... E, class... Rest>
+manipulator(const static_chain<Gravity, E...>&, const Rest&...)
+    -> manipulator<static_chain<Gravity, E...>,
+                   typename detail::keys_before_limits<detail::tool_keys<>, Rest...>::type>;
+
+}  // namespace kte

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <kte/manipulators/manipulator.hpp>
+#include <kte/models/runtime_models.hpp>
+
+namespace kte {
+
+/// `manipulator` of a runtime chain, its tools by name:
+///
+///   kte::manipulator arm(chain, "tool");
+///   kte::manipulator arm(chain, {"left", "right"}, limits);
+///
+/// It has a state of its own to work in: one model a thread.
+template <>
+class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte_map_chain> {
+  using model = manipulator_kinematics_model<kte_map_chain>;
+
+ public:
+  using limits_type = joint_limits<>;
+
+  /// Throws `unknown_name` for a frame that the chain does not have, `bad_parameter` for limits that make no sense.
+  manipulator(const kte_map_chain& c, std::vector<std::string> tools, const joint_limits<>& limits)
+      : model(c, tools), limits_(limits), tools_(std::move(tools)) {
+    check_limits(*this, limits_);
+  }
+  manipulator(const kte_map_chain& c, std::vector<std::string> tools)
+      : manipulator(c, std::move(tools), unlimited(c)) {}
+  // A text is a template parameter: else {"left", "right"} would also be a std::string, of two pointers.
+  template <std::convertible_to<std::string> Text>
+  manipulator(const kte_map_chain& c, const Text& tool) : manipulator(c, std::vector<std::string>{tool}) {}
+  template <std::convertible_to<std::string> Text>
+  manipulator(const kte_map_chain& c, const Text& tool, const joint_limits<>& limits)
+      : manipulator(c, std::vector<std::string>{tool}, limits) {}
+
+  const joint_limits<>& limits() const { return limits_; }
+  std::size_t tools() const { return tools_.size(); }
+  const std::vector<std::string>& tool_names() const { return tools_; }
+
+ private:
+  joint_limits<> limits_;
+  std::vector<std::string> tools_;
+};
+template <class... Rest>
+manipulator(const kte_map_chain&, const Rest&...) -> manipulator<kte_map_chain>;
+manipulator(const kte_map_chain&, std::initializer_list<const char*>)->manipulator<kte_map_chain>;
+manipulator(const kte_map_chain&, std::initializer_list<const char*>, const joint_limits<>&)
+    ->manipulator<kte_map_chain>;
+
+}  // namespace kte
