@@ -6,6 +6,20 @@
 
 namespace kte {
 
+namespace detail {
+/// Of a rotation in any form; throws `bad_argument` for what is none.
+template <class R>
+auto quaternion_of(const R& rotation) {
+  if constexpr (requires { rotation.w; }) {
+    return normalized(rotation.w, rotation.x, rotation.y, rotation.z);
+  } else if constexpr (requires { rotation.cos; }) {
+    return to_quaternion(rotation_about(axis::z, rotation.cos, rotation.sin));
+  } else {
+    return to_quaternion(matrix(rotation));
+  }
+}
+}  // namespace detail
+
 /// How far a pose is from a wanted one, in axes of the world, as Jacobians and twists are:
 ///
 ///   e = (p_wanted - p, log(R_wanted R^T))            m, rad; angles in [0, pi]            (1)
@@ -14,13 +28,13 @@ namespace kte {
 /// `bad_argument` for what is no rotation to 1e-6.
 template <class R, class P, class WantedR, class WantedP>
 auto pose_error(const pose<R, P>& now, const pose<WantedR, WantedP>& wanted) {
-  const auto from = to_quaternion(now.rotation);
+  const auto from = detail::quaternion_of(now.rotation);
   using S = std::remove_cvref_t<decltype(from.w)>;
-  auto turn = to_quaternion(wanted.rotation);
-  turn = turn * conjugate(from);
-  const auto w = to_rotation_vector(as<S>(turn));
+  const auto w = to_rotation_vector(as<S>(detail::quaternion_of(wanted.rotation)) * conjugate(from));
   const auto p = as<S>(wanted.position) - as<S>(now.position);
-  return Eigen::Matrix<S, 6, 1>{p.x, p.y, p.z, w.x, w.y, w.z};
+  Eigen::Matrix<S, 6, 1> e;
+  e << p.x, p.y, p.z, w.x, w.y, w.z;
+  return e;
 }
 
 }  // namespace kte
