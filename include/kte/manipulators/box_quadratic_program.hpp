@@ -100,7 +100,8 @@ box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vecto
   };
   const int most = 20 * static_cast<int>(n) + 20;
   bool refined = false;  // the free part of (2) to rounding: by a second step along the same factors
-  for (free.factorise(h, at); out.pivots < most; ++out.pivots) {
+  if (!at.isZero(0)) free.factorise(h, at);
+  for (; out.pivots < most; ++out.pivots) {
     gradient(), free.solve(r, step);  // x - step is the minimum of those that are free
     S t = S(1);
     Eigen::Index blocking = -1;

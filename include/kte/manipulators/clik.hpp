@@ -8,9 +8,8 @@
 namespace kte {
 
 struct clik_options {
-  int iterations = 1000;  ///< in all
-  int iterations_a_start = 20;
-  int draws = 8;            ///< of these, each new start is the one with the least errors
+  int iterations = 1000;    ///< in all
+  int draws = 32;           ///< of these, each new start is the one with the least errors
   std::uint64_t seed = 1;   ///< of new starts: the same seed gives the same answer
   double tolerance = 1e-9;  ///< of reach, and rad
   double length = 0;        ///< by which rad count as m; 0: reach/pi, by which a half turn counts as the reach
@@ -29,7 +28,7 @@ struct clik_result {
   clik_status status;
   int iterations;
   int restarts;
-  S linear, angular;  ///< by which the hard goals are missed, the largest, m and rad
+  S position, rotation;  ///< by which the hard goals are missed, the largest, m and rad
 };
 
 namespace detail {
@@ -68,8 +67,7 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
   using S = value_of<Q>;
   using at_type = detail::arm_at<Arm, S>;
   detail::check_limits_of_poses(arm);
-  if (options.iterations < 1 || options.iterations_a_start < 1 || options.draws < 1 || !(options.tolerance > 0) ||
-      !(options.length >= 0))
+  if (options.iterations < 1 || options.draws < 1 || !(options.tolerance > 0) || !(options.length >= 0))
     detail::raise<bad_argument>("kte: options of clik: iterations, draws and tolerance must be greater than 0");
   const auto levels = detail::as_levels(wanted);
   const auto numbers = neutral_configuration(arm).size();
@@ -82,11 +80,12 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
   const S reach = detail::reach_of<S>(arm, start);
   at_type at(arm, start, options.length > 0 ? S(options.length) : S(reach / S(std::numbers::pi)));
   constexpr bool hard = detail::has_hard<std::remove_const_t<decltype(levels.first)>>;
-  const auto met = [&] {
+  const auto met_by = [&](double part) {
     if constexpr (!hard) return false;
     const auto m = detail::largest_miss(levels.first, at);
-    return m.linear <= S(options.tolerance) * reach && m.angular <= S(options.tolerance);
+    return m.linear <= S(part * options.tolerance) * reach && m.angular <= S(part * options.tolerance);
   };
+  const auto met = [&] { return met_by(1); };
   const double stall = hard ? 1e-4 : 1e-14;
 
   clik_result<S, at_type::configuration::RowsAtCompileTime> out{start, clik_status::local_minimum, 0, 0, S(0), S(0)};
@@ -94,8 +93,8 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
   S least = std::numeric_limits<S>::infinity();
   for (;; ++out.restarts) {
     const int left = options.iterations - out.iterations;
-    const auto run =
-        detail::descend(at, levels.first, hard ? std::min(left, options.iterations_a_start) : left, stall, met);
+    const int patience = hard ? 4 : left;  // a new start is cheaper than to wait
+    const auto run = detail::descend(at, levels.first, left, patience, stall, met);
     out.iterations += run.iterations;
     if (const S half = detail::half_squares<S>(levels.first, at); run.done || half < least || out.restarts == 0) {
       least = half, out.q = at.q;
@@ -114,13 +113,16 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
   }
   at.move(out.q);
   if (out.status == clik_status::reached)
-    out.iterations += detail::use_freedom(at, levels.first, levels.second, options.iterations, met);
+    out.iterations +=
+        detail::use_freedom(at, levels.first, levels.second, options.iterations, [&] { return met_by(1e-4); });
+  else  // the nearest there is
+    out.iterations += detail::descend(at, levels.first, 100, 100, 1e-15, met).iterations;
   out.q = at.q;
   const auto missed = detail::largest_miss(levels.first, at);
-  out.linear = missed.linear, out.angular = missed.angular;
+  out.position = missed.linear, out.rotation = missed.angular;
   if (options.must_reach && out.status != clik_status::reached)
     detail::raise_unreachable(
-        out.q, static_cast<double>(out.linear), static_cast<double>(out.angular),
+        out.q, static_cast<double>(out.position), static_cast<double>(out.rotation),
         out.status == clik_status::at_limits ? unreachable_reason::limits : unreachable_reason::local_minimum);
   return out;
 }

@@ -12,8 +12,6 @@ template <class R>
 auto quaternion_of(const R& rotation) {
   if constexpr (requires { rotation.w; }) {
     return normalized(rotation.w, rotation.x, rotation.y, rotation.z);
-  } else if constexpr (requires { rotation.cos; }) {
-    return to_quaternion(rotation_about(axis::z, rotation.cos, rotation.sin));
   } else {
     return to_quaternion(matrix(rotation));
   }

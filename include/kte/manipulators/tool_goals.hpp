@@ -105,22 +105,22 @@ struct look_at_goal : goal_of_tool<Tool> {
 /// rotation that is none to 1e-6.
 template <class Tool, class R, class P>
 auto reach(const Tool& tool, const pose<R, P>& wanted, const pose_weights& weights = {}) {
-  const auto p = detail::finite_place(as<double>(wanted.position));
+  const auto p = detail::finite_place(wanted.position);
   return detail::reach_goal<detail::tool_name<Tool>>{
       {detail::tool_named(tool)}, {as<double>(detail::quaternion_of(wanted.rotation)), p}, detail::checked(weights)};
 }
 /// The tool's origin at a point in axes of the world, whatever its rotation.
-template <class Tool, class X, class Y, class Z>
-auto reach_position(const Tool& tool, const vec3<X, Y, Z>& point) {
-  return reach(tool, pose{unit_quaternion<double>{}, as<double>(point)}, {1, 0});
+template <class Tool, class P>
+requires geometric<P>
+auto reach_position(const Tool& tool, const P& point) {
+  return reach(tool, pose{unit_quaternion<double>{}, point}, {1, 0});
 }
 /// A unit vector in axes of the tool, from its origin, points at a point in axes of the world.
 template <class Tool, class A, class B, class C, class X, class Y, class Z>
 auto look_at(const Tool& tool, const vec3<A, B, C>& axis, const vec3<X, Y, Z>& point) {
   const auto u = as<double>(axis);
   if (!(std::abs(dot(u, u) - 1) < 1e-6)) detail::raise<bad_argument>("kte: look_at needs an axis of length 1");
-  return detail::look_at_goal<detail::tool_name<Tool>>{
-      {detail::tool_named(tool)}, u, detail::finite_place(as<double>(point))};
+  return detail::look_at_goal<detail::tool_name<Tool>>{{detail::tool_named(tool)}, u, detail::finite_place(point)};
 }
 
 }  // namespace kte

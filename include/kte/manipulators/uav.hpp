@@ -8,7 +8,7 @@ namespace kte {
 /// assumed. Thrust and moments of its rotors are forces on the frame `body`.
 template <class P = zero3, class R = no_rotation>
 constexpr auto uav_chain(const P& tool_position = {}, const R& tool_rotation = {}) {
-  return free_floater_chain(rigid_body{1.0, zero3{}, diagonal(0.01, 0.01, 0.02)}, tool_position, tool_rotation)
+  return free_floater_chain(tool_position, tool_rotation, rigid_body{1.0, zero3{}, diagonal(0.01, 0.01, 0.02)})
       .gravity(along_z(-9.81));
 }
 

@@ -8,21 +8,20 @@
 
 namespace kte {
 
-/// Why a pose is not reached.
+/// What was asked for cannot be reached.
 enum class unreachable_reason {
-  distance,       ///< it is too far, or too near
-  limits,         ///< limits of coordinates hold the arm back
-  local_minimum,  ///< the search found nothing better
+  distance,       ///< no posture gets there
+  limits,         ///< those that do are beyond the limits of joints
+  local_minimum,  ///< a search ended elsewhere
 };
-
-/// No configuration within limits reaches a goal, or none was found; with the best there is.
+/// As an error, with the best that there is.
 struct unreachable : error {
-  unreachable(const std::string& what, std::vector<double> q, double m, double rad, unreachable_reason why)
-      : error(what), best(std::move(q)), linear(m), angular(rad), reason(why) {}
+  unreachable(const std::string& what, unreachable_reason why, std::vector<double> best, double m, double rad)
+      : error(what), reason(why), q(std::move(best)), position(m), rotation(rad) {}
 
-  std::vector<double> best;  ///< q
-  double linear, angular;    ///< by which it misses, m and rad
   unreachable_reason reason;
+  std::vector<double> q;
+  double position, rotation;  ///< residual of q: m, rad
 };
 
 namespace detail {
@@ -34,7 +33,7 @@ template <class Q>
                               : why == unreachable_reason::limits ? "limits hold the arm back"
                                                                   : "the search found nothing better";
   throw unreachable("kte: a goal is missed by " + number(linear) + " m and " + number(angular) + " rad: " + because,
-                    std::move(best), linear, angular, why);
+                    why, std::move(best), linear, angular);
 }
 }  // namespace detail
 

@@ -18,17 +18,22 @@ S half_squares(const Goals& goals, const At& at) {
   return sum.half;
 }
 
-/// The box of steps from a configuration: limits, and at most 1 rad, m.
+/// The box of steps from a configuration: limits, and at most 1 rad of what turns a tool.
 template <class At, class V>
 void put_box(const At& at, V& lower, V& upper) {
   using S = typename At::scalar;
+  for (Eigen::Index k = 0; k < lower.size(); ++k) {
+    S turns(0);
+    for (Eigen::Index r = 0; r < at.jacobian.rows(); ++r)
+      if (r % 6 > 2) turns += at.jacobian(r, k) * at.jacobian(r, k);
+    upper[k] = turns > S(1e-6) ? S(1) : std::numeric_limits<S>::infinity(), lower[k] = -upper[k];
+  }
   const auto& limits = at.arm.limits();
-  lower.setConstant(S(-1)), upper.setConstant(S(1));
   for_each_freedom_of(at.arm, [&](const freedom& f) {
     if (f.what != kind::gen) return;
     const auto i = static_cast<std::size_t>(f.v);
-    lower[f.v] = std::min(std::max(S(-1), S(S(limits.lower[i]) - at.q[f.q])), S(0));
-    upper[f.v] = std::max(std::min(S(1), S(S(limits.upper[i]) - at.q[f.q])), S(0));
+    lower[f.v] = std::min(std::max(lower[f.v], S(S(limits.lower[i]) - at.q[f.q])), S(0));
+    upper[f.v] = std::max(std::min(upper[f.v], S(S(limits.upper[i]) - at.q[f.q])), S(0));
   });
 }
 
@@ -75,18 +80,26 @@ struct descent {
 ///
 /// with mu that vanishes with the errors (Sugihara, IEEE Trans. Robotics 27, 2011), lambda by the gain ratio of the
 /// step within limits and Nielsen's rule (Madsen, Nielsen, Tingleff: Methods for Non-Linear Least Squares Problems,
-/// 2004). It ends when done(), when a step promises less than `stall` of what there is, or after `most` steps.
+/// 2004). It ends
+/// when done(), when a step promises less than `stall` of what there is, when it has not come down to half in
+/// `patience` steps, or after `most`.
 template <class At, class Goals, class Done>
-descent descend(At& at, const Goals& goals, int most, double stall, const Done& done) {
+descent descend(At& at, const Goals& goals, int most, int patience, double stall, const Done& done) {
   using S = typename At::scalar;
   descent out{0, done(), false};
   S half = half_squares<S>(goals, at), lambda(0.01), nu(2);
+  S before = half;
+  int next = patience;
   typename At::configuration from = at.q;
   for (bool moved = true; !out.done && out.iterations < most;) {
     at.differentiate();
     normal_equations<S, At::n> eq(static_cast<Eigen::Index>(dofs_of(at.arm)));
     add_goals(goals, at, eq);
     for (moved = false; !moved && out.iterations < most;) {
+      if (out.iterations >= next) {
+        if (half > S(0.5) * before) return out;
+        before = half, next += patience;
+      }
       ++out.iterations;
       const auto step = best_step(at, eq, S(lambda * S(2) * half));  // (1)
       out.held = step.held;

@@ -12,7 +12,18 @@ struct goal_miss {
   S linear, angular;
 };
 
-inline vec3<> finite_place(const vec3<>& p) {
+/// A position in space, of one in space or in the plane.
+template <class S, class P>
+vec3<S> position_in_space(const P& p) {
+  if constexpr (requires { p.z; }) {
+    return as<S>(p);
+  } else {
+    return {as<S>(p.x), as<S>(p.y), S(0)};
+  }
+}
+template <class P>
+vec3<> finite_place(const P& position) {
+  const auto p = position_in_space<double>(position);
   if (!(dot(p, p) < std::numeric_limits<double>::infinity()))
     raise<bad_argument>("kte: a wanted position must be finite");
   return p;
@@ -28,12 +39,7 @@ Weights checked(const Weights& w) {
 /// A pose in space, of a frame in space or in the plane.
 template <class S, class R, class P>
 pose<mat3<vec3<S>>, vec3<S>> in_space(const pose<R, P>& x) {
-  if constexpr (requires { x.rotation.cos; }) {
-    const S c = S(x.rotation.cos), s = S(x.rotation.sin);
-    return {{{c, -s, S(0)}, {s, c, S(0)}, {S(0), S(0), S(1)}}, {S(x.position.x), S(x.position.y), S(0)}};
-  } else {
-    return {as<S>(matrix(x.rotation)), as<S>(x.position)};
-  }
+  return {as<S>(matrix(x.rotation)), position_in_space<S>(x.position)};
 }
 
 template <class Arm>
