@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/manipulators/detail/arm_structure.hpp>
+#include <kte/manipulators/detail/static_geometry.hpp>
 #include <kte/models/joint_limits.hpp>
 #include <kte/models/manipulator_kinematics_model.hpp>
 
@@ -38,19 +40,27 @@ class manipulator;
 template <class Chain, key_type... Tools>
 class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinematics_model<Chain, Tools...> {
   using model = manipulator_kinematics_model<Chain, Tools...>;
+  using first_tool = std::tuple_element_t<0, std::tuple<Tools...>>;
 
  public:
   using limits_type = joint_limits<std::array<double, std::size_t{Chain::dofs}>>;
 
-  explicit constexpr manipulator(const Chain& c, const Tools&... tools) : model(c, tools...) {}
+  explicit constexpr manipulator(const Chain& c, const Tools&... tools)
+      : model(c, tools...), structure_(detail::structure_of(detail::geometry_of<first_tool>(c))) {}
   /// Throws `bad_parameter`, with the name of the coordinate, for limits that make no sense (`check_limits`).
   template <class Numbers>
   constexpr manipulator(const Chain& c, const Tools&... tools, const joint_limits<Numbers>& limits)
-      : model(c, tools...), limits_(checked(c, limits)) {}
+      : manipulator(c, tools...) {
+    limits_ = checked(c, limits);
+  }
 
   /// Infinite, where none were given.
   constexpr const limits_type& limits() const { return limits_; }
   static constexpr std::size_t tools() { return sizeof...(Tools); }
+  /// What makes its inverse kinematics closed form, if it is: found from the axes of the joints that move the first
+  /// tool, while compiling where the arm is `constexpr`.
+  constexpr arm_family family() const { return structure_.family; }
+  constexpr const detail::arm_structure& structure() const { return structure_; }
 
  private:
   template <class Numbers>
@@ -63,6 +73,7 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
   }
 
   limits_type limits_{};
+  detail::arm_structure structure_;
 };
 template <class Gravity, class... E, class... Rest>
 manipulator(const static_chain<Gravity, E...>&, const Rest&...)

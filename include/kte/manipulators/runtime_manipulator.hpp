@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/manipulators/detail/runtime_geometry.hpp>
 #include <kte/manipulators/manipulator.hpp>
 #include <kte/models/runtime_models.hpp>
 
@@ -22,6 +23,8 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
   manipulator(const kte_map_chain& c, std::vector<std::string> tools, const joint_limits<>& limits)
       : model(c, tools), limits_(limits), tools_(std::move(tools)) {
     check_limits(*this, limits_);
+    auto s = make_state();
+    structure_ = detail::structure_of(detail::geometry_of(*this, s, tools_[0]));
   }
   manipulator(const kte_map_chain& c, std::vector<std::string> tools)
       : manipulator(c, std::move(tools), unlimited(c)) {}
@@ -35,10 +38,13 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
   const joint_limits<>& limits() const { return limits_; }
   std::size_t tools() const { return tools_.size(); }
   const std::vector<std::string>& tool_names() const { return tools_; }
+  arm_family family() const { return structure_.family; }
+  const detail::arm_structure& structure() const { return structure_; }
 
  private:
   joint_limits<> limits_;
   std::vector<std::string> tools_;
+  detail::arm_structure structure_;
 };
 template <class... Rest>
 manipulator(const kte_map_chain&, const Rest&...) -> manipulator<kte_map_chain>;

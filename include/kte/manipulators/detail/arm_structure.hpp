@@ -1,0 +1,230 @@
+#pragma once
+
+#include <kte/manipulators/detail/arm_geometry.hpp>
+#include <kte/math/principal_moments.hpp>
+
+#include <cstdint>
+
+namespace kte {
+
+/// What makes the inverse kinematics of an arm closed form.
+enum class arm_family : std::uint8_t {
+  none,
+  planar_3R,           ///< three parallel axes, and a tool in their plane
+  scara,               ///< two parallel axes and a slide along them, in either order, and perhaps a third axis
+  spherical_wrist,     ///< axes 4, 5, 6 meet in a point
+  spherical_shoulder,  ///< axes 1, 2, 3 do
+  three_parallel,      ///< three axes in a row, with 5 and 6 (or 1 and 2) beyond them
+  srs,                 ///< seven axes, of which the first and the last three meet
+  offset_7R            ///< seven axes that are one of these when the first or the last is held
+};
+
+}  // namespace kte
+
+namespace kte::detail {
+
+/// Which formulas (detail/closed_form.hpp).
+enum class closed_form : std::uint8_t {
+  none,
+  planar,
+  scara,
+  wrist_parallel,
+  wrist_general,
+  parallel_meeting,
+  parallel_general,
+  srs
+};
+
+constexpr double length_of(const vec3<>& v) { return constexpr_sqrt(dot(v, v)); }
+constexpr vec3<> direction_of(const vec3<>& v) { return (1 / length_of(v)) * v; }
+/// v without its part along a unit vector.
+constexpr vec3<> normal_part(const vec3<>& v, const vec3<>& unit) { return v - dot(v, unit) * unit; }
+/// A unit vector normal to one.
+constexpr vec3<> any_normal(const vec3<>& u) {
+  const double x = u.x * u.x, y = u.y * u.y, z = u.z * u.z;
+  return direction_of(cross(u, x <= y && x <= z ? vec3<>{1, 0, 0} : y <= z ? vec3<>{0, 1, 0} : vec3<>{0, 0, 1}));
+}
+
+/// How the axes of joints lie to each other.
+struct axes_of {
+  const arm_geometry& arm;
+
+  constexpr const vec3<>& h(int i) const { return arm.axis[static_cast<std::size_t>(i)]; }
+  constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
+  /// The sine of the angle between two axes.
+  constexpr double sine(int i, int j) const { return length_of(cross(h(i), h(j))); }
+  /// The point nearest to two axes that are not parallel, and how far they pass by each other, m.
+  struct meeting {
+    vec3<> at{};
+    double miss = 1e300;
+  };
+  constexpr meeting meet(int i, int j) const {
+    const vec3<> n = cross(h(i), h(j)), d = p(j) - p(i);
+    const double nn = dot(n, n);
+    if (nn < 1e-12) return {};
+    const vec3<> a = p(i) + (dot(cross(d, h(j)), n) / nn) * h(i), b = p(j) + (dot(cross(d, h(i)), n) / nn) * h(j);
+    return {0.5 * (a + b), length_of(a - b)};
+  }
+  /// Of three axes: where the two that are farthest from parallel meet.
+  constexpr meeting meet(int i, int j, int k) const {
+    const double ij = sine(i, j), jk = sine(j, k), ik = sine(i, k);
+    const bool first = ij >= jk && ij >= ik, second = jk >= ik;
+    meeting m = first ? meet(i, j) : second ? meet(j, k) : meet(i, k);
+    const int rest = first ? k : second ? i : j;
+    const double off = length_of(cross(h(rest), m.at - p(rest)));
+    if (m.miss < off) m.miss = off;
+    return m;
+  }
+};
+
+/// An arm with what the formulas need of it. Joints i of `arm` turn by t_i = sign_i q_i about its axes, origins of
+/// joints that meet moved to where they do.
+struct arm_structure {
+  arm_family family = arm_family::none;
+  closed_form form = closed_form::none;
+  bool backwards = false;  ///< `arm` goes from the tool to the base
+  int held = -1;           ///< joint that must be held first, the first or the last
+  arm_geometry original, arm;
+  std::array<double, arm_geometry::most> sign{1, 1, 1, 1, 1, 1, 1, 1};
+  double reach = 0;
+
+  constexpr const vec3<>& h(int i) const { return arm.axis[static_cast<std::size_t>(i)]; }
+  constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
+};
+
+constexpr double reach_of(const arm_geometry& a) {
+  double sum = 0;
+  for (int i = 0; i + 1 < a.n; ++i) sum += length_of(a.point[std::size_t(i + 1)] - a.point[std::size_t(i)]);
+  if (a.n > 0) sum += length_of(a.tool.position - a.point[std::size_t(a.n - 1)]);
+  return sum;
+}
+
+/// Axis i along axis j, if it is against it.
+constexpr void align(arm_structure& s, int i, int j) {
+  const auto k = static_cast<std::size_t>(i);
+  if (dot(s.h(i), s.h(j)) < 0) s.arm.axis[k] = -s.arm.axis[k], s.sign[k] = -s.sign[k];
+}
+constexpr void put_points(arm_structure& s, int first, int last, const vec3<>& at) {
+  for (int i = first; i <= last; ++i) s.arm.point[static_cast<std::size_t>(i)] = at;
+}
+
+/// Six axes in the order of `s.arm`; which formulas they fit.
+constexpr bool fits_six(arm_structure& s, double angle, double length) {
+  const axes_of a{s.arm};
+  const auto wrist = a.meet(3, 4, 5);
+  const bool turns = a.sine(3, 4) > 1e-3 && a.sine(4, 5) > 1e-3;
+  if (turns && wrist.miss <= length && a.sine(0, 1) > angle) {
+    put_points(s, 3, 5, wrist.at);
+    if (a.sine(1, 2) <= angle) {
+      align(s, 2, 1);
+      s.form = closed_form::wrist_parallel;
+    } else {
+      s.form = closed_form::wrist_general;
+    }
+    return true;
+  }
+  if (a.sine(1, 2) <= angle && a.sine(1, 3) <= angle && a.sine(0, 1) > 1e-3 && a.sine(3, 4) > 1e-3 &&
+      a.sine(4, 5) > 1e-3) {
+    const auto last = a.meet(4, 5);
+    align(s, 2, 1), align(s, 3, 1);
+    if (last.miss <= length) {
+      put_points(s, 4, 5, last.at);
+      s.form = closed_form::parallel_meeting;
+    } else {
+      s.form = closed_form::parallel_general;
+    }
+    return true;
+  }
+  return false;
+}
+
+constexpr arm_family family_of(closed_form form, bool backwards) {
+  switch (form) {
+    case closed_form::wrist_parallel:
+    case closed_form::wrist_general:
+      return backwards ? arm_family::spherical_shoulder : arm_family::spherical_wrist;
+    case closed_form::parallel_meeting:
+    case closed_form::parallel_general:
+      return arm_family::three_parallel;
+    default:
+      return arm_family::none;
+  }
+}
+
+/// Of either direction, the one with the simpler formulas.
+constexpr bool fits_six_either_way(arm_structure& s, const arm_geometry& arm, double angle, double length) {
+  arm_structure there = s, back = s;
+  there.arm = arm, back.arm = reversed(arm), back.backwards = true;
+  const bool ahead = fits_six(there, angle, length), behind = fits_six(back, angle, length);
+  if (!ahead && !behind) return false;
+  const auto simple = [](const arm_structure& x) {
+    return x.form == closed_form::wrist_parallel || x.form == closed_form::parallel_meeting;
+  };
+  s = ahead && (simple(there) || !behind || !simple(back)) ? there : back;
+  s.family = family_of(s.form, s.backwards);
+  return true;
+}
+
+constexpr bool fits_srs(arm_structure& s, double length) {
+  const axes_of a{s.original};
+  const auto shoulder = a.meet(0, 1, 2), wrist = a.meet(4, 5, 6);
+  const auto turns = [&](int i, int j) { return a.sine(i, j) > 1e-3; };
+  if (shoulder.miss > length || wrist.miss > length || !(turns(0, 1) && turns(1, 2) && turns(4, 5) && turns(5, 6)))
+    return false;
+  s.arm = s.original;
+  put_points(s, 0, 2, shoulder.at), put_points(s, 4, 6, wrist.at);
+  // The elbow where axis 4 is nearest to the shoulder.
+  const vec3<> h = s.h(3), e = s.p(3) + dot(shoulder.at - s.p(3), h) * h;
+  if (length_of(e - shoulder.at) <= length || length_of(normal_part(wrist.at - e, h)) <= length) return false;
+  put_points(s, 3, 3, e);
+  s.form = closed_form::srs, s.family = arm_family::srs;
+  return true;
+}
+
+constexpr bool fits_planar(arm_structure& s, double angle) {
+  const axes_of a{s.original};
+  for (int i = 1; i < s.original.n; ++i)
+    if (a.sine(0, i) > angle) return false;
+  s.arm = s.original;
+  for (int i = 1; i < s.original.n; ++i) align(s, i, 0);
+  const auto& slides = s.original.slides;
+  const int n = s.original.n, turning = s.original.turning();
+  if (n == 3 && turning == 3) {
+    s.form = closed_form::planar, s.family = arm_family::planar_3R;
+    return true;
+  }
+  if ((n == 3 && turning == 2) || (n == 4 && turning == 3)) {
+    (void)slides;
+    s.form = closed_form::scara, s.family = arm_family::scara;
+    return true;
+  }
+  return false;
+}
+
+/// Axes count as parallel and as meeting within `tolerance`: rad, and of the reach.
+constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance = 1e-9) {
+  arm_structure s;
+  s.original = arm, s.arm = arm, s.reach = reach_of(arm);
+  if (arm.refused != nullptr || !(s.reach > 0)) return s;
+  const double angle = tolerance, length = tolerance * s.reach;
+  const bool turns = arm.turning() == arm.n;
+  if (arm.n <= 4) {
+    fits_planar(s, angle);
+  } else if (arm.n == 6 && turns) {
+    fits_six_either_way(s, arm, angle, length);
+  } else if (arm.n == 7 && turns && !fits_srs(s, length)) {
+    const double all = s.reach;
+    arm_structure first = s, last = s;
+    const bool by_first = fits_six_either_way(first, part_of(arm, 1, 6), angle, length);
+    const bool by_last = fits_six_either_way(last, part_of(arm, 0, 5), angle, length);
+    const bool simple_last = by_last && last.form != closed_form::wrist_general;
+    if (by_first || by_last) {
+      s = by_first && !simple_last ? first : last;
+      s.held = by_first && !simple_last ? 0 : 6;
+      s.family = arm_family::offset_7R, s.reach = all;
+    }
+  }
+  return s;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/manipulators/detail/arm_geometry.hpp>
+
+#include <string>
+
+namespace kte::detail {
+
+/// The joints between the base and a frame of a runtime chain, where the state is at zero. From its records: their
+/// order, and which coordinates they have; the axes from the Jacobian at zero. Column (v, w) of a joint that turns,
+/// with the origin of the frame at p, is w x (p - o) and w for any o on its axis, of which the nearest to p is
+///
+///   o = p + w x v          (1)
+inline arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame) {
+  arm_geometry arm;
+  const auto x = find_frame(c, frame);
+  const auto& forest = s.tree().forest;
+  const auto& place = forest.frame(x.what, x.index);
+  if (s.tree().irregular >= 0 || place.slot < 0) {
+    arm.refused = "has an element that is neither joint nor link between base and tool";
+    return arm;
+  }
+  std::vector<int> columns;
+  for (int slot = place.slot; slot >= forest.bases;) {
+    const auto& r = forest.records[static_cast<std::size_t>(slot - forest.bases)];
+    if (r.axes != 1)
+      arm.refused = "has a joint of several degrees of freedom";
+    else if (!r.yields)
+      arm.refused = "has a joint whose coordinate is given, or follows others";
+    else if (r.moves == tree::joint::screw)
+      arm.refused = "has a screw joint";
+    columns.insert(columns.begin(), forest.row[static_cast<std::size_t>(r.first)]);
+    slot = r.parent;
+  }
+  if (arm.refused != nullptr) return arm;
+  arm.tool = forward_kinematics(c, s, frame);
+  const auto j = jacobian(c, s, frame, in_world_axes);
+  for (const int k : columns) {
+    const vec3<> v{j(0, k), j(1, k), j(2, k)}, w{j(3, k), j(4, k), j(5, k)};
+    const bool slides = dot(w, w) == 0;
+    int q = 0;
+    for (const auto& f : c.wiring().free)
+      if (f.v == k) q = f.q;
+    arm.add(slides ? v : w, slides ? arm.tool.position : vec3<>(arm.tool.position + cross(w, v)), slides, q, k);
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (columns[i] == columns[k]) arm.refused = "has joints that share a coordinate";
+  return arm;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <kte/manipulators/detail/six_axes.hpp>
+
+/// Arms of seven axes of which 1, 2, 3 meet in the shoulder and 5, 6, 7 in the wrist (Shimizu, Kakuya, Yoon, Kitagaki
+/// and Kosuge, Analytical Inverse Kinematic Computation for 7-DOF Redundant Manipulators With Joint Limits, IEEE
+/// Transactions on Robotics 24, 2008; Elias and Wen, Redundancy Parameterization and Inverse Kinematics of 7-DOF
+/// Revolute Manipulators, 2023).
+namespace kte::detail {
+
+/// The triangle of shoulder, elbow and wrist, of one of the two elbows: where it is at psi = 0, and what it is in axes
+/// of link 3. w^ points from the shoulder to the wrist:
+///
+///   e_x = ((w^ - t) x r) x w^, normalised          (1)   stereographic: without direction only where w^ = t
+///   the elbow is on the side  e(psi) = cos psi e_x + sin psi (w^ x e_x)          (2)
+///   R03 = (w^, e, w^ x e) (v^, f, v^ x f)^T          (3)
+///
+/// v^ and f are w^ and e in axes of link 3. t points against axis 1, where arms have their pedestals.
+template <class S>
+struct elbow_side {
+  solved_angle<S> q4;
+  S slack{};
+  vec3<S> w, ex, ey;  ///< w^, e_x, w^ x e_x
+  vec3<S> v, f, g;    ///< v^, f, v^ x f
+
+  rotation_matrix<S> R03(const solved_angle<S>& psi) const {
+    const vec3<S> e = psi.cos * ex + psi.sin * ey, n = psi.cos * ey - psi.sin * ex;
+    return as<S>(dyad(w, v) + dyad(e, f) + dyad(n, g));
+  }
+  /// Of a posture that has this elbow.
+  solved_angle<S> psi_of(const rotation_matrix<S>& R) const {
+    const vec3<S> e = R * f;
+    return direction(S(dot(ex, e)), S(dot(ey, e)));
+  }
+};
+
+template <class S>
+vec3<S> unit_vector_along(const vec3<S>& v, const vec3<S>& otherwise) {
+  using std::sqrt;
+  const S n = sqrt(dot(v, v));
+  return n > S(0) ? vec3<S>((S(1) / n) * v) : otherwise;
+}
+
+template <class S>
+std::array<elbow_side<S>, 2> elbow_sides(const arm_structure& s, const vec3<S>& position) {
+  using std::sqrt;
+  const vec3<>& h = s.h(3);
+  const vec3<> across = s.p(4) - s.p(3);
+  const vec3<S> w = position - as<S>(s.p(0));
+  const vec3<S> l1 = as<S>(s.p(3) - s.p(0)), l2 = as<S>(normal_part(across, h));
+  const S offset = S(dot(across, h)), square = dot(w, w) - offset * offset;
+  const auto q4 = elbow_angles(h, l1, l2, S(sqrt(square > S(0) ? square : S(0))));
+  const vec3<S> t = as<S>(vec3<>(-s.h(0))), r = as<S>(any_normal(s.h(0)));
+  std::array<elbow_side<S>, 2> both;
+  for (const std::size_t b : {0u, 1u}) {
+    auto& x = both[b];
+    x.q4 = b == 0 ? q4.plus : q4.minus, x.slack = q4.slack;
+    x.w = unit_vector_along(w, vec3<S>(-t));
+    x.ex = unit_vector_along(vec3<S>(cross(cross(vec3<S>(x.w - t), r), x.w)), r);
+    x.ey = cross(x.w, x.ex);
+    const vec3<S> v = l1 + turned(h, x.q4, as<S>(across));
+    x.v = unit_vector_along(v, vec3<S>(unit_vector_along(l1, r)));
+    const vec3<S> side = unit_vector_along(vec3<S>(cross(as<S>(h), x.v)), r);
+    x.f = b == 0 ? vec3<S>(-side) : side;  // l1.(h x v) < 0 for the first of the elbow's angles
+    x.g = cross(x.v, x.f);
+  }
+  return both;
+}
+
+/// R07 and the place of the wrist for one arm angle psi: q1..q3 from R03, q5..q7 from R47 = (R03 R34)^T R07.
+template <class S>
+raw_answers<S> shoulder_and_wrist(const arm_structure& s, const rotation_matrix<S>& R07, const vec3<S>& position,
+                                  const S& psi, const free_angles<S>& seed) {
+  const auto sides = elbow_sides(s, position);
+  const auto turn = angle_of(psi);
+  raw_answers<S> out;
+  for (const std::size_t b : {0u, 1u}) {
+    const auto& side = sides[b];
+    const auto R03 = side.R03(turn);
+    const auto R47 = turned_matrix(s.h(3), -side.q4, rotation_matrix<S>(transpose(R03) * R07));
+    raw_answer<S> x;
+    x.t[3] = side.q4.value();
+    x.branch = b == 0 ? 0u : elbow_bit;
+    with_meeting_axes(s, 0, R03, x, seed, shoulder_bit, [&](const raw_answer<S>& y) {
+      with_meeting_axes(s, 4, R47, y, seed, wrist_bit, [&out](const raw_answer<S>& z) { out.add(z); });
+    });
+  }
+  return out;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/manipulators/detail/arm_geometry.hpp>
+
+namespace kte::detail {
+
+/// Element I where its coordinate is zero: no sines are asked for, so that it is known while compiling.
+template <std::size_t I, class Chain>
+constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_geometry& arm) {
+  using core_t = typename Chain::template core_type<I>;
+  using wiring = typename Chain::wiring;
+  const auto step = [&](const auto& m) {
+    x = {as<double>(x.rotation * as<double>(matrix(m.rotation))),
+         as<double>(x.rotation * as<double>(m.position) + x.position)};
+  };
+  if constexpr (!is_transmission<core_t>) {
+    arm.refused = "has an element that is neither joint nor link between base and tool";
+  } else if constexpr (coordinates_of<core_t> == 0) {
+    step(c.template core<I>().relative());
+  } else if constexpr (core_t::ports[0].what != kind::gen) {
+    arm.refused = "has a joint of several degrees of freedom";
+  } else if constexpr (!wiring::template is_free<kind::gen, wiring::slot(I, 0)>) {
+    arm.refused = "has a joint whose coordinate is given, or follows others";
+  } else {
+    const auto m = c.template core<I>().relative(coordinate{0.0, 1.0, 0.0, 1.0, 0.0});
+    step(m);
+    const vec3<> v = as<double>(m.velocity), w = as<double>(m.ang_velocity);
+    const bool slides = dot(w, w) == 0;
+    if (!slides && dot(v, v) != 0) arm.refused = "has a screw joint";
+    arm.add(x.rotation * (slides ? v : w), x.position, slides, wiring::template at<kind::gen, wiring::slot(I, 0)>.q,
+            wiring::template at<kind::gen, wiring::slot(I, 0)>.v);
+  }
+}
+
+/// Of the joints between the base and a frame.
+template <class Frame, class Chain>
+constexpr arm_geometry geometry_of(const Chain& c) {
+  using path = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
+  arm_geometry arm;
+  auto x = arm.tool;
+  const auto each = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (add_element<path::elements[I]>(c, x, arm), ...);
+  };
+  each(std::make_index_sequence<path::length>{});
+  arm.tool = x;
+  for (int i = 0; i < arm.n; ++i)
+    for (int j = 0; j < i; ++j)
+      if (arm.in_q[std::size_t(i)] == arm.in_q[std::size_t(j)]) arm.refused = "has joints that share a coordinate";
+  return arm;
+}
+
+}  // namespace kte::detail

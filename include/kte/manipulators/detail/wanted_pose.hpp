@@ -1,0 +1,54 @@
+#pragma once
+
+#include <kte/errors.hpp>
+#include <kte/manipulators/detail/solve_closed_form.hpp>
+#include <kte/math/quaternion.hpp>
+
+namespace kte::detail {
+
+template <class X, class Y>
+auto in_space(const vec2<X, Y>& p) {
+  return planar(p);
+}
+template <class X, class Y, class Z>
+const vec3<X, Y, Z>& in_space(const vec3<X, Y, Z>& p) {
+  return p;
+}
+/// A pose of the plane or of space, as users have it, in space.
+template <class Rotation, class Position>
+auto spatial(const pose<Rotation, Position>& x) {
+  const auto p = in_space(x.position);
+  using S = scalar_of<decltype(dot(p, p))>;
+  return plain_pose_of<S>{as<S>(matrix(x.rotation)), as<S>(p)};
+}
+
+/// A pose that can be asked for. The rotation is brought nearer to orthonormal, by two steps of R (3 - R^T R) / 2,
+/// unless it is to rounding. Throws `bad_argument` for what is not finite, and for a matrix that is not orthonormal to
+/// 1e-6 (in float to a thousand rounding errors) and right-handed.
+template <class S>
+plain_pose_of<S> checked_pose(plain_pose_of<S> x) {
+  auto& R = x.rotation;
+  const vec3<S>& p = x.position;
+  const S finite = p.x * S(0) + p.y * S(0) + p.z * S(0);
+  if (!(finite == S(0))) raise<bad_argument>("kte: inverse kinematics: the position is not finite");
+  const S eps = S(std::numeric_limits<S>::epsilon());
+  const S most = eps > S(1e-9) ? S(S(1000) * eps) : S(1e-6);
+  const auto off = [&R] {
+    S worst(0);
+    const auto look = [&worst](S d) {
+      if (d < S(0)) d = -d;
+      if (!(d <= worst)) worst = d;
+    };
+    look(dot(R.x, R.x) - S(1)), look(dot(R.y, R.y) - S(1)), look(dot(R.z, R.z) - S(1));
+    look(dot(R.x, R.y)), look(dot(R.y, R.z)), look(dot(R.z, R.x));
+    return worst;
+  };
+  const S far = off();
+  if (!(far <= most) || !(dot(R.x, cross(R.y, R.z)) > S(0)))
+    raise<bad_argument>("kte: inverse kinematics: the rotation must be orthonormal and right-handed");
+  if (far > S(8) * eps)
+    for (int k = 0; k < 2; ++k) R = as<S>(S(0.5) * (R * as<S>(diagonal_matrix(S(3)) - transpose(R) * R)));
+  return x;
+}
+
+}  // namespace kte::detail

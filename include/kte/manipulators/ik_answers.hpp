@@ -1,0 +1,68 @@
+#pragma once
+
+#include <kte/manipulators/detail/solve_closed_form.hpp>
+#include <kte/models/joint_limits.hpp>
+
+#include <vector>
+
+namespace kte {
+
+/// One posture by which an arm answers a pose.
+template <class Q>
+struct ik_answer {
+  using scalar = value_of<Q>;
+
+  Q q;                  ///< a configuration of the chain
+  unsigned branch = 0;  ///< bits: 1 shoulder, 2 elbow, 4 wrist; higher ones where there are more answers
+  scalar position{};    ///< m that the tool is away, by forward kinematics
+  scalar rotation{};    ///< rad
+  bool exact = false;   ///< whether these are within the tolerance; else it is an answer of least squares
+  bool within_limits = false;
+  unsigned free = 0;  ///< bit i: coordinate i of v could have been anything here (singular); it is as in the seed, or 0
+};
+
+/// All answers, in a fixed order of branches: a range.
+template <class Q>
+class ik_answers {
+ public:
+  static constexpr std::size_t most = detail::raw_answers<double>::most;
+
+  const ik_answer<Q>* begin() const { return all_.data(); }
+  const ik_answer<Q>* end() const { return all_.data() + size_; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const ik_answer<Q>& operator[](std::size_t i) const { return all_[i]; }
+  void push_back(const ik_answer<Q>& x) { all_[size_++] = x; }
+
+ private:
+  std::array<ik_answer<Q>, most> all_{};
+  std::size_t size_ = 0;
+};
+
+/// How near a tool must be for an answer to be called exact: of the reach of the arm, and rad.
+struct ik_tolerance {
+  double position = 1e-9, rotation = 1e-9;
+};
+
+/// The axes of this arm are none of those of which the inverse kinematics is closed form; what() says by how much.
+struct no_closed_form : error {
+  using error::error;
+};
+
+/// What was asked for cannot be reached.
+enum class unreachable_reason {
+  distance,       ///< no posture gets there
+  limits,         ///< those that do are beyond the limits of joints
+  local_minimum,  ///< a search ended elsewhere
+};
+/// As an error, with the best that there is.
+struct unreachable : error {
+  unreachable(const std::string& what, unreachable_reason why, std::vector<double> best, double m, double rad)
+      : error(what), reason(why), q(std::move(best)), position(m), rotation(rad) {}
+
+  unreachable_reason reason;
+  std::vector<double> q;
+  double position, rotation;  ///< residual of q: m, rad
+};
+
+}  // namespace kte

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/manipulators/detail/in_limits.hpp>
+#include <kte/manipulators/detail/wanted_pose.hpp>
+#include <kte/manipulators/detail/why_no_closed_form.hpp>
+#include <kte/manipulators/ik_answers.hpp>
+#include <kte/manipulators/ik_requests.hpp>
+#include <kte/manipulators/manipulator.hpp>
+
+namespace kte {
+
+namespace detail {
+/// Where coordinates are that nobody asks for.
+template <class S, class Arm>
+auto starting_configuration(const Arm& arm) {
+  return neutral_configuration(arm).template cast<S>().eval();
+}
+
+/// Throws unless this arm has a closed form.
+template <class Arm>
+void check_closed_form(const Arm& arm) {
+  if (arm.tools() != 1)
+    raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
+                        std::to_string(arm.tools()));
+  if (arm.structure().form == closed_form::none) raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()));
+}
+
+/// What is free in a configuration, by joint.
+template <class S, class Q>
+free_angles<S> joints_of(const arm_geometry& arm, const Q& q) {
+  free_angles<S> x;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i)
+    x.t[i] = S(q[static_cast<Eigen::Index>(arm.in_q[i])]);
+  return x;
+}
+
+/// One of the raw answers as users get it: limits, then residual.
+template <class Arm, class S, class Q>
+ik_answer<Q> finished(const Arm& arm, const plain_pose_of<S>& x, const Q& start, const raw_answer<S>& raw) {
+  const arm_structure& s = arm.structure();
+  ik_answer<Q> a{start};
+  auto t = raw.t;
+  a.branch = raw.branch, a.within_limits = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
+    const auto v = static_cast<std::size_t>(s.original.in_v[i]);
+    const Eigen::Index q = s.original.in_q[i];
+    a.within_limits &= bring_within(arm.limits().lower[v], arm.limits().upper[v], s.original.slides[i], start[q], t[i]);
+    a.q[q] = t[i];
+    if (raw.free >> i & 1u) a.free |= 1u << v;
+  }
+  const auto gap = gap_between(tool_pose(s.original, t), x);
+  a.position = gap.position, a.rotation = gap.rotation;
+  const S least = S(64 * std::numeric_limits<S>::epsilon());
+  const auto within = [&least](const S& e, double tolerance, double unit) {
+    return e <= S(unit) * (least > S(tolerance) ? least : S(tolerance));
+  };
+  a.exact = within(a.position, ik_tolerance{}.position, s.reach) && within(a.rotation, ik_tolerance{}.rotation, 1);
+  return a;
+}
+template <class Arm, class S, class Q>
+ik_answers<Q> all_finished(const Arm& arm, const plain_pose_of<S>& x, const Q& start, const S& extra) {
+  const auto raw = solve_closed_form(arm.structure(), x, joints_of<S>(arm.structure().original, start), extra);
+  ik_answers<Q> all;
+  for (std::size_t i = 0; i < raw.size; ++i) all.push_back(finished(arm, x, start, raw.all[i]));
+  return all;
+}
+}  // namespace detail
+
+/// Every posture by which the first tool of an arm has a pose (in axes of the base; rotation and position, as
+/// `forward_kinematics` gives it), by formulas, in a fixed order of branches:
+///
+///   for (const auto& a : kte::inverse_kinematics(arm, pose)) if (a.exact && a.within_limits) use(a.q);
+///
+/// An arm of seven axes has infinitely many: these are those of arm angle 0, or with the held joint at 0 (`arm_angle`,
+/// `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi takes them there. Coordinates
+/// that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers of least squares,
+/// which are not `exact`.
+///
+/// Generic in the scalar of the pose, so also derivatives by dual numbers. Throws `no_closed_form`, and `bad_argument`
+/// for a pose that is none.
+template <class Chain, class Tools, class Rotation, class Position>
+auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {
+  detail::check_closed_form(arm);
+  const auto x = detail::checked_pose(detail::spatial(wanted));
+  using S = std::remove_cvref_t<decltype(x.position.x)>;
+  return detail::all_finished(arm, x, detail::starting_configuration<S>(arm), S(0));
+}
+
+/// The same of an arm of seven axes at an arm angle.
+template <class Chain, class Tools, class Rotation, class Position>
+auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted, arm_angle angle) {
+  detail::check_closed_form(arm);
+  if (arm.family() != arm_family::srs)
+    detail::raise<bad_argument>("kte: this arm has no arm angle: of its axes, not the first and the last three meet");
+  if (!(angle.psi - angle.psi == 0)) detail::raise<bad_argument>("kte: an arm angle must be finite");
+  const auto x = detail::checked_pose(detail::spatial(wanted));
+  using S = std::remove_cvref_t<decltype(x.position.x)>;
+  return detail::all_finished(arm, x, detail::starting_configuration<S>(arm), S(angle.psi));
+}
+
+}  // namespace kte

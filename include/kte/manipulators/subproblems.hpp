@@ -1,0 +1,171 @@
+#pragma once
+
+#include <kte/math/axis_angle.hpp>
+#include <kte/math/select.hpp>
+#include <kte/math/sincos.hpp>
+
+#include <cmath>
+#include <limits>
+
+/// The subproblems of which closed-form inverse kinematics is made (Paden, Kinematics and Control of Robot
+/// Manipulators, 1986; Kahan, Lectures on Computational Aspects of Geometry, 1983; Elias and Wen, IK-Geo, Mechanism and
+/// Machine Theory 209, 2025). R(k, t) turns by t about the unit vector k. All are generic in the scalar. Where there is
+/// no answer they give the one of least squares. No arc cosines: an angle that is next to the border of what can be
+/// reached keeps its digits.
+namespace kte {
+
+/// An angle by cosine and sine; its value is taken when it is asked for.
+template <class S>
+struct solved_angle {
+  S cos = S(1), sin = S(0);
+
+  /// In [-pi, pi], rad.
+  constexpr S value() const {
+    using std::atan2;
+    return atan2(sin, cos);
+  }
+  constexpr solved_angle operator-() const { return {cos, -sin}; }
+  friend constexpr solved_angle operator+(const solved_angle& a, const solved_angle& b) {
+    return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
+  }
+  friend constexpr solved_angle operator-(const solved_angle& a, const solved_angle& b) { return a + -b; }
+};
+
+/// The angle of the direction (x, y); 0 at the origin.
+template <class S>
+constexpr solved_angle<S> direction(const S& x, const S& y) {
+  using std::sqrt;
+  const S r = sqrt(S(x * x + y * y));
+  if (!(r > S(0))) return {};
+  return {x / r, y / r};
+}
+template <class S>
+solved_angle<S> angle_of(const S& t) {
+  solved_angle<S> a;
+  sincos(t, a.sin, a.cos);
+  return a;
+}
+
+/// Two angles that answer the same question, f + g and f - g.
+template <class S>
+struct two_angles {
+  solved_angle<S> plus, minus;
+  S slack{};          ///< how far what was asked for is beyond the border, in its units; there both angles are the same
+  bool free = false;  ///< any angle is as good
+};
+
+/// R(k, t) v = v cos t + (k x v) sin t + k (k.v) (1 - cos t)
+template <class S, class K, class V>
+constexpr vec3<S> turned(const K& k, const solved_angle<S>& t, const V& v) {
+  const vec3<S> kk = as<S>(k), x = as<S>(v);
+  return t.cos * x + t.sin * cross(kk, x) + (dot(kk, x) * (S(1) - t.cos)) * kk;
+}
+
+/// a cos t + b sin t = c:
+///
+///   h = |(a, b)|,  f = atan2(b, a),  t = f +- atan2(sqrt((h - c)(h + c)), c)          (1)
+///
+/// Free where h is not above `noise`: then both are what `otherwise` says, half a turn apart.
+template <class S>
+constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
+                                        const solved_angle<S>& otherwise = {}) {
+  using std::sqrt;
+  const S h = sqrt(S(a * a + b * b)), over = (c < S(0) ? S(-c) : c) - h;
+  two_angles<S> t;
+  t.slack = select(over > S(0), over, S(0));
+  if (!(h > noise)) {
+    t.plus = otherwise, t.minus = {-otherwise.cos, -otherwise.sin}, t.free = true;
+    return t;
+  }
+  const solved_angle<S> f{a / h, b / h};
+  const S room = (h - c) * (h + c);
+  const auto g = over < S(0) ? direction(c, S(sqrt(room))) : solved_angle<S>{c < S(0) ? S(-1) : S(1), S(0)};
+  t.plus = f + g, t.minus = f - g;
+  return t;
+}
+
+/// R(k, t) p1 = p2:
+///
+///   t = atan2(k.(p1 x p2), p1.p2 - (k.p1)(k.p2))          (2)
+///
+/// of least squares always; 0 where any t is as good.
+template <class S, class K>
+constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const vec3<S>& p2) {
+  const vec3<S> k = as<S>(axis);
+  return direction(S(dot(p1, p2) - dot(k, p1) * dot(k, p2)), S(dot(k, cross(p1, p2))));
+}
+
+/// n.R(k, t) p = d: by (1) with
+///
+///   a = n.p - (n.k)(k.p),  b = n.(k x p),  c = d - (n.k)(k.p)          (3)
+template <class S, class K, class N>
+constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& normal, const S& d,
+                                    const solved_angle<S>& otherwise = {}) {
+  using std::sqrt;
+  const vec3<S> k = as<S>(axis), n = as<S>(normal);
+  const S along = dot(n, k) * dot(k, p);
+  const S noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(n, n) * dot(p, p)));
+  return linear_in_angle(S(dot(n, p) - along), S(dot(n, cross(k, p))), S(d - along), noise, otherwise);
+}
+
+/// R(k1, t1) p1 = R(k2, t2) p2: pairs (t1.plus, t2.plus), (t1.minus, t2.minus). t1 by (3) with n = k2, d = k2.p2; t2 by
+/// (2) from what t1 leaves.
+template <class S>
+struct two_pairs {
+  two_angles<S> first, second;
+};
+template <class S, class K1, class K2>
+constexpr two_pairs<S> subproblem2(const K1& k1, const vec3<S>& p1, const K2& k2, const vec3<S>& p2) {
+  const auto t1 = subproblem4(k1, p1, k2, S(dot(as<S>(k2), p2)));
+  const auto rest = [&](const solved_angle<S>& t) { return subproblem1(k2, p2, turned(k1, t, p1)); };
+  return {t1, {rest(t1.plus), rest(t1.minus), t1.slack, false}};
+}
+
+/// |R(k, t) p1 - p2| = d: by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms take `triangle`,
+/// which loses no digits where the arm is stretched.)
+template <class S, class K>
+constexpr two_angles<S> subproblem3(const K& k, const vec3<S>& p1, const vec3<S>& p2, const S& d) {
+  return subproblem4(k, p1, p2, S((dot(p1, p1) + dot(p2, p2) - d * d) / S(2)));
+}
+
+/// The angle between two links normal to k by which they reach a distance D, |l1 + R(k, t) l2| = D. With r1, r2 the
+/// lengths of the links and t0 the angle from l2 to l1:
+///
+///   t = t0 +- 2 atan2(sqrt((r1 + r2 - D)(r1 + r2 + D)), sqrt((D - (r1 - r2))(D + (r1 - r2))))          (4)
+///
+/// Stretched or folded where D is out of reach; `slack`, m, says how far.
+template <class S, class K>
+constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
+  using std::sqrt;
+  const S r1 = sqrt(dot(l1, l1)), r2 = sqrt(dot(l2, l2));
+  const S longer = select(r1 > r2, r1, r2), shorter = select(r1 > r2, r2, r1);
+  const S outside = D - (r1 + r2), inside = (longer - shorter) - D;
+  const auto t0 = subproblem1(k, l2, l1);
+  const auto half = [&]() -> solved_angle<S> {
+    if (!(outside < S(0))) return {};           // stretched
+    if (!(inside < S(0))) return {S(0), S(1)};  // folded
+    return direction(S(sqrt(S(-inside * (D + longer - shorter)))), S(sqrt(S(-outside * (r1 + r2 + D)))));
+  }();
+  const auto g = half + half;
+  const S slack = select(outside > S(0), outside, select(inside > S(0), inside, S(0)));
+  return {t0 + g, t0 - g, slack, false};
+}
+
+/// Two links and where they reach: R(k, t2)(l1 + R(k, t3) l2) = a, all normal to k. t3 by (4) with D = |a|, then t2 by
+/// (2): pairs (t2.plus, t3.plus), (t2.minus, t3.minus). t2 is free where the links fold to a point.
+template <class S>
+struct triangle_angles {
+  two_angles<S> t2, t3;
+};
+template <class S, class K>
+constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<S>& l2, const vec3<S>& a,
+                                      const solved_angle<S>& otherwise = {}) {
+  using std::sqrt;
+  const S D = sqrt(dot(a, a)), noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(l1, l1) + dot(l2, l2)));
+  const auto t3 = elbow_angles(k, l1, l2, D);
+  if (!(D > noise) && !(t3.slack > noise)) return {{otherwise, otherwise, t3.slack, true}, t3};
+  const auto rest = [&](const solved_angle<S>& t) { return subproblem1(k, vec3<S>(l1 + turned(k, t, l2)), a); };
+  return {{rest(t3.plus), rest(t3.minus), t3.slack, false}, t3};
+}
+
+}  // namespace kte
