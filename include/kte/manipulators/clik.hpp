@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/manipulators/detail/closed_form_start.hpp>
 #include <kte/manipulators/detail/descent.hpp>
 #include <kte/manipulators/detail/second_level.hpp>
 #include <kte/manipulators/goals.hpp>
@@ -13,6 +14,7 @@ struct clik_options {
   std::uint64_t seed = 1;   ///< of new starts: the same seed gives the same answer
   double tolerance = 1e-9;  ///< of reach, and rad
   double length = 0;        ///< by which rad count as m; 0: reach/pi, by which a half turn counts as the reach
+  bool numeric = false;     ///< do not start from the closed form, where there is one
   bool must_reach = false;  ///< throw `unreachable` instead of a status
 };
 
@@ -53,8 +55,10 @@ inline constexpr bool has_hard<std::tuple<Goal...>> = (Goal::hard || ...);
 
 /// Inverse kinematics of any chain and any goals (`reach`, `reach_position`, `look_at`, `posture`, `away_from_limits`,
 /// `manipulability`, several by `goals`, in order by `then`), numerically: Levenberg-Marquardt within limits
-/// (manipulators/detail/descent.hpp), from q_start, brought within limits, and if that does not attain the hard goals
-/// from further starts that a seeded generator draws. For the same arguments the answer is the same.
+/// (manipulators/detail/descent.hpp) from q_start, brought within limits, and if that does not attain the hard goals
+/// from further starts that a seeded generator draws. Where a pose is all that is wanted and the arm has a closed form,
+/// its answers are starts too: of an arm that is not redundant the nearest one is the first start. For the same
+/// arguments the answer is the same.
 ///
 ///   auto r = kte::clik(arm, kte::reach(tool, pose), q);
 ///   auto r = kte::clik(arm, kte::goals(kte::reach(tool, pose), kte::posture(rest)), q);
@@ -91,6 +95,15 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
   clik_result<S, at_type::configuration::RowsAtCompileTime> out{start, clik_status::local_minimum, 0, 0, S(0), S(0)};
   detail::even_numbers random(options.seed);
   S least = std::numeric_limits<S>::infinity();
+  // Of arms that answer a pose in finitely many ways the closed form has the nearest; others begin where they are.
+  const auto at_closed_form = [&] {
+    auto answer = start;
+    const bool found = !options.numeric && detail::start_at_closed_form(arm, levels.first, answer);
+    if (found) at.move(answer);
+    return found;
+  };
+  const bool redundant = detail::dofs_of(arm) > 6;
+  if (!redundant) at_closed_form();
   for (;; ++out.restarts) {
     const int left = options.iterations - out.iterations;
     const int patience = hard ? 4 : left;  // a new start is cheaper than to wait
@@ -103,6 +116,7 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
                                      : clik_status::local_minimum;
     }
     if (out.status == clik_status::reached || out.iterations >= options.iterations) break;
+    if (redundant && out.restarts == 0 && at_closed_form()) continue;
     S best = std::numeric_limits<S>::infinity();
     typename at_type::configuration next = start;
     for (int i = 0; i < options.draws; ++i) {
