@@ -132,7 +132,7 @@ TEST_CASE("Panda: the maker's parameters, its limits") {
   static_assert(arm.family() == arm_family::offset_7R);
   check_between(arm.limits(), 3, -3.0718, -0.0698);
   check_between(arm.limits(), 5, -0.0175, 3.7525);
-  CHECK(total_mass(record_of(panda_chain())) == within(16.061805, 1e-12));
+  CHECK(total_mass(record_of(panda_chain())) == within(16.062132, 1e-12));
 }
 
 TEST_CASE("Arms of the catalogue") {
