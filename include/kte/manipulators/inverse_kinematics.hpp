@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/manipulators/detail/in_limits.hpp>
+#include <kte/manipulators/detail/feasible_angles.hpp>
 #include <kte/manipulators/detail/wanted_pose.hpp>
 #include <kte/manipulators/detail/why_no_closed_form.hpp>
 #include <kte/manipulators/ik_answers.hpp>
@@ -37,8 +37,8 @@ free_angles<S> joints_of(const arm_geometry& arm, const Q& q) {
 
 /// One of the raw answers as users get it: limits, then residual.
 template <class Arm, class S, class Q>
-ik_answer<Q> finished(const Arm& arm, const plain_pose_of<S>& x, const Q& start, const raw_answer<S>& raw) {
-  const arm_structure& s = arm.structure();
+ik_answer<Q> finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
+                      const raw_answer<S>& raw) {
   ik_answer<Q> a{start};
   auto t = raw.t;
   a.branch = raw.branch, a.within_limits = true;
@@ -59,11 +59,46 @@ ik_answer<Q> finished(const Arm& arm, const plain_pose_of<S>& x, const Q& start,
   return a;
 }
 template <class Arm, class S, class Q>
-ik_answers<Q> all_finished(const Arm& arm, const plain_pose_of<S>& x, const Q& start, const S& extra) {
-  const auto raw = solve_closed_form(arm.structure(), x, joints_of<S>(arm.structure().original, start), extra);
+ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
+                           const S& extra) {
+  const auto raw = solve_closed_form(s, x, joints_of<S>(s.original, start), extra);
   ik_answers<Q> all;
-  for (std::size_t i = 0; i < raw.size; ++i) all.push_back(finished(arm, x, start, raw.all[i]));
+  for (std::size_t i = 0; i < raw.size; ++i) all.push_back(finished(arm, s, x, start, raw.all[i]));
   return all;
+}
+template <class Arm>
+void check_arm_angle(const Arm& arm) {
+  check_closed_form(arm);
+  if (arm.family() != arm_family::srs)
+    raise<bad_argument>("kte: this arm has no arm angle: of its axes, not the first and the last three meet");
+}
+template <class Arm>
+limits_by_joint limits_of_joints(const Arm& arm) {
+  const auto& original = arm.structure().original;
+  limits_by_joint limits;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(original.n); ++i) {
+    const auto v = static_cast<std::size_t>(original.in_v[i]);
+    limits.lower[i] = arm.limits().lower[v], limits.upper[i] = arm.limits().upper[v];
+  }
+  return limits;
+}
+/// The structure of an arm of seven axes of which one is held.
+template <class Arm>
+arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
+  check_closed_form(arm);
+  const arm_structure& s = arm.structure();
+  const int last = s.original.n - 1;
+  for (const auto& e : limited_layout(arm)) {
+    if (std::string_view(e.name) != coordinate) continue;
+    for (const int i : {0, last})
+      if (last == 6 && s.original.in_q[static_cast<std::size_t>(i)] == e.q) {
+        const auto held = with_held(s.original, i);
+        if (held.form != closed_form::none) return held;
+      }
+    raise<no_closed_form>("kte: no closed form of inverse kinematics with '" + std::string(coordinate) +
+                          "' locked: it is for the first or the last of seven joints, if the other six have one");
+  }
+  raise<unknown_name>("kte: this chain has no coordinate '" + std::string(coordinate) + "'");
 }
 }  // namespace detail
 
@@ -84,19 +119,50 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   detail::check_closed_form(arm);
   const auto x = detail::checked_pose(detail::spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
-  return detail::all_finished(arm, x, detail::starting_configuration<S>(arm), S(0));
+  return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), S(0));
 }
 
 /// The same of an arm of seven axes at an arm angle.
 template <class Chain, class Tools, class Rotation, class Position>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted, arm_angle angle) {
-  detail::check_closed_form(arm);
-  if (arm.family() != arm_family::srs)
-    detail::raise<bad_argument>("kte: this arm has no arm angle: of its axes, not the first and the last three meet");
+  detail::check_arm_angle(arm);
   if (!(angle.psi - angle.psi == 0)) detail::raise<bad_argument>("kte: an arm angle must be finite");
   const auto x = detail::checked_pose(detail::spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
-  return detail::all_finished(arm, x, detail::starting_configuration<S>(arm), S(angle.psi));
+  return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), S(angle.psi));
+}
+
+/// The same of an arm of seven axes whose first or last joint stands still.
+template <class Chain, class Tools, class Rotation, class Position>
+auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                        const locked_joint& joint) {
+  if (!(joint.value - joint.value == 0)) detail::raise<bad_argument>("kte: the value of a locked joint must be finite");
+  const auto s = detail::structure_locked(arm, joint.coordinate);
+  const auto x = detail::checked_pose(detail::spatial(wanted));
+  using S = std::remove_cvref_t<decltype(x.position.x)>;
+  return detail::all_finished(arm, s, x, detail::starting_configuration<S>(arm), S(joint.value));
+}
+
+/// At which arm angles an arm of seven axes has a pose with all joints within limits: for each branch all intervals,
+/// their ends to rounding (next to singular postures of shoulder or wrist, to its square root). Between them there is
+/// no answer within limits, however narrow they are. Of shoulders and wrists with right angles.
+template <class Chain, class Tools, class Rotation, class Position>
+detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
+                                           const pose<Rotation, Position>& wanted) {
+  detail::check_arm_angle(arm);
+  const auto x = detail::checked_pose(detail::spatial(wanted));
+  const auto [R, p] = detail::goal_of(arm.structure(), x);
+  return detail::feasible_angles(arm.structure(), R, p, detail::limits_of_joints(arm));
+}
+
+/// The arm angle of a posture.
+template <class Chain, class Tools, indexable Q>
+auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q) {
+  detail::check_arm_angle(arm);
+  using S = value_of<Q>;
+  const auto& s = arm.structure();
+  const auto joints = detail::joints_of<S>(s.original, q).t;
+  return detail::arm_angle_at<S>(s, detail::goal_of(s, detail::tool_pose(s.original, joints)).position, joints);
 }
 
 }  // namespace kte

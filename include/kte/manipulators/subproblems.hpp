@@ -104,7 +104,7 @@ constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& no
   using std::sqrt;
   const vec3<S> k = as<S>(axis), n = as<S>(normal);
   const S along = dot(n, k) * dot(k, p);
-  const S noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(n, n) * dot(p, p)));
+  const S noise = S(24 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(n, n) * dot(p, p)));
   return linear_in_angle(S(dot(n, p) - along), S(dot(n, cross(k, p))), S(d - along), noise, otherwise);
 }
 

@@ -35,7 +35,14 @@ enum class closed_form : std::uint8_t {
   srs
 };
 
-constexpr double length_of(const vec3<>& v) { return constexpr_sqrt(dot(v, v)); }
+constexpr double root_of(double x) {
+  double unit = 1;
+  if (!(x > 0)) return 0;
+  while (x < 1) x *= 4, unit /= 2;  // exact
+  while (x > 4) x /= 4, unit *= 2;
+  return unit * constexpr_sqrt(x);
+}
+constexpr double length_of(const vec3<>& v) { return root_of(dot(v, v)); }
 constexpr vec3<> direction_of(const vec3<>& v) { return (1 / length_of(v)) * v; }
 /// v without its part along a unit vector.
 constexpr vec3<> normal_part(const vec3<>& v, const vec3<>& unit) { return v - dot(v, unit) * unit; }
@@ -187,18 +194,27 @@ constexpr bool fits_planar(arm_structure& s, double angle) {
     if (a.sine(0, i) > angle) return false;
   s.arm = s.original;
   for (int i = 1; i < s.original.n; ++i) align(s, i, 0);
-  const auto& slides = s.original.slides;
   const int n = s.original.n, turning = s.original.turning();
   if (n == 3 && turning == 3) {
     s.form = closed_form::planar, s.family = arm_family::planar_3R;
     return true;
   }
   if ((n == 3 && turning == 2) || (n == 4 && turning == 3)) {
-    (void)slides;
     s.form = closed_form::scara, s.family = arm_family::scara;
     return true;
   }
   return false;
+}
+
+/// Seven axes of which one is held.
+constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tolerance = 1e-9) {
+  arm_structure s;
+  s.original = arm, s.reach = reach_of(arm);
+  const auto six = joint == 0 ? part_of(arm, 1, arm.n - 1) : part_of(arm, 0, arm.n - 2);
+  if (fits_six_either_way(s, six, tolerance, tolerance * s.reach)) {
+    s.held = joint, s.family = arm_family::offset_7R;
+  }
+  return s;
 }
 
 /// Axes count as parallel and as meeting within `tolerance`: rad, and of the reach.
@@ -206,23 +222,17 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
   arm_structure s;
   s.original = arm, s.arm = arm, s.reach = reach_of(arm);
   if (arm.refused != nullptr || !(s.reach > 0)) return s;
-  const double angle = tolerance, length = tolerance * s.reach;
+  const double length = tolerance * s.reach;
   const bool turns = arm.turning() == arm.n;
   if (arm.n <= 4) {
-    fits_planar(s, angle);
+    fits_planar(s, tolerance);
   } else if (arm.n == 6 && turns) {
-    fits_six_either_way(s, arm, angle, length);
+    fits_six_either_way(s, arm, tolerance, length);
   } else if (arm.n == 7 && turns && !fits_srs(s, length)) {
-    const double all = s.reach;
-    arm_structure first = s, last = s;
-    const bool by_first = fits_six_either_way(first, part_of(arm, 1, 6), angle, length);
-    const bool by_last = fits_six_either_way(last, part_of(arm, 0, 5), angle, length);
-    const bool simple_last = by_last && last.form != closed_form::wrist_general;
-    if (by_first || by_last) {
-      s = by_first && !simple_last ? first : last;
-      s.held = by_first && !simple_last ? 0 : 6;
-      s.family = arm_family::offset_7R, s.reach = all;
-    }
+    const auto first = with_held(arm, 0, tolerance), last = with_held(arm, arm.n - 1, tolerance);
+    const bool by_last =
+        last.form != closed_form::none && (first.form == closed_form::none || last.form != closed_form::wrist_general);
+    if (by_last || first.form != closed_form::none) return by_last ? last : first;
   }
   return s;
 }

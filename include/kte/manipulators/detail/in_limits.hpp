@@ -20,7 +20,7 @@ template <class S, class Start>
 bool bring_within(double lower, double upper, bool slides, const Start& start, S& t) {
   const auto reaches = [](const S& limit) {
     const S size = limit < S(0) ? S(-limit) : limit;
-    return S(8 * std::numeric_limits<S>::epsilon()) * (size > S(1) ? size : S(1));
+    return S(32 * std::numeric_limits<S>::epsilon()) * (size > S(1) ? size : S(1));
   };
   S x = t;
   const S least = S(lower) - (lower > -1e300 ? reaches(S(lower)) : S(0));

@@ -44,21 +44,15 @@ raw_answers<S> wrist_and_parallel(const arm_structure& s, const rotation_matrix<
   return out;
 }
 
-/// Of the angles at which a cos t + b sin t is within [least, most], the one nearest to t0; where there is none, the
-/// one that misses least.
+/// Of the angles at which a cos t + b sin t is within [least, most], the one nearest to 0; where there is none, the one
+/// that misses least.
 template <class S>
-S nearest_within(const S& a, const S& b, const S& least, const S& most, const S& t0) {
-  const auto start = angle_of(t0);
-  const auto miss = [&](const solved_angle<S>& t) {
-    const S x = a * t.cos + b * t.sin, over = x - most, under = least - x;
-    return over > under ? over : under;
-  };
-  if (!(miss(start) > S(0))) return t0;
-  // (1) of subproblems.hpp: borders, or the point nearest to the border.
-  const auto border = linear_in_angle(a, b, a * start.cos + b * start.sin > most ? most : least);
-  const S plus = (border.plus - start).value(), minus = (border.minus - start).value();
+S nearest_within(const S& a, const S& b, const S& least, const S& most) {
+  if (!(a > most) && !(a < least)) return S(0);
+  const auto border = linear_in_angle(a, b, a > most ? most : least);
+  const S plus = border.plus.value(), minus = border.minus.value();
   const auto size = [](const S& t) { return t < S(0) ? S(-t) : t; };
-  return t0 + (size(minus) < size(plus) ? minus : plus);
+  return size(minus) < size(plus) ? minus : plus;
 }
 
 /// Axes 2, 3, 4 parallel to h, axes 5 and 6 through the point w from joint 1 (arms of Universal Robots). R0i turns by
@@ -70,19 +64,21 @@ S nearest_within(const S& a, const S& b, const S& least, const S& most, const S&
 ///   t14 = q2 + q3 + q4:  R(h, t14) = R(h1, -q1) R06 R(h6, -q6) R(h5, -q5)
 ///   q2, q3:  R(h, q2)(p23 + R(h, q3) p34) = R(h1, -q1) w - p12 - R(h, t14) p45          (2)
 ///
-/// Where h6 is along h, q6 is free, but not everywhere within reach: the last side has the square a - b.R(h, q6) c,
-/// of which the lengths of two links are the borders. It is then within them, nearest to `seed`.
+/// Where h6 is along h, q6 is free, but not everywhere within reach: the last side has the square
+///
+///   |a - R(h, t) c|^2 = |a|^2 + |c|^2 - 2 (a.c cos t + a.(h x c) sin t),   t = -+ (q6 - that of seed),  c = R(h, t14)
+///   p45          (3)
+///
+/// of which the lengths of two links are the borders. q6 is then within them, nearest to `seed`. Next to that, q6 is
+/// known to `rounding / sin q5` only, and as near as that to the borders they are kept to as well. Here is the way to
+/// go in t.
 template <class S>
-S reachable_free_angle(const arm_structure& s, const vec3<S>& a, const solved_angle<S>& t14_at_0, const S& turns,
-                       const S& q6) {
-  using std::sqrt;
+S way_into_reach(const arm_structure& s, const vec3<S>& a, const solved_angle<S>& t14) {
   const vec3<>& h = s.h(1);
-  const vec3<S> c = turned(h, t14_at_0, as<S>(normal_part(s.p(4) - s.p(3), h)));
+  const vec3<S> c = turned(h, t14, as<S>(normal_part(s.p(4) - s.p(3), h)));
   const S r1 = S(length_of(normal_part(s.p(2) - s.p(1), h))), r2 = S(length_of(normal_part(s.p(3) - s.p(2), h)));
-  // |a - R(h, t) c|^2 = |a|^2 + |c|^2 - 2 (a.c cos t + a.(h x c) sin t),  t = turns q6
-  const S squares = dot(a, a) + dot(c, c);
-  const S along = 2 * dot(a, c), across = 2 * turns * dot(a, cross(as<S>(h), c));
-  return nearest_within(along, across, S(squares - (r1 + r2) * (r1 + r2)), S(squares - (r1 - r2) * (r1 - r2)), q6);
+  const S squares = dot(a, a) + dot(c, c), along = S(2) * dot(a, c), across = S(2) * dot(a, cross(as<S>(h), c));
+  return nearest_within(along, across, S(squares - (r1 + r2) * (r1 + r2)), S(squares - (r1 - r2) * (r1 - r2)));
 }
 
 /// q2, q3, q4 of three parallel axes when the joints before and behind are known; answers to `next`.
@@ -106,6 +102,7 @@ void with_parallel_axes(const arm_structure& s, const vec3<S>& to_wrist, const s
 template <class S>
 raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,
                                     const free_angles<S>& seed) {
+  using std::sqrt;
   const vec3<>&h1 = s.h(0), &h = s.h(1), &h5 = s.h(4), &h6 = s.h(5);
   const vec3<S> w = position - as<S>(s.p(0)), p12 = as<S>(s.p(1) - s.p(0)), p45 = as<S>(s.p(4) - s.p(3));
   const vec3<S> normal = cross(as<S>(h), as<S>(h5));
@@ -120,22 +117,23 @@ raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matri
     const auto t14_of = [&](const solved_angle<S>& t6, const solved_angle<S>& t5) {
       return subproblem1(h, normal, vec3<S>(R16 * turned(h6, -t6, turned(h5, -t5, normal))));
     };
+    const auto t5_of = [&](const solved_angle<S>& t6) { return subproblem1(vec3<>(-h5), as<S>(h), turned(h6, t6, y)); };
     const auto q6 = subproblem4(h6, y, h5, S(dot(h5, h)), seed.at(5));
+    const vec3<S> off = normal_to(h6, y);
+    const S unknown = S(24 * std::numeric_limits<S>::epsilon()) / sqrt(dot(off, off));
     for (const bool flipped : {false, true}) {
       auto t6 = flipped ? q6.minus : q6.plus;
-      x.free = (q1.free ? 1u : 0u);
-      if (q6.free) {
-        const auto t5 = subproblem1(vec3<>(-h5), as<S>(h), turned(h6, t6, y));
-        const S turns = dot(y, as<S>(h6)) > S(0) ? S(-1) : S(1);
-        x.t[5] = reachable_free_angle(s, normal_to(h, a), t14_of({}, t5), turns, t6.value());
-        t6 = angle_of(x.t[5]), x.free |= 46u;  // with q6 go q2, q3, q4
-      } else {
-        x.t[5] = t6.value();
+      auto t5 = t5_of(t6), t14 = t14_of(t6, t5);
+      x.t[5] = t6.value();
+      const S way = way_into_reach(s, normal_to(h, a), t14);
+      if (way != S(0) && (q6.free || (way < unknown && -way < unknown))) {
+        x.t[5] += dot(y, as<S>(h6)) > S(0) ? S(-way) : way;
+        t6 = angle_of(x.t[5]), t5 = t5_of(t6), t14 = t14_of(t6, t5);
       }
-      const auto t5 = subproblem1(vec3<>(-h5), as<S>(h), turned(h6, t6, y));
+      x.free = (q1.free ? 1u : 0u) | (q6.free ? 46u : 0u);  // with q6 go q2, q3, q4
       x.t[4] = t5.value();
       x.branch = (behind ? shoulder_bit : 0u) | (flipped ? wrist_bit : 0u);
-      with_parallel_axes(s, a, t14_of(t6, t5), x, p45, seed, [&out](const raw_answer<S>& z) { out.add(z); });
+      with_parallel_axes(s, a, t14, x, p45, seed, [&out](const raw_answer<S>& z) { out.add(z); });
     }
   }
   return out;

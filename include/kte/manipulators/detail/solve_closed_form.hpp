@@ -44,6 +44,18 @@ pose_gap<S> gap_between(const plain_pose_of<S>& a, const plain_pose_of<S>& b) {
   return {sqrt(dot(d, d)), half < S(1) ? S(S(2) * asin(half)) : half_turn<S>()};
 }
 
+/// What the formulas work on: the turn of all joints of `arm` together, and where the origin of the last is.
+template <class S>
+struct arm_goal {
+  rotation_matrix<S> R;
+  vec3<S> position;
+};
+template <class S>
+arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
+  const rotation_matrix<S> R = x.rotation * as<S>(transpose(s.arm.tool.rotation));
+  return {R, x.position - R * as<S>(s.arm.tool.position - s.p(s.arm.n - 1))};
+}
+
 /// All answers of an arm, by joint of `original`. `extra` is the arm angle, or the value of the joint that is held.
 template <class S>
 raw_answers<S> solve_closed_form(const arm_structure& s, plain_pose_of<S> x, const free_angles<S>& seed,
@@ -62,9 +74,8 @@ raw_answers<S> solve_closed_form(const arm_structure& s, plain_pose_of<S> x, con
   free_angles<S> start;
   for (int k = 0; k <= last; ++k) start.t[std::size_t(k)] = S(s.sign[std::size_t(k)]) * seed.t[joint(k)];
 
-  const rotation_matrix<S> R = x.rotation * as<S>(transpose(s.arm.tool.rotation));
-  const vec3<S> p = x.position - R * as<S>(s.arm.tool.position - s.p(last));
-  auto out = [&]() -> raw_answers<S> {
+  const auto [R, p] = goal_of(s, x);
+  auto out = [&s, &x, &start, &extra, &R = R, &p = p]() -> raw_answers<S> {
     switch (s.form) {
       case closed_form::wrist_parallel:
         return wrist_and_parallel(s, R, p, start);

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <kte/manipulators/inverse_kinematics.hpp>
+
+namespace kte {
+
+namespace detail {
+/// The best of answers: of those that are exact and within limits the one nearest to where the arm is.
+template <class Q>
+struct best_answer {
+  ik_answer<Q> answer;
+  double way = 1e300;
+  enum quality { none, away, beyond_limits, good } is = none;
+
+  /// |q - q_now|^2 of the joints; of those that do not get there, how far they are off.
+  void look_at(const arm_structure& s, const ik_answer<Q>& a, const Q& now) {
+    double far = 0;
+    const auto quality = !a.exact ? away : a.within_limits ? good : beyond_limits;
+    if (quality == away) {
+      far = plain(a.position) / s.reach + plain(a.rotation);
+    } else {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
+        const double d = plain(a.q[s.original.in_q[i]]) - plain(now[s.original.in_q[i]]);
+        far += d * d;
+      }
+    }
+    if (quality < is || (quality == is && !(far < way))) return;
+    answer = a, way = far, is = quality;
+  }
+};
+
+template <class S, class Arm, class Q>
+void look_at_all(const Arm& arm, const plain_pose_of<S>& x, const Q& now, double extra, best_answer<Q>& best) {
+  for (const auto& a : all_finished(arm, arm.structure(), x, now, S(extra))) best.look_at(arm.structure(), a, now);
+}
+
+/// Seven axes: the arm angle at which the arm is, or the nearest at which something is within limits.
+template <class S, class Arm, class Q>
+void look_for_arm_angle(const Arm& arm, const plain_pose_of<S>& x, const Q& now, best_answer<Q>& best) {
+  const double psi = plain(arm_angle_of(arm, now));
+  look_at_all(arm, x, now, psi, best);
+  if (best.is == best_answer<Q>::good) return;
+  plain_pose_of<double> y;
+  const auto copy = [](const vec3<S>& v) { return vec3<>{plain(v.x), plain(v.y), plain(v.z)}; };
+  y = {{copy(x.rotation.x), copy(x.rotation.y), copy(x.rotation.z)}, copy(x.position)};
+  const auto [R, p] = goal_of(arm.structure(), y);
+  for (const auto& way : feasible_angles(arm.structure(), R, p, limits_of_joints(arm))) {
+    // A little inside, where the limit is not missed by rounding.
+    const double inside = std::min(1e-12, (way.upper - way.lower) / 4), lower = way.lower + inside,
+                 upper = way.upper - inside;
+    const double to_lower = std::remainder(lower - psi, 2 * std::numbers::pi);
+    const double to_upper = std::remainder(upper - psi, 2 * std::numbers::pi);
+    look_at_all(arm, x, now, std::abs(to_lower) < std::abs(to_upper) ? lower : upper, best);
+  }
+}
+
+/// Seven axes of which one is held: where it is, or as near to that as there is something within limits. Looked for in
+/// steps of 0.05 rad, then by halves.
+template <class S, class Arm, class Q>
+void look_for_held_joint(const Arm& arm, const plain_pose_of<S>& x, const Q& now, best_answer<Q>& best) {
+  const auto& s = arm.structure();
+  const auto joint = static_cast<std::size_t>(s.held);
+  const double here = plain(now[s.original.in_q[joint]]);
+  const auto v = static_cast<std::size_t>(s.original.in_v[joint]);
+  const double lower = arm.limits().lower[v], upper = arm.limits().upper[v];
+  const auto good_at = [&](double t) {
+    best_answer<Q> one;
+    if (t < lower || t > upper) return false;
+    look_at_all(arm, x, now, t, one);
+    if (one.is >= best.is) best.look_at(s, one.answer, now);
+    return one.is == best_answer<Q>::good;
+  };
+  if (good_at(here)) return;
+  constexpr double step = 0.05;
+  for (int k = 1; k <= 63; ++k)
+    for (const double side : {step, -step}) {
+      if (!good_at(here + k * side)) continue;
+      double good = k, bad = k - 1;
+      for (int half = 0; half < 30; ++half) {
+        const double middle = (good + bad) / 2;
+        (good_at(here + middle * side) ? good : bad) = middle;
+      }
+      return;
+    }
+}
+}  // namespace detail
+
+/// The answer that is exact, within limits and nearest to a posture: the least |q - q_now|, multiples of 2 pi taken
+/// where limits let them be. Angles that are free stay as they are. An arm of seven axes keeps its arm angle (or the
+/// joint that is held); where nothing is within limits there, it takes the nearest angle at which something is.
+///
+/// Throws `unreachable` where there is none, with the best that there is.
+template <class Chain, class Tools, class Rotation, class Position, class Q>
+auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                        const nearest_to<Q>& to) {
+  using namespace detail;
+  check_closed_form(arm);
+  const auto x = checked_pose(spatial(wanted));
+  using S = std::remove_cvref_t<decltype(x.position.x)>;
+  auto now = starting_configuration<S>(arm);
+  check_size(static_cast<std::size_t>(now.size()), to.q, "q", "numbers of a configuration");
+  for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = S(to.q[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < now.size(); ++i)
+    if (!(now[i] - now[i] == S(0))) raise<bad_argument>("kte: inverse kinematics: q_now is not finite");
+  best_answer<decltype(now)> best;
+  if (arm.family() == arm_family::srs)
+    look_for_arm_angle(arm, x, now, best);
+  else if (arm.family() == arm_family::offset_7R)
+    look_for_held_joint(arm, x, now, best);
+  else
+    look_at_all(arm, x, now, 0.0, best);
+  if (best.is != best.good) {
+    std::vector<double> q;
+    for (Eigen::Index i = 0; i < best.answer.q.size(); ++i) q.push_back(plain(best.answer.q[i]));
+    const double m = plain(best.answer.position), rad = plain(best.answer.rotation);
+    const bool limits = best.is == best.beyond_limits;
+    raise<unreachable>(limits ? "kte: this pose is reached beyond the limits of joints only"
+                              : "kte: this pose cannot be reached; the nearest found misses it by " + number(m) +
+                                    " m and " + number(rad) + " rad",
+                       limits ? unreachable_reason::limits : unreachable_reason::distance, std::move(q), m, rad);
+  }
+  return best.answer;
+}
+
+/// All answers again, with every whole turn that limits leave to each joint: for joints of more than one turn. Only
+/// those that are within limits.
+template <class Chain, class Tools, class Q>
+std::vector<ik_answer<Q>> unwrapped(const manipulator<Chain, Tools>& arm, const ik_answers<Q>& answers) {
+  using S = value_of<Q>;
+  const auto& original = arm.structure().original;
+  const S turn = S(2) * detail::half_turn<S>();
+  std::vector<ik_answer<Q>> all;
+  for (const auto& a : answers) {
+    if (!a.within_limits) continue;
+    std::size_t first = all.size();
+    all.push_back(a);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(original.n); ++i) {
+      const auto v = static_cast<std::size_t>(original.in_v[i]);
+      const double lower = arm.limits().lower[v], upper = arm.limits().upper[v];
+      if (original.slides[i] || lower < -1e300 || upper > 1e300) continue;
+      const std::size_t last = all.size();
+      const Eigen::Index q = original.in_q[i];
+      for (std::size_t k = first; k < last; ++k) {
+        auto more = all[k];
+        for (more.q[q] += turn; more.q[q] <= S(upper); more.q[q] += turn) all.push_back(more);
+        for (more.q[q] = all[k].q[q] - turn; more.q[q] >= S(lower); more.q[q] -= turn) all.push_back(more);
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace kte

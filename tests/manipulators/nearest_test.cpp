@@ -1,0 +1,206 @@
+#include <kte/manipulators/nearest.hpp>
+
+#include "arms.hpp"
+
+using namespace kte;
+using namespace arms;
+using test::says;
+
+namespace {
+constexpr double deg = M_PI / 180;
+joint_limits<> iiwa_limits(const kte_map_chain& c, double part = 1) {
+  auto l = unlimited(c);
+  l.upper = {170 * deg, 120 * deg, 170 * deg, 120 * deg, 170 * deg, 120 * deg, 175 * deg};
+  for (auto& x : l.upper) x *= part;
+  for (std::size_t i = 0; i < 7; ++i) l.lower[i] = -l.upper[i];
+  return l;
+}
+numbers within_limits(random_numbers& random, const joint_limits<>& l) {
+  numbers q(static_cast<Eigen::Index>(l.lower.size()));
+  for (std::size_t i = 0; i < l.lower.size(); ++i)
+    q[static_cast<Eigen::Index>(i)] = (l.lower[i] + l.upper[i]) / 2 + random((l.upper[i] - l.lower[i]) / 2);
+  return q;
+}
+bool inside(const numbers& q, const joint_limits<>& l) {
+  for (std::size_t i = 0; i < l.lower.size(); ++i)
+    if (!(l.lower[i] <= q[static_cast<Eigen::Index>(i)] && q[static_cast<Eigen::Index>(i)] <= l.upper[i])) return false;
+  return true;
+}
+}  // namespace
+
+TEST_CASE("seven axes by arm angle: eight answers, and the posture at its own angle") {
+  const manipulator arm(iiwa14(), "tool");
+  CHECK(arm.family() == arm_family::srs);
+  random_numbers random(1);
+  for (int k = 0; k < 2000; ++k) {
+    const auto q = random_posture(random, 7);
+    const double psi = arm_angle_of(arm, q);
+    const auto r = check_answers(arm, q, arm_angle(psi));
+    CHECK(r.exact == 8);
+    CHECK(r.position <= 1e-14);
+    CHECK(r.rotation <= 1e-14);
+    CHECK(r.found <= 1e-9);
+    for (const auto& a : inverse_kinematics(arm, arm.getDependentPoses(q)[0], arm_angle(psi)))
+      CHECK(turn_between(arm_angle_of(arm, a.q), psi) <= 1e-9);
+  }
+}
+
+TEST_CASE("seven axes next to singular postures") {
+  const manipulator arm(iiwa14(), "tool");
+  for (const double step : steps())
+    for (const Eigen::Index joint : {1, 3, 5})
+      for (const double at : {0.0, M_PI}) {
+        INFO("joint " << joint + 1 << " at " << at << " + " << step);
+        random_numbers random(2);
+        for (int k = 0; k < 10; ++k) {
+          auto q = random_posture(random, 7);
+          q[joint] = at + step;
+          const auto r = check_answers(arm, q, arm_angle(random(M_PI)));
+          CHECK(r.exact == 8);
+          CHECK(r.finite);
+          CHECK(r.position <= 1e-14);
+          CHECK(r.rotation <= 1e-14);
+        }
+      }
+}
+
+TEST_CASE("arm angle intervals hold the angle of every posture within limits, and nothing else") {
+  const auto c = iiwa14();
+  for (const double part : {1.0, 0.3}) {
+    const auto limits = iiwa_limits(c, part);
+    const manipulator arm(c, "tool", limits);
+    random_numbers random(3);
+    for (int k = 0; k < 300; ++k) {
+      const auto q = within_limits(random, limits);
+      const auto x = arm.getDependentPoses(q)[0];
+      const double psi = arm_angle_of(arm, q);
+      unsigned branch = 99;
+      for (const auto& a : inverse_kinematics(arm, x, arm_angle(psi)))
+        if (distance(a.q, q) < 1e-7) branch = a.branch;
+      REQUIRE(branch < 8);
+      bool held = false;
+      for (const auto& i : arm_angle_intervals(arm, x)) {
+        held |= i.branch == branch &&
+                std::remainder(psi - (i.lower + i.upper) / 2, 2 * M_PI) <= (i.upper - i.lower) / 2 &&
+                std::remainder(psi - (i.lower + i.upper) / 2, 2 * M_PI) >= -(i.upper - i.lower) / 2;
+        // Within at both ends; beyond them not.
+        const double e = 1e-6;
+        const auto good = [&](double angle) {
+          for (const auto& a : inverse_kinematics(arm, x, arm_angle(angle)))
+            if (a.branch == i.branch) return a.exact && a.within_limits && inside(a.q, limits);
+          return false;
+        };
+        if (i.upper - i.lower < 2 * e || i.upper - i.lower > 2 * M_PI - 1e-3) continue;
+        CHECK(good(i.lower + e));
+        CHECK(good(i.upper - e));
+        CHECK_FALSE((good(i.lower - e) && good(i.upper + e)));
+      }
+      CHECK(held);
+    }
+  }
+}
+
+TEST_CASE("an interval as narrow as its limits") {
+  const auto c = iiwa14();
+  numbers q(7);
+  q << 0.5, 0.7, -0.4, 1.2, 0.3, -0.8, 1.1;
+  auto limits = iiwa_limits(c);
+  limits.lower[2] = q[2] - 5e-7, limits.upper[2] = q[2] + 5e-7;
+  const manipulator arm(c, "tool", limits);
+  const auto x = arm.getDependentPoses(q)[0];
+  const double psi = arm_angle_of(arm, q);
+  bool held = false;
+  for (const auto& i : arm_angle_intervals(arm, x)) {
+    CHECK(i.upper - i.lower < 1e-4);
+    held |= i.lower <= psi && psi <= i.upper;
+  }
+  CHECK(held);
+  numbers away = q;
+  away[2] = 2, away[0] = -1;
+  const auto near = inverse_kinematics(arm, x, nearest(away));
+  CHECK(near.exact);
+  CHECK(inside(near.q, limits));
+}
+
+TEST_CASE("nearest: the posture itself, within limits, also of seven axes") {
+  const auto seven = iiwa14(), six = plain_3R3R();
+  const manipulator arm(seven, "tool", iiwa_limits(seven));
+  auto pi = unlimited(six);
+  for (auto& x : pi.lower) x = -M_PI;
+  for (auto& x : pi.upper) x = M_PI;
+  const manipulator industrial(six, "tool", pi);
+  random_numbers random(4);
+  for (int k = 0; k < 300; ++k) {
+    const auto q = within_limits(random, arm.limits());
+    CHECK(distance(inverse_kinematics(arm, arm.getDependentPoses(q)[0], nearest(q)).q, q) < 1e-7);
+    const auto p = within_limits(random, pi);
+    CHECK(distance(inverse_kinematics(industrial, industrial.getDependentPoses(p)[0], nearest(p)).q, p) < 1e-9);
+    // From anywhere, within limits, exact.
+    const auto a = inverse_kinematics(arm, arm.getDependentPoses(q)[0], nearest(within_limits(random, arm.limits())));
+    CHECK(a.exact);
+    CHECK(inside(a.q, arm.limits()));
+  }
+}
+
+TEST_CASE("nearest goes on through a stretched wrist") {
+  const manipulator arm(plain_3R3R(), "tool");
+  numbers now(6);
+  now << 0.3, 0.4, -0.7, 0.9, -0.01, 0.5;
+  for (int k = -99; k <= 100; ++k) {
+    numbers q = now;
+    q[4] = k * 1e-4;  // through 0
+    const auto a = inverse_kinematics(arm, arm.getDependentPoses(q)[0], nearest(now));
+    CHECK(distance(a.q, q) <= 1e-10);
+    CHECK((a.free != 0) == (k == 0));
+    now = a.q;
+  }
+}
+
+TEST_CASE("what cannot be reached says why") {
+  const auto c = plain_3R3R();
+  auto limits = unlimited(c);
+  limits.lower[1] = 0, limits.upper[1] = 0.1;
+  const manipulator arm(c, "tool", limits);
+  numbers q(6);
+  q << 0.3, -1.4, 0.7, 0.9, 0.7, 0.5;
+  auto x = arm.getDependentPoses(q)[0];
+  const auto caught = [&] {
+    try {
+      inverse_kinematics(arm, x, nearest(q));
+    } catch (const unreachable& e) {
+      return e;
+    }
+    return unreachable("", unreachable_reason::local_minimum, {}, 0, 0);
+  };
+  CHECK(caught().reason == unreachable_reason::limits);
+  CHECK(caught().q.size() == 6);
+  CHECK(caught().position < 1e-13);
+  x.position.x += 10;
+  CHECK(caught().reason == unreachable_reason::distance);
+  CHECK(caught().position > 7);
+  q[0] = NAN;
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, x, nearest(q)), bad_argument, says("q_now is not finite"));
+  CHECK_THROWS_AS(inverse_kinematics(arm, x, nearest(numbers(5))), bad_argument);
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, x, arm_angle(0)), bad_argument, says("no arm angle"));
+}
+
+TEST_CASE("joints of two turns have all their answers") {
+  const auto c = ur5();
+  auto limits = unlimited(c);
+  for (auto& l : limits.lower) l = -2 * M_PI;
+  for (auto& l : limits.upper) l = 2 * M_PI;
+  limits.lower[2] = -M_PI, limits.upper[2] = M_PI;
+  const manipulator arm(c, "tool", limits);
+  numbers q(6);
+  q << 0.3, -1.4, 0.7, 0.9, 0.7, 0.5;
+  const auto x = arm.getDependentPoses(q)[0];
+  const auto few = inverse_kinematics(arm, x);
+  const auto all = unwrapped(arm, few);
+  int good = 0;
+  for (const auto& a : few) good += a.within_limits;
+  CHECK(all.size() == static_cast<std::size_t>(good) * 32);  // five joints of two turns
+  for (const auto& a : all) {
+    CHECK(inside(a.q, limits));
+    CHECK(between(arm.getDependentPoses(a.q)[0], x).position < 1e-14);
+  }
+}
