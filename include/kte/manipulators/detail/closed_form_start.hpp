@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/manipulators/detail/goal_sums.hpp>
-#include <kte/manipulators/inverse_kinematics.hpp>
+#include <kte/manipulators/nearest.hpp>
 #include <kte/manipulators/tool_goals.hpp>
 
 #include <tuple>
@@ -21,16 +21,13 @@ bool start_at_closed_form(const Arm& arm, const std::tuple<reach_goal<Tool>>& go
       !(goal.weights.rotation > 0))
     return false;
   using S = typename Q::Scalar;
-  S least = std::numeric_limits<S>::infinity();
-  Q nearest = q;
-  for (const auto& answer : inverse_kinematics(arm, goal.wanted)) {
-    if (!answer.within_limits || !answer.exact) continue;
-    Q candidate(q.size());
-    for (Eigen::Index i = 0; i < q.size(); ++i) candidate[i] = S(answer.q[i]);
-    if (const S away = difference(arm, q, candidate).squaredNorm(); away < least) least = away, nearest = candidate;
-  }
-  q = nearest;
-  return least < std::numeric_limits<S>::infinity();
+  auto now = starting_configuration<S>(arm);
+  for (Eigen::Index i = 0; i < q.size(); ++i) now[i] = q[i];
+  const auto wanted = checked_pose(plain_pose_of<S>{as<S>(matrix(goal.wanted.rotation)), as<S>(goal.wanted.position)});
+  const auto best = best_near(arm, wanted, now);
+  if (best.is != best.good) return false;
+  q = best.answer.q;
+  return true;
 }
 
 }  // namespace kte::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/manipulators/detail/arm_coordinates.hpp>
+#include <kte/manipulators/detail/wanted_pose.hpp>
 
 #include <algorithm>
 
@@ -12,18 +13,9 @@ struct goal_miss {
   S linear, angular;
 };
 
-/// A position in space, of one in space or in the plane.
-template <class S, class P>
-vec3<S> position_in_space(const P& p) {
-  if constexpr (requires { p.z; }) {
-    return as<S>(p);
-  } else {
-    return {as<S>(p.x), as<S>(p.y), S(0)};
-  }
-}
 template <class P>
 vec3<> finite_place(const P& position) {
-  const auto p = position_in_space<double>(position);
+  const auto p = as<double>(in_space(position));
   if (!(dot(p, p) < std::numeric_limits<double>::infinity()))
     raise<bad_argument>("kte: a wanted position must be finite");
   return p;
@@ -34,12 +26,6 @@ Weights checked(const Weights& w) {
         w.rotation - w.rotation == 0))
     raise<bad_argument>("kte: weights of a pose must be finite and not negative, and one of them greater than 0");
   return w;
-}
-
-/// A pose in space, of a frame in space or in the plane.
-template <class S, class R, class P>
-pose<mat3<vec3<S>>, vec3<S>> in_space(const pose<R, P>& x) {
-  return {as<S>(matrix(x.rotation)), position_in_space<S>(x.position)};
 }
 
 template <class Arm>
@@ -75,7 +61,7 @@ class arm_at {
   void move(const configuration& to) {
     q = to;
     const auto found = arm.getDependentPoses(q);
-    for (std::size_t i = 0; i < poses.size(); ++i) poses[i] = in_space<S>(found[i]);
+    for (std::size_t i = 0; i < poses.size(); ++i) poses[i] = spatial(found[i]);
   }
   void differentiate() { jacobian = arm.getJacobianMatrix(q); }
 
