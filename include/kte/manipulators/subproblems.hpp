@@ -14,6 +14,18 @@
 /// reached keeps its digits.
 namespace kte {
 
+namespace detail {
+/// A number as a double, without derivatives.
+template <class S>
+double plain(const S& x) {
+  if constexpr (requires { x.value; }) {
+    return plain(x.value);
+  } else {
+    return static_cast<double>(x);
+  }
+}
+}  // namespace detail
+
 /// An angle by cosine and sine; its value is taken when it is asked for.
 template <class S>
 struct solved_angle {

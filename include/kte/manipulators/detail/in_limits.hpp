@@ -4,16 +4,6 @@
 
 namespace kte::detail {
 
-/// A number as a double, without derivatives.
-template <class S>
-double plain(const S& x) {
-  if constexpr (requires { x.value; }) {
-    return plain(x.value);
-  } else {
-    return static_cast<double>(x);
-  }
-}
-
 /// Turns an angle by whole turns to where it is within limits, nearest to `start` of what is; says whether it is. What
 /// is beyond a limit by rounding alone is put on it. A slide does not turn.
 template <class S, class Start>

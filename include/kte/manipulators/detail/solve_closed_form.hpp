@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/manipulators/detail/newton_step.hpp>
 #include <kte/manipulators/detail/planar_axes.hpp>
 #include <kte/manipulators/detail/quartic_axes.hpp>
 #include <kte/manipulators/detail/srs_axes.hpp>
@@ -60,6 +61,7 @@ arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
 template <class S>
 raw_answers<S> solve_closed_form(const arm_structure& s, plain_pose_of<S> x, const free_angles<S>& seed,
                                  const S& extra) {
+  const auto wanted = x;
   if (s.held >= 0) {
     const auto i = static_cast<std::size_t>(s.held);
     const auto back = inverse(joint_pose<S>(s.original, i, angle_of(extra)));
@@ -104,6 +106,14 @@ raw_answers<S> solve_closed_form(const arm_structure& s, plain_pose_of<S> x, con
       if (t.free >> k & 1u) y.free |= 1u << joint(k);
     }
     if (s.held >= 0) y.t[static_cast<std::size_t>(s.held)] = extra;
+    // Roots of equations of degree four may be worse than rounding.
+    if (s.form == closed_form::wrist_general || s.form == closed_form::parallel_general)
+      for (int k = 0; k < 2; ++k) {
+        const auto gap = gap_between(tool_pose(s.original, y.t), wanted);
+        const double least = 8 * plain(std::numeric_limits<S>::epsilon());
+        if (!(plain(gap.position) > least * s.reach || plain(gap.rotation) > least)) break;
+        newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, y.t);
+      }
   }
   return out;
 }

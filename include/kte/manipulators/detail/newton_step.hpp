@@ -1,0 +1,60 @@
+#pragma once
+
+#include <kte/manipulators/detail/raw_answers.hpp>
+
+namespace kte::detail {
+
+/// x of M x = b by elimination with the largest pivots; false where M is singular.
+template <class S>
+bool solve_six(std::array<std::array<S, 7>, 6>& m, std::array<S, 6>& x) {
+  for (std::size_t c = 0; c < 6; ++c) {
+    std::size_t best = c;
+    for (std::size_t r = c + 1; r < 6; ++r)
+      if (std::abs(plain(m[r][c])) > std::abs(plain(m[best][c]))) best = r;
+    if (!(std::abs(plain(m[best][c])) > 1e-12)) return false;
+    std::swap(m[c], m[best]);
+    for (std::size_t r = c + 1; r < 6; ++r) {
+      const S ratio = m[r][c] / m[c][c];
+      for (std::size_t k = c; k < 7; ++k) m[r][k] -= ratio * m[c][k];
+    }
+  }
+  for (std::size_t r = 6; r-- > 0;) {
+    x[r] = m[r][6];
+    for (std::size_t k = r + 1; k < 6; ++k) x[r] -= m[r][k] * x[k];
+    x[r] = x[r] / m[r][r];
+  }
+  return true;
+}
+
+/// One of Newton's steps towards a pose for six joints, from the one after the first `held` on: J d = (p_d - p, the
+/// vector of the antisymmetric part of R_d R^T). Only a short one, of an answer that is there but for rounding.
+template <class S>
+void newton_step(const arm_geometry& arm, std::size_t first, const pose<rotation_matrix<S>, vec3<S>>& wanted,
+                 std::array<S, arm_geometry::most>& t) {
+  std::array<vec3<S>, arm_geometry::most> axis, at;
+  pose<rotation_matrix<S>, vec3<S>> x{as<S>(mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), {S(0), S(0), S(0)}};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i) {
+    axis[i] = x.rotation * as<S>(arm.axis[i]);
+    at[i] = x.position + x.rotation * as<S>(arm.point[i]);
+    x = compose(x, joint_pose<S>(arm, i, angle_of(t[i])));
+  }
+  const rotation_matrix<S> R = x.rotation * as<S>(arm.tool.rotation);
+  const vec3<S> p = x.position + x.rotation * as<S>(arm.tool.position), d = wanted.position - p;
+  const auto E = wanted.rotation * transpose(R);
+  const S half = S(1) / S(2);
+  const vec3<S> w{half * (E.z.y - E.y.z), half * (E.x.z - E.z.x), half * (E.y.x - E.x.y)};
+  std::array<std::array<S, 7>, 6> m;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const vec3<S> h = axis[first + k], v = cross(h, vec3<S>(p - at[first + k]));
+    m[0][k] = v.x, m[1][k] = v.y, m[2][k] = v.z, m[3][k] = h.x, m[4][k] = h.y, m[5][k] = h.z;
+  }
+  m[0][6] = d.x, m[1][6] = d.y, m[2][6] = d.z, m[3][6] = w.x, m[4][6] = w.y, m[5][6] = w.z;
+  std::array<S, 6> step;
+  if (!solve_six(m, step)) return;
+  double longest = 0;
+  for (const auto& s : step) longest = std::max(longest, std::abs(plain(s)));
+  if (!(longest < 1e-3)) return;
+  for (std::size_t k = 0; k < 6; ++k) t[first + k] += step[k];
+}
+
+}  // namespace kte::detail

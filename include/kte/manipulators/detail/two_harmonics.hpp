@@ -1,0 +1,73 @@
+#pragma once
+
+#include <kte/tree/short_list.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace kte::detail {
+
+/// f(t) = al cos 2t + be sin 2t + ga cos t + de sin t + ep          (1)
+struct two_harmonics {
+  double al, be, ga, de, ep;
+
+  /// f and four derivatives at an angle.
+  struct point {
+    double t;
+    std::array<double, 5> y;
+  };
+  point at(double t) const {
+    const double c = std::cos(t), s = std::sin(t), c2 = (c - s) * (c + s), s2 = 2 * s * c;
+    const double f = ga * c + de * s, g = de * c - ga * s, f2 = al * c2 + be * s2, g2 = 2 * (be * c2 - al * s2);
+    return {t, {f2 + f + ep, g2 + g, -4 * f2 - f, -4 * g2 - g, 16 * f2 + f}};
+  }
+
+  using angles = short_list<double, 64>;
+  /// All zeros in [-pi, pi), also where f touches zero within `touch`: the zeros of a function lie between those of its
+  /// derivative. A sixteenth of a turn is taken to have at most one zero of the third.
+  angles zeros(double touch) const {
+    constexpr int parts = 16;
+    angles found;
+    point a = at(-std::numbers::pi);
+    for (int k = 1; k <= parts; ++k) {
+      const point b = at(std::numbers::pi * (2.0 * k / parts - 1));
+      look_between<3>(a, b, touch, found);
+      a = b;
+    }
+    return found;
+  }
+
+ private:
+  /// Where derivative D changes its sign: Newton's steps, by halves where they leave the interval.
+  template <std::size_t D>
+  point zero_between(double lower, double upper, bool rises) const {
+    point p = at((lower + upper) / 2);
+    for (int k = 0; k < 60 && upper - lower > 1e-16; ++k) {
+      ((p.y[D] < 0) == rises ? lower : upper) = p.t;
+      const double step = p.y[D] / p.y[D + 1], next = p.t - step;
+      const bool inside = next > lower && next < upper;
+      if (inside && std::abs(step) < 1e-15) break;
+      p = at(inside ? next : (lower + upper) / 2);
+    }
+    return p;
+  }
+  /// Zeros of f where derivative D + 1 has no zero.
+  template <std::size_t D>
+  void look_between(const point& a, const point& b, double touch, angles& found) const {
+    const bool changes = (a.y[D] < 0) != (b.y[D] < 0);
+    if constexpr (D == 0) {
+      if (changes)
+        found.push_back(zero_between<0>(a.t, b.t, a.y[0] < 0).t);
+      else if (std::abs(b.y[0]) <= touch)
+        found.push_back(b.t);  // the same again from its other side, perhaps: subproblem 6 takes equals once
+    } else if (changes) {
+      const point p = zero_between<D>(a.t, b.t, a.y[D] < 0);
+      look_between<D - 1>(a, p, touch, found), look_between<D - 1>(p, b, touch, found);
+    } else {
+      look_between<D - 1>(a, b, touch, found);
+    }
+  }
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <kte/manipulators/detail/two_harmonics.hpp>
+#include <kte/manipulators/subproblems.hpp>
+
+/// The subproblems of two and three angles that lead to equations of degree four (Elias and Wen, IK-Geo, 2025).
+namespace kte {
+
+/// a + b cos t + c sin t, of n.R(k, t) p.
+template <class S>
+struct linear_part {
+  S constant, cos, sin;
+};
+template <class S, class N, class K>
+constexpr linear_part<S> linear_part_of(const N& normal, const K& axis, const vec3<S>& p) {
+  const vec3<S> n = as<S>(normal), k = as<S>(axis);
+  const S along = dot(n, k) * dot(k, p);
+  return {along, dot(n, p) - along, dot(n, cross(k, p))};
+}
+
+/// Pairs of angles, at most four where the equations say so, and double ones.
+template <class S>
+struct angle_pair {
+  solved_angle<S> first, second;
+};
+template <class S>
+using angle_pairs = detail::short_list<angle_pair<S>, 8>;
+
+/// A x1 + B x2 = e with x_i = (cos t_i, sin t_i), A, B by rows. With the one of A and B that is farther from singular,
+/// say A, x1 = g + G x2, of which the length 1 is
+///
+///   al cos 2t + be sin 2t + ga cos t + de sin t + ep = 0          (1)
+///
+/// in t = t2; roots that touch within rounding count. Then Newton's steps on the two equations themselves.
+template <class S>
+angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::array<std::array<S, 2>, 2>& B,
+                           const std::array<S, 2>& e) {
+  using std::sqrt;
+  using matrix = std::array<std::array<double, 2>, 2>;
+  const auto number = [](const auto& m) {
+    return matrix{{{detail::plain(m[0][0]), detail::plain(m[0][1])}, {detail::plain(m[1][0]), detail::plain(m[1][1])}}};
+  };
+  const auto det = [](const auto& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; };
+  matrix a = number(A), b = number(B);
+  const bool exchanged = std::abs(det(b)) > std::abs(det(a));
+  if (exchanged) std::swap(a, b);
+  const double d = det(a);
+  angle_pairs<S> out;
+  if (!(std::abs(d) > 0)) return out;
+  const double e0 = detail::plain(e[0]), e1 = detail::plain(e[1]);
+  const auto solve = [&](double x, double y) {
+    return std::array{(a[1][1] * x - a[0][1] * y) / d, (a[0][0] * y - a[1][0] * x) / d};
+  };
+  const auto g = solve(e0, e1), G1 = solve(-b[0][0], -b[1][0]), G2 = solve(-b[0][1], -b[1][1]);
+  const auto times = [](const auto& x, const auto& y) { return x[0] * y[0] + x[1] * y[1]; };
+  const double P = times(G1, G1), Q = times(G2, G2), gg = times(g, g);
+  const detail::two_harmonics f{(P - Q) / 2, times(G1, G2), 2 * times(g, G1), 2 * times(g, G2), gg + (P + Q) / 2 - 1};
+  const double size = std::abs(f.al) + std::abs(f.be) + std::abs(f.ga) + std::abs(f.de) + gg + (P + Q) / 2 + 1;
+
+  for (const double t : f.zeros(1e-11 * size)) {
+    const double c = std::cos(t), s = std::sin(t);
+    const auto other = direction(g[0] + G1[0] * c + G2[0] * s, g[1] + G1[1] * c + G2[1] * s);
+    S t1 = exchanged ? S(t) : S(other.value()), t2 = exchanged ? S(other.value()) : S(t);
+    auto x1 = angle_of(t1), x2 = angle_of(t2);
+    const auto miss = [&](std::size_t i) -> S {
+      return A[i][0] * x1.cos + A[i][1] * x1.sin + B[i][0] * x2.cos + B[i][1] * x2.sin - e[i];
+    };
+    for (int k = 0; k < 3; ++k) {
+      const S r0 = miss(0), r1 = miss(1);
+      const auto slope = [](const auto& row, const solved_angle<S>& x) -> S { return row[1] * x.cos - row[0] * x.sin; };
+      const S j00 = slope(A[0], x1), j01 = slope(B[0], x2), j10 = slope(A[1], x1), j11 = slope(B[1], x2);
+      const S j = j00 * j11 - j01 * j10;
+      const S d1 = (j11 * r0 - j01 * r1) / j, d2 = (j00 * r1 - j10 * r0) / j;
+      const double way = std::abs(detail::plain(d1)) + std::abs(detail::plain(d2));
+      if (!(way < 1e-2)) break;  // next to a double root
+      t1 -= d1, t2 -= d2;
+      x1 = angle_of(t1), x2 = angle_of(t2);
+    }
+    bool known = false;
+    for (const auto& y : out) {
+      const auto same = [](const solved_angle<S>& p, const solved_angle<S>& q) {
+        return std::abs(detail::plain(p.cos - q.cos)) + std::abs(detail::plain(p.sin - q.sin)) < 1e-9;
+      };
+      known |= same(y.first, x1) && same(y.second, x2);
+    }
+    if (!known && out.size() < 8) out.push_back({x1, x2});
+  }
+  return out;
+}
+
+/// p0 + R(k1, t1) p1 = R(k2, t2)(p2 + R(k3, t3) p3): the part along k2 and the square of the length are linear in x1
+/// and x3,
+///
+///   k2.p0 + k2.R(k1, t1) p1 = k2.p2 + k2.R(k3, t3) p3
+///   |p0|^2 + |p1|^2 + 2 p0.R(k1, t1) p1 = |p2|^2 + |p3|^2 + 2 p2.R(k3, t3) p3          (2)
+///
+/// which is subproblem 6; then t2 by subproblem 1.
+template <class S>
+struct three_solved_angles {
+  solved_angle<S> first, second, third;
+};
+template <class S, class K1, class K2, class K3>
+detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, const vec3<S>& p1, const vec3<S>& p2,
+                                                          const vec3<S>& p3, const K1& k1, const K2& k2, const K3& k3) {
+  using std::sqrt;
+  const vec3<S> k = as<S>(k2);
+  const auto l1 = linear_part_of(k, k1, p1), l3 = linear_part_of(k, k3, p3);
+  const auto q1 = linear_part_of(p0, k1, p1), q3 = linear_part_of(p2, k3, p3);
+  const S unit = S(1) / sqrt(S(dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));  // metres again
+  const S u = S(2) * unit;
+  const S squares = (dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) * unit;
+  detail::short_list<three_solved_angles<S>, 8> out;
+  const auto add = [&](const solved_angle<S>& t1, const solved_angle<S>& t3) {
+    const vec3<S> a = p2 + turned(k3, t3, p3), b = p0 + turned(k1, t1, p1);
+    out.push_back({t1, subproblem1(k2, a, b), t3});
+  };
+  // Where axes 1 and 2 meet, or 2 and 3, one angle is alone in the second equation.
+  const auto nothing = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
+  if (nothing(p0) && !nothing(p2)) {
+    const auto t3 = linear_in_angle(q3.cos, q3.sin,
+                                    S((dot(p0, p0) + dot(p1, p1) - dot(p2, p2) - dot(p3, p3)) / S(2) - q3.constant));
+    for (const auto& t : {t3.plus, t3.minus}) {
+      const auto t1 = subproblem4(k1, p1, k2, S(dot(k, vec3<S>(p2 + turned(k3, t, p3) - p0))));
+      add(t1.plus, t), add(t1.minus, t);
+    }
+    return out;
+  }
+  if (nothing(p2) && !nothing(p0)) {
+    const auto t1 = linear_in_angle(q1.cos, q1.sin,
+                                    S((dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) / S(2) - q1.constant));
+    for (const auto& t : {t1.plus, t1.minus}) {
+      const auto t3 = subproblem4(k3, p3, k2, S(dot(k, vec3<S>(p0 + turned(k1, t, p1) - p2))));
+      add(t, t3.plus), add(t, t3.minus);
+    }
+    return out;
+  }
+  for (const auto& t : subproblem6<S>(
+           {{{l1.cos, l1.sin}, {u * q1.cos, u * q1.sin}}}, {{{-l3.cos, -l3.sin}, {-u * q3.cos, -u * q3.sin}}},
+           {S(dot(k, p2) - dot(k, p0) + l3.constant - l1.constant), S(squares + u * (q3.constant - q1.constant))}))
+    add(t.first, t.second);
+  return out;
+}
+
+}  // namespace kte
