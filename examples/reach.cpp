@@ -25,7 +25,8 @@ int main() {
   const joints stretched{{0.2, 0.6, 0, -1.2, 0, 0, 0}};
   const auto [R, middle] = kte::forward_kinematics(arm, stretched, tool);
   const auto corner = [&, r = R, p = middle](double y, double z) { return kte::pose{r, p + kte::vec3{0.0, y, z}}; };
-  const std::array corners{corner(-0.15, 0), corner(0.15, 0), corner(0.15, -0.3), corner(-0.15, -0.3), corner(-0.15, 0)};
+  const std::array corners{corner(-0.15, 0), corner(0.15, 0), corner(0.15, -0.3), corner(-0.15, -0.3),
+                           corner(-0.15, 0)};
 
   const auto start = kte::clik(arm, kte::goals(kte::reach(tool, corners[0]), kte::posture(stretched)), stretched);
   joints q = start.q, v = joints::Zero();

@@ -40,7 +40,8 @@ struct element_record {
   friend bool operator==(const element_record&, const element_record&) = default;
 };
 
-/// Limits of a coordinate (models/joint_limits.hpp): `lower`, `upper`, `rate` ... as numbers of v; without is without limit.
+/// Limits of a coordinate (models/joint_limits.hpp): `lower`, `upper`, `rate` ... as numbers of v; without is without
+/// limit.
 struct limit_record {
   std::string coordinate;
   std::vector<parameter_record> limits;
@@ -48,8 +49,8 @@ struct limit_record {
   friend bool operator==(const limit_record&, const limit_record&) = default;
 };
 
-/// A whole chain: gravity in the axes of its bases, m/s^2, and the elements in order. A model of a manipulator has more:
-/// frames that are its tools, limits of its coordinates, values of its inputs.
+/// A whole chain: gravity in the axes of its bases, m/s^2, and the elements in order. A model of a manipulator has
+/// more: frames that are its tools, limits of its coordinates, values of its inputs.
 struct model_record {
   std::vector<double> gravity{0, 0, 0};
   std::vector<element_record> elements{};

@@ -32,10 +32,10 @@ struct joint_limits {
 
   Numbers lower = detail::all_of<Numbers>(-none);
   Numbers upper = detail::all_of<Numbers>(none);
-  Numbers rate = upper;
-  Numbers acceleration = upper;
-  Numbers jerk = upper;
-  Numbers effort = upper;
+  Numbers rate = detail::all_of<Numbers>(none);
+  Numbers acceleration = detail::all_of<Numbers>(none);
+  Numbers jerk = detail::all_of<Numbers>(none);
+  Numbers effort = detail::all_of<Numbers>(none);
   bool operator==(const joint_limits&) const = default;
 };
 
