@@ -1,9 +1,8 @@
 #pragma once
 
 #include <kte/manipulators/detail/solve_closed_form.hpp>
+#include <kte/manipulators/unreachable.hpp>
 #include <kte/models/joint_limits.hpp>
-
-#include <vector>
 
 namespace kte {
 
@@ -47,22 +46,6 @@ struct ik_tolerance {
 /// The axes of this arm are none of those of which the inverse kinematics is closed form; what() says by how much.
 struct no_closed_form : error {
   using error::error;
-};
-
-/// What was asked for cannot be reached.
-enum class unreachable_reason {
-  distance,       ///< no posture gets there
-  limits,         ///< those that do are beyond the limits of joints
-  local_minimum,  ///< a search ended elsewhere
-};
-/// As an error, with the best that there is.
-struct unreachable : error {
-  unreachable(const std::string& what, unreachable_reason why, std::vector<double> best, double m, double rad)
-      : error(what), reason(why), q(std::move(best)), position(m), rotation(rad) {}
-
-  unreachable_reason reason;
-  std::vector<double> q;
-  double position, rotation;  ///< residual of q: m, rad
 };
 
 }  // namespace kte

@@ -83,6 +83,18 @@ void look_for_held_joint(const Arm& arm, const plain_pose_of<S>& x, const Q& now
       return;
     }
 }
+
+template <class S, class Arm, class Q>
+best_answer<Q> best_near(const Arm& arm, const plain_pose_of<S>& x, const Q& now) {
+  best_answer<Q> best;
+  if (arm.family() == arm_family::srs)
+    look_for_arm_angle(arm, x, now, best);
+  else if (arm.family() == arm_family::offset_7R)
+    look_for_held_joint(arm, x, now, best);
+  else
+    look_at_all(arm, x, now, 0.0, best);
+  return best;
+}
 }  // namespace detail
 
 /// The answer that is exact, within limits and nearest to a posture: the least |q - q_now|, multiples of 2 pi taken
@@ -102,13 +114,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = S(to.q[static_cast<std::size_t>(i)]);
   for (Eigen::Index i = 0; i < now.size(); ++i)
     if (!(now[i] - now[i] == S(0))) raise<bad_argument>("kte: inverse kinematics: q_now is not finite");
-  best_answer<decltype(now)> best;
-  if (arm.family() == arm_family::srs)
-    look_for_arm_angle(arm, x, now, best);
-  else if (arm.family() == arm_family::offset_7R)
-    look_for_held_joint(arm, x, now, best);
-  else
-    look_at_all(arm, x, now, 0.0, best);
+  const auto best = best_near(arm, x, now);
   if (best.is != best.good) {
     std::vector<double> q;
     for (Eigen::Index i = 0; i < best.answer.q.size(); ++i) q.push_back(plain(best.answer.q[i]));

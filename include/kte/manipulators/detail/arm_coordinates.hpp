@@ -1,0 +1,55 @@
+#pragma once
+
+#include <kte/manipulators/manipulator.hpp>
+
+/// What numerical inverse kinematics asks of static and of runtime manipulators by one name.
+namespace kte::detail {
+
+/// How many numbers v and q have, where that is known when compiling; else -1, as Eigen has it.
+template <class Arm>
+inline constexpr int arm_dofs = -1;
+template <class Chain, key_type... Tools>
+inline constexpr int arm_dofs<manipulator<Chain, tool_keys<Tools...>>> = Chain::dofs;
+template <class Arm>
+inline constexpr int arm_numbers = -1;
+template <class Chain, key_type... Tools>
+inline constexpr int arm_numbers<manipulator<Chain, tool_keys<Tools...>>> = Chain::nq;
+
+template <class Arm>
+constexpr std::size_t dofs_of(const Arm& arm) {
+  if constexpr (arm_dofs<Arm> >= 0) {
+    return std::size_t{arm_dofs<Arm>};
+  } else {
+    return static_cast<std::size_t>(arm.dofs());
+  }
+}
+
+/// visit(freedom) for the degrees of freedom, in their order.
+template <class Arm, class Visit>
+constexpr void for_each_freedom_of(const Arm& arm, const Visit& visit) {
+  if constexpr (arm_dofs<Arm> >= 0) {
+    for (std::size_t i = 0; i < Arm::wiring::freedoms; ++i) visit(Arm::wiring::table.free[i]);
+  } else {
+    for (const freedom& f : arm.wiring().free) visit(f);
+  }
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_limits_of_pose(const std::string& coordinate) {
+  throw bad_parameter("kte: limits of " + coordinate +
+                      ": only coordinates that are numbers can have limits of position here; limits of rates may be "
+                      "given for all");
+}
+/// Limits of position are those of coordinates that are numbers.
+template <class Arm>
+void check_limits_of_poses(const Arm& arm) {
+  const auto& limits = arm.limits();
+  const auto infinite = [](double x) { return x - x != 0; };
+  for_each_freedom_of(arm, [&](const freedom& f) {
+    if (f.what == kind::gen) return;
+    for (int k = f.v; k < f.v + nv_of(f.what); ++k)
+      if (const auto i = static_cast<std::size_t>(k); !infinite(limits.lower[i]) || !infinite(limits.upper[i]))
+        refuse_limits_of_pose(text_of_rate(limited_layout(arm), k));
+  });
+}
+
+}  // namespace kte::detail

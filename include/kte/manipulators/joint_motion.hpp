@@ -1,0 +1,93 @@
+#pragma once
+
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/manipulators/detail/arm_coordinates.hpp>
+#include <kte/manipulators/path_profiles.hpp>
+
+namespace kte {
+
+/// A configuration with its rates.
+template <class S, int NQ, int N>
+struct motion_point {
+  joint_vector<S, NQ> q;
+  joint_vector<S, N> v, a;
+};
+
+/// A motion of a manipulator, all coordinates in step: straight in joint space, rotations and poses along constant
+/// rates.
+///
+///   q(t) = integrate(q_0, s(t) d),   v = s' d,   a = s'' d,   d = difference(q_0, q_1)            (1)
+///
+/// so that limits of |v_i|, |a_i| and of jerks are limits of s' and its derivatives over |d_i|, and what lies between
+/// two configurations within limits is within limits. A value that holds the manipulator by reference.
+template <class Arm, class Profile>
+class joint_motion {
+  static constexpr int n = detail::arm_dofs<Arm>, nq = detail::arm_numbers<Arm>;
+
+ public:
+  joint_motion(const Arm& arm, const joint_vector<double, nq>& from, const joint_vector<double, n>& d, const Profile& p)
+      : arm_(arm), from_(from), d_(d), profile_(p) {}
+  double duration() const { return profile_.duration(); }
+  /// At times before it begins and after it ends it rests.
+  motion_point<double, nq, n> operator()(double t) const {
+    const auto [s, s_dot, s_ddot] = profile_(t);
+    return {integrate(arm_, from_, d_, s), s_dot * d_, s_ddot * d_};  // (1)
+  }
+
+ private:
+  const Arm& arm_;
+  joint_vector<double, nq> from_;
+  joint_vector<double, n> d_;
+  Profile profile_;
+};
+
+namespace detail {
+template <class Arm, class Q>
+auto checked_end(const Arm& arm, const Q& q, const char* which) {
+  joint_vector<double, arm_numbers<Arm>> out = neutral_configuration(arm);
+  check_size(static_cast<std::size_t>(out.size()), q, which, "numbers of a configuration");
+  check_finite(q, static_cast<std::size_t>(out.size()), "kte: an end of a motion is not finite");
+  for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = static_cast<double>(q[static_cast<std::size_t>(i)]);
+  for_each_freedom_of(arm, [&](const freedom& f) {
+    const auto i = static_cast<std::size_t>(f.v);
+    if (f.what == kind::gen && !(arm.limits().lower[i] <= out[f.q] && out[f.q] <= arm.limits().upper[i]))
+      raise<bad_argument>(std::string("kte: ") + which + " is beyond the limits of " +
+                          text_of_rate(limited_layout(arm), f.v));
+  });
+  return out;
+}
+template <class Arm, class Q0, class Q1, class Make>
+auto motion_between(const Arm& arm, const Q0& from, const Q1& to, const Make& profile) {
+  check_limits_of_poses(arm);
+  const auto q0 = checked_end(arm, from, "from"), q1 = checked_end(arm, to, "to");
+  const joint_vector<double, arm_dofs<Arm>> d = difference(arm, q0, q1);
+  path_limits<double> limits;
+  for (Eigen::Index k = 0; k < d.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double length = std::abs(d[k]);
+    if (length == 0) continue;
+    limits.rate = std::min(limits.rate, arm.limits().rate[i] / length);
+    limits.acceleration = std::min(limits.acceleration, arm.limits().acceleration[i] / length);
+    limits.jerk = std::min(limits.jerk, arm.limits().jerk[i] / length);
+  }
+  return joint_motion(arm, q0, d, profile(limits));
+}
+}  // namespace detail
+
+/// The fastest straight motion from rest to rest within limits of rates and accelerations (those of jerk it breaks at
+/// four instants). Throws `bad_argument` where there are no limits of acceleration, for ends beyond limits of
+/// positions, and where the ends are the same.
+template <class Arm, indexable Q0, indexable Q1>
+auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
+  return detail::motion_between(arm, from, to, [](const auto& limits) { return trapezoidal_profile<double>(limits); });
+}
+/// The fastest straight motion by a polynomial of fifth degree from rest to rest within limits of rates, accelerations
+/// and jerks, or one that takes longer. Throws `bad_argument` for ends beyond limits of positions, and without a
+/// duration if there are no limits.
+template <class Arm, indexable Q0, indexable Q1>
+auto quintic_motion(const Arm& arm, const Q0& from, const Q1& to, double at_least = 0) {
+  return detail::motion_between(arm, from, to,
+                                [at_least](const auto& limits) { return quintic_profile<double>(limits, at_least); });
+}
+
+}  // namespace kte

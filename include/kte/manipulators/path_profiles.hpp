@@ -1,0 +1,79 @@
+#pragma once
+
+#include <kte/errors.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kte {
+
+/// How far along a path, with rates: s in [0, 1], s', s''.
+template <class S>
+struct path_point {
+  S s, s_dot, s_ddot;
+};
+
+/// What a path of length 1 may have; infinite where there is no limit.
+template <class S>
+struct path_limits {
+  static constexpr S none = std::numeric_limits<S>::infinity();
+  S rate = none, acceleration = none, jerk = none;
+};
+
+/// From rest to rest in the shortest time that rate u and acceleration a allow: a trapezoid of rates, or a triangle.
+///
+///   t_a = min(u/a, sqrt(1/a)),   T = t_a + 1/(a t_a)                                             (1)
+///   s = a t^2/2,  a t_a (t - t_a/2),  1 - a (T - t)^2/2
+template <class S = double>
+class trapezoidal_profile {
+ public:
+  explicit trapezoidal_profile(const path_limits<S>& limits) : a_(limits.acceleration) {
+    using std::sqrt;
+    const S most = std::numeric_limits<S>::infinity();
+    if (!(limits.rate > S(0)) || !(a_ > S(0)) || a_ == most)
+      detail::raise<bad_argument>("kte: a trapezoidal motion needs limits of acceleration, and none that are 0");
+    ramp_ = std::min(S(limits.rate / a_), S(sqrt(S(1) / a_)));
+    duration_ = ramp_ + S(1) / (a_ * ramp_);  // (1)
+  }
+  S duration() const { return duration_; }
+  path_point<S> operator()(const S& time) const {
+    const S t = std::min(std::max(time, S(0)), duration_), left = duration_ - t;
+    if (t < ramp_) return {a_ * t * t / S(2), a_ * t, a_};
+    if (left < ramp_) return {S(1) - a_ * left * left / S(2), a_ * left, left > S(0) ? S(-a_) : S(0)};
+    return {a_ * ramp_ * (t - ramp_ / S(2)), a_ * ramp_, S(0)};
+  }
+
+ private:
+  S a_, ramp_, duration_;
+};
+
+/// From rest to rest without jumps of acceleration, x = t/T:
+///
+///   s = 10 x^3 - 15 x^4 + 6 x^5,   max s' = 15/8/T,  max s'' = 10/sqrt(3)/T^2,  max s''' = 60/T^3      (2)
+///
+/// in the shortest time that limits allow, or a longer one.
+template <class S = double>
+class quintic_profile {
+ public:
+  explicit quintic_profile(const path_limits<S>& limits, const S& at_least = S(0)) {
+    using std::cbrt;
+    using std::sqrt;
+    const S shortest = std::max({S(S(1.875) / limits.rate), S(sqrt(S(10) / sqrt(S(3)) / limits.acceleration)),
+                                 S(cbrt(S(60) / limits.jerk))});  // (2)
+    duration_ = std::max(shortest, at_least);
+    if (!(duration_ > S(0)) || !(duration_ < std::numeric_limits<S>::infinity()))
+      detail::raise<bad_argument>(
+          "kte: a quintic motion needs a duration, or limits that give one, and none that are 0");
+  }
+  S duration() const { return duration_; }
+  path_point<S> operator()(const S& time) const {
+    const S T = duration_, x = std::min(std::max(S(time / T), S(0)), S(1)), y = S(1) - x;
+    return {x * x * x * (S(10) - x * (S(15) - S(6) * x)), S(30) * x * x * y * y / T, S(60) * x * y * (y - x) / (T * T)};
+  }
+
+ private:
+  S duration_;
+};
+
+}  // namespace kte

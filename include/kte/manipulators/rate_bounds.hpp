@@ -1,0 +1,65 @@
+#pragma once
+
+#include <kte/errors.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kte {
+
+/// The largest rate from which a coordinate stops within distance d, if it goes by steps q += v dt and each step may
+/// take a dt from v: exact in discrete time, where sqrt(2 a d) is too large by up to a dt.
+///
+///   B(d) = a dt (x + n (n + 1)/2)/(n + 1),   x = d/(a dt^2),   n = floor((sqrt(1 + 8 x) - 1)/2)           (1)
+///
+/// n further steps follow the first: v dt + (v - a dt) dt + ... + (v - n a dt) dt = d. d >= 0, dt > 0; a may be
+/// infinite, which gives d/dt, or 0, which gives 0.
+template <class S>
+S stopping_rate(const S& d, const S& a, const S& dt) {
+  using std::floor;
+  using std::sqrt;
+  const S most = std::numeric_limits<S>::infinity(), x = d / (a * dt * dt);
+  if (a == most || !(x > S(0))) return d / dt;
+  if (x == most) return sqrt(S(2) * a * d);
+  const S n = floor((sqrt(S(1) + S(8) * x) - S(1)) / S(2));
+  return a * dt * ((x + n * (n + S(1)) / S(2)) / (n + S(1)));
+}
+
+/// The rates a coordinate may have in the next step.
+template <class S>
+struct rate_interval {
+  S lower, upper;
+  bool recovering;  ///< outside its limits, or too fast to keep them: it brakes, or comes back, as hard as it may
+};
+
+/// For a step q += v dt of a coordinate that is at q and had the rate v_now before:
+///
+///   |v| <= rate,   |v - v_now| <= a dt,   -B(q - lower) <= v <= B(upper - q)                               (2)
+///
+/// Never empty: who keeps (2) in one step can keep it in the next. Where it was broken before, what is left is the
+/// hardest braking; outside [lower, upper] the fastest return that stops at the border. Limits are kept to rounding: q
+/// + v dt stays within [lower, upper] exactly.
+template <class S>
+rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S& upper, const S& rate, const S& a,
+                             const S& dt) {
+  const S eps = std::numeric_limits<S>::epsilon();
+  // The largest rate towards a border at distance d; beyond the border one that comes back.
+  const auto towards = [&](const S& border, const S& d) {
+    if (d == std::numeric_limits<S>::infinity()) return rate;
+    const S lost = S(4) * eps * std::max(std::abs(q), std::abs(border));  // in q + v dt
+    if (d >= -lost) return std::min(rate, stopping_rate(std::max(S(d - lost), S(0)), a, dt));
+    return -std::min(rate, stopping_rate(S(-d), a, dt));
+  };
+  S up = towards(upper, S(upper - q)), down = -towards(lower, S(q - lower));
+  const S hardest_down = v_now - a * dt, hardest_up = v_now + a * dt;
+  S lost(0);  // in these: of rates, and of q, of which v dt is a difference
+  if (a < std::numeric_limits<S>::infinity()) lost = S(64) * eps * (std::abs(v_now) + a * dt + std::abs(q) / dt);
+  const bool too_fast_up = up<hardest_down - lost, too_fast_down = down> hardest_up + lost;
+  const bool beyond = up < S(0) || down > S(0) || too_fast_up || too_fast_down;
+  if (too_fast_up) up = hardest_down;
+  if (too_fast_down) down = hardest_up;
+  return {std::min(std::max(hardest_down, down), up), std::max(std::min(hardest_up, up), down), beyond};
+}
+
+}  // namespace kte

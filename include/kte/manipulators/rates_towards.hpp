@@ -1,0 +1,126 @@
+#pragma once
+
+#include <kte/manipulators/box_quadratic_program.hpp>
+#include <kte/manipulators/detail/arm_coordinates.hpp>
+#include <kte/manipulators/rate_bounds.hpp>
+
+namespace kte {
+
+/// How `rates_towards` weighs what is wanted.
+struct rate_options {
+  double length = 0.3;    ///< l of (1), m: by which rad/s count as m/s
+  double damping = 1e-6;  ///< eps of (1), relative to the largest diagonal element of J^T W J; not 0
+};
+
+enum class rate_status {
+  free,       ///< no limit holds any coordinate back: the tools move as wanted, as far as J lets them
+  limited,    ///< some coordinates are at bounds
+  recovering  ///< some are outside their limits, or were too fast to keep them: they brake or come back as hard as they
+              ///< may
+};
+
+/// What `rates_towards` gives.
+template <class S, int N>
+struct rate_step {
+  joint_vector<S, N> v;                       ///< for q' = integrate(arm, q, v, dt)
+  Eigen::Matrix<signed char, N, 1> at_bound;  ///< -1, 1: held by the lower or upper bound of its rate; 0: free
+  rate_status status;
+  S linear, angular;  ///< how far tools miss the wanted twists: the largest |J v - twist| of them, m/s and rad/s
+};
+
+namespace detail {
+/// The bounds of rates of all coordinates; whether some are recovering.
+template <class S, class Arm, class Q, class V, int N>
+bool put_rate_bounds(const Arm& arm, const Q& q, const V& v_now, const S& dt, joint_vector<S, N>& lower,
+                     joint_vector<S, N>& upper) {
+  const auto& limits = arm.limits();
+  bool recovering = false;
+  for_each_freedom_of(arm, [&](const freedom& f) {
+    for (int k = 0; k < nv_of(f.what); ++k) {
+      const auto i = static_cast<std::size_t>(f.v + k);
+      const bool number = f.what == kind::gen;  // the others have no limits of position
+      const auto b = rate_bounds(number ? S(q[static_cast<std::size_t>(f.q)]) : S(0), S(v_now[i]), S(limits.lower[i]),
+                                 S(limits.upper[i]), S(limits.rate[i]), S(limits.acceleration[i]), dt);
+      lower[f.v + k] = b.lower, upper[f.v + k] = b.upper, recovering |= b.recovering;
+    }
+  });
+  return recovering;
+}
+}  // namespace detail
+
+/// One step of differential inverse kinematics: the rates v, for q' = integrate(arm, q, v, dt), that move the tools as
+/// nearly by the wanted twists as the limits of positions, rates and accelerations let them (`rate_bounds`; limits of
+/// jerk and effort have no part in it).
+///
+///   minimise  |J v - twist|_W^2 + eps |v - v_wanted|^2,   lower <= v <= upper,   W = (1, 1, 1, l^2, l^2, l^2)      (1)
+///
+/// `twist` has velocity and angular velocity of each tool, at its origin in axes of the world, as
+/// `getDependentVelocities`. v_now are the rates of the step before. `v_wanted`, 0 if left out, is what is done with
+/// freedoms that the tools leave: its part is eps of the tools'. To come back to a path, add K e to the twist, e by
+/// `pose_error`. Never infeasible; throws `bad_argument` for arguments that are not finite or of the wrong size, dt <=
+/// 0, `bad_parameter` for limits of position of a rotation or pose. Nothing is allocated for static chains.
+template <class Arm, indexable Q, indexable V, indexable T, indexable W>
+auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
+                   const rate_options& options, const W& v_wanted) {
+  using S = value_of<Q>;
+  constexpr int n = detail::arm_dofs<Arm>;
+  const auto size = detail::dofs_of(arm);
+  const Eigen::Index m = static_cast<Eigen::Index>(size);
+  const auto rows = 6 * arm.tools();
+  check_size(rows, twist, "twist", "numbers of twists of its tools");
+  check_size(size, v_now, "v_now"), check_size(size, v_wanted, "v_wanted");
+  detail::check_finite(twist, rows, "kte: a twist is no finite number");
+  detail::check_finite(v_now, size, "kte: a rate is no finite number");
+  detail::check_finite(v_wanted, size, "kte: a wanted rate is no finite number");
+  if (!(dt > S(0)) || !(dt - dt == S(0))) detail::raise<bad_argument>("kte: a step needs a time dt > 0, and finite");
+  if (!(options.length > 0) || !(options.damping > 0))
+    detail::raise<bad_argument>("kte: length and damping of rates must be greater than 0");
+  detail::check_limits_of_poses(arm);
+
+  const auto j = arm.getJacobianMatrix(q);
+  joint_matrix<S, n> h = joint_matrix<S, n>::Zero(m, m);
+  joint_vector<S, n> g = joint_vector<S, n>::Zero(m), lower(m), upper(m);
+  const S turns = S(options.length * options.length);
+  S largest(0);
+  for (Eigen::Index a = 0; a < m; ++a)
+    for (Eigen::Index r = 0; r < j.rows(); ++r) {
+      const S weighted = r % 6 < 3 ? S(j(r, a)) : S(turns * j(r, a));
+      g[a] += weighted * S(twist[static_cast<std::size_t>(r)]);
+      for (Eigen::Index b = 0; b <= a; ++b) h(a, b) += weighted * j(r, b);
+      if (r + 1 == j.rows()) largest = std::max(largest, h(a, a));
+    }
+  const S eps = largest > S(0) ? S(options.damping) * largest : S(1);
+  for (Eigen::Index a = 0; a < m; ++a) {
+    g[a] += eps * S(v_wanted[static_cast<std::size_t>(a)]), h(a, a) += eps;
+    for (Eigen::Index b = 0; b < a; ++b) h(b, a) = h(a, b);
+  }
+  const bool recovering = detail::put_rate_bounds(arm, q, v_now, dt, lower, upper);
+  const auto least = minimise_in_box(h, g, lower, upper);
+
+  rate_step<S, n> out{least.x, least.at, rate_status::free, S(0), S(0)};
+  for (Eigen::Index a = 0; a < m; ++a)
+    if (least.at[a] != 0) out.status = rate_status::limited;
+  if (recovering) out.status = rate_status::recovering;
+  for (Eigen::Index r = 0; r < j.rows(); r += 3) {
+    S missed(0);
+    for (Eigen::Index k = r; k < r + 3; ++k) {
+      S difference = -S(twist[static_cast<std::size_t>(k)]);
+      for (Eigen::Index a = 0; a < m; ++a) difference += j(k, a) * least.x[a];
+      missed += difference * difference;
+    }
+    S& most = r % 6 == 0 ? out.linear : out.angular;
+    using std::sqrt;
+    most = std::max(most, S(sqrt(missed)));
+  }
+  return out;
+}
+template <class Arm, indexable Q, indexable V, indexable T>
+auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
+                   const rate_options& options = {}) {
+  using S = value_of<Q>;
+  const auto n = static_cast<Eigen::Index>(detail::dofs_of(arm));
+  return rates_towards(arm, q, v_now, twist, dt, options,
+                       joint_vector<S, detail::arm_dofs<Arm>>(joint_vector<S, detail::arm_dofs<Arm>>::Zero(n)));
+}
+
+}  // namespace kte

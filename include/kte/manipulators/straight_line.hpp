@@ -1,0 +1,38 @@
+#pragma once
+
+#include <kte/manipulators/pose_error.hpp>
+
+namespace kte {
+
+/// From a pose to another: the origin on a straight line, the rotation about one axis at an even rate (slerp), the
+/// shorter way.
+///
+///   p(s) = p_0 + s d,   R(s) = exp(s [w]x) R_0,   (d, w) = pose_error(x_0, x_1)                      (1)
+///
+/// The twist, in axes of the world at the origin, is s' (d, w).
+template <class S = double>
+class straight_line {
+ public:
+  template <class R0, class P0, class R1, class P1>
+  straight_line(const pose<R0, P0>& from, const pose<R1, P1>& to)
+      : rotation_(as<S>(detail::quaternion_of(from.rotation))),
+        position_(as<S>(from.position)),
+        way_(pose_error(from, to).template cast<S>()) {}
+
+  /// At s in [0, 1]; beyond, the line goes on.
+  pose<mat3<vec3<S>>, vec3<S>> operator()(const S& s) const {
+    const vec3<S> d{way_[0], way_[1], way_[2]}, w{S(s * way_[3]), S(s * way_[4]), S(s * way_[5])};
+    return {matrix(to_quaternion(w) * rotation_), position_ + s * d};  // (1)
+  }
+  /// m, rad, in axes of the world: a twist at s' = 1.
+  const Eigen::Matrix<S, 6, 1>& way() const { return way_; }
+
+ private:
+  unit_quaternion<S> rotation_;
+  vec3<S> position_;
+  Eigen::Matrix<S, 6, 1> way_;
+};
+template <class R0, class P0, class R1, class P1>
+straight_line(const pose<R0, P0>&, const pose<R1, P1>&) -> straight_line<double>;
+
+}  // namespace kte

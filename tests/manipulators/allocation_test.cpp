@@ -1,0 +1,25 @@
+#include <kte/manipulators/clik.hpp>
+#include <kte/manipulators/rates_towards.hpp>
+#include <kte/manipulators/three_r_three_r.hpp>
+
+#include "allocations.hpp"
+#include "catch.hpp"
+
+using namespace kte;
+
+TEST_CASE("Rates and poses of static arms take no memory from the heap") {
+  constexpr auto arm = three_r_three_r();
+  const joint_vector<double, 6> q{{0.1, 0.4, 0.3, 0.2, 0.6, 0.1}}, still = joint_vector<double, 6>::Zero();
+  const Eigen::Matrix<double, 6, 1> twist{{0.1, 0.2, 3, 0.1, 0.2, 0.3}};
+  const auto wanted = forward_kinematics(arm, q, arm_names::tool);
+  bool reached = true;
+  CHECK(allocations::during([&] {
+          reached &= rates_towards(arm, q, still, twist, 0.01).v.norm() > 0;
+          for (const bool numeric : {true, false})
+            reached &=
+                clik(arm, reach(arm_names::tool, wanted), still, {.numeric = numeric}).status == clik_status::reached;
+          reached &= clik(arm, goals(reach(arm_names::tool, wanted), away_from_limits()), still).status ==
+                     clik_status::reached;
+        }) == 0);
+  CHECK(reached);
+}

@@ -1,0 +1,219 @@
+#include <kte/manipulators/clik.hpp>
+#include <kte/manipulators/free_floater.hpp>
+#include <kte/manipulators/iiwa14.hpp>
+#include <kte/manipulators/runtime_manipulator.hpp>
+#include <kte/manipulators/three_r.hpp>
+
+#include <Eigen/LU>
+
+#include "catch.hpp"
+#include "random.hpp"
+
+// Numerical inverse kinematics: goals attained, limits kept, what cannot be attained.
+
+using namespace kte;
+using arm_names::tool;
+using test::says;
+
+namespace {
+constexpr auto kuka = iiwa14();
+using seven = joint_vector<double, 7>;
+
+seven random_posture(random_numbers& random) {
+  seven q;
+  for (int i = 0; i < 7; ++i) q[i] = random(kuka.limits().upper[static_cast<std::size_t>(i)]);
+  return q;
+}
+template <class Q>
+bool within_limits(const Q& q) {
+  for (int i = 0; i < 7; ++i)
+    if (!(std::abs(q[i]) <= kuka.limits().upper[static_cast<std::size_t>(i)])) return false;
+  return true;
+}
+/// Of the tool at q from a pose: m, rad.
+template <class Q, class Pose>
+std::pair<double, double> gap(const Q& q, const Pose& wanted) {
+  const auto e = pose_error(forward_kinematics(kuka, q, tool), wanted);
+  return {e.template head<3>().norm(), e.template tail<3>().norm()};
+}
+/// A chain of three axes about z as three_r_2D: joints by names.
+manipulator<kte_map_chain> runtime_three() {
+  kte_map_chain c;
+  c << three_r_2D_chain();
+  return manipulator(c, "tool");
+}
+}  // namespace
+
+TEST_CASE("clik attains random poses within limits") {
+  random_numbers random(1);
+  double position = 0, rotation = 0;
+  for (int i = 0; i < 300; ++i) {
+    const seven from = random_posture(random), to = random_posture(random);
+    const auto wanted = forward_kinematics(kuka, to, tool);
+    const auto r = clik(kuka, reach(tool, wanted), from, {.numeric = i % 2 == 0});
+    REQUIRE(r.status == clik_status::reached);
+    REQUIRE(within_limits(r.q));
+    const auto [m, rad] = gap(r.q, wanted);
+    position = test::worse(position, m), rotation = test::worse(rotation, rad);
+    CHECK(std::abs(m - r.position) < 1e-14);
+  }
+  CHECK(position < 1.3e-9);  // the tolerance, of a reach below 1.3 m
+  CHECK(rotation < 1e-9);
+}
+
+TEST_CASE("clik is reproducible, and starts within limits wherever it is told to start") {
+  random_numbers random(2);
+  const auto wanted = forward_kinematics(kuka, random_posture(random), tool);
+  const seven far = seven::Constant(7);
+  const auto a = clik(kuka, reach(tool, wanted), far), b = clik(kuka, reach(tool, wanted), far);
+  CHECK(a.q == b.q);
+  CHECK(a.iterations == b.iterations);
+  CHECK(within_limits(a.q));
+  CHECK(within_limits(clik(kuka, reach(tool, wanted), far, {.iterations = 1}).q));
+  // At the answer nothing is to be done.
+  const auto again = clik(kuka, reach(tool, wanted), a.q);
+  CHECK(again.q == a.q);
+  CHECK(again.iterations == 0);
+}
+
+TEST_CASE("clik attains singular poses: stretched, folded, with aligned wrists") {
+  random_numbers random(3);
+  for (const seven& q : {seven(0, 0, 0, 0, 0, 0, 0), seven(0.3, 0.5, 0.2, 0, 0.4, 0.7, 0),
+                         seven(0.3, 0.5, 0.2, 1, 0.4, 0, 0), seven(0.3, 0, 0.2, 1e-8, 0.4, 0, 0)}) {
+    const auto wanted = forward_kinematics(kuka, q, tool);
+    const auto r = clik(kuka, reach(tool, wanted), random_posture(random));
+    CHECK(r.status == clik_status::reached);
+    CHECK(within_limits(r.q));
+  }
+}
+
+TEST_CASE("What is out of reach is missed by its distance, and said") {
+  const auto arm = three_r();
+  using three = joint_vector<double, 3>;
+  for (const double beyond : {1e-6, 1e-3, 0.1, 3.0, 20.0}) {
+    const auto r = clik(arm, reach_position(tool, vec3{0.0, 2 + beyond, 0.0}), three(0.1, 0.7, 0), {.iterations = 200});
+    CHECK(r.status == clik_status::local_minimum);
+    CHECK(r.position == within(beyond, 1e-6 * beyond));
+  }
+  CHECK(clik(arm, reach_position(tool, vec3{0.0, 2.0, 0.0}), three(0.1, 0.7, 0)).status == clik_status::reached);
+  const auto wanted = pose{unit_quaternion<double>{}, vec3<>{0.0, 0.0, 3.0}};
+  try {
+    clik(kuka, reach(tool, wanted), seven(seven::Zero()), {.iterations = 100, .must_reach = true});
+    FAIL("reached");
+  } catch (const unreachable& e) {
+    CHECK(e.position > 1);
+    CHECK(e.q.size() == 7);
+    CHECK_THAT(e.what(), test::contains_text("a goal is missed by"));
+  }
+}
+
+TEST_CASE("Soft goals have the freedom that hard ones leave") {
+  random_numbers random(4);
+  for (int i = 0; i < 5; ++i) {
+    const seven from = random_posture(random), rest = 0.3 * random_posture(random);
+    const auto wanted = forward_kinematics(kuka, seven(0.6 * random_posture(random)), tool);
+    const auto alone = clik(kuka, reach(tool, wanted), from);
+    const auto r = clik(kuka, goals(reach(tool, wanted), posture(rest)), from);
+    REQUIRE(r.status == clik_status::reached);
+    REQUIRE(within_limits(r.q));
+    CHECK((r.q - rest).norm() <= (alone.q - rest).norm());
+    // Along the self-motion, of which the direction is that of 7 - 6 singular values, there is nothing nearer, unless a
+    // limit is in the way.
+    Eigen::Matrix<double, 7, 7> square = Eigen::Matrix<double, 7, 7>::Zero();
+    square.topRows<6>() = kuka.getJacobianMatrix(r.q);
+    seven along;  // the cofactors of a row below: normal to all six
+    for (int k = 0; k < 7; ++k) {
+      Eigen::Matrix<double, 6, 6> minor;
+      for (int c = 0, at = 0; c < 7; ++c)
+        if (c != k) minor.col(at++) = square.col(c).head<6>();
+      along[k] = (k % 2 ? -1 : 1) * minor.determinant();
+    }
+    along.normalize();
+    bool held = false;
+    for (int k = 0; k < 7; ++k) held |= std::abs(r.q[k]) == kuka.limits().upper[static_cast<std::size_t>(k)];
+    if (!held) CHECK(std::abs(along.dot(r.q - rest)) < 1e-5);
+  }
+}
+
+TEST_CASE("Goals of each kind") {
+  random_numbers random(5);
+  const seven from(0.1, 0.4, 0.2, 1, 0.3, 0.5, 0.2);
+  const vec3<> point{0.5, -0.3, 0.6};
+  const auto at = clik(kuka, reach_position(tool, point), from);
+  CHECK(at.status == clik_status::reached);
+  CHECK(at.rotation == 0);
+  CHECK(std::abs(forward_kinematics(kuka, at.q, tool).position.y + 0.3) < 1.3e-9);
+
+  const auto looking =
+      clik(kuka, goals(reach_position(tool, point), look_at(tool, axis::z, vec3<>{2.0, 1.0, 0.0})), from);
+  CHECK(looking.status == clik_status::reached);
+  const auto p = forward_kinematics(kuka, looking.q, tool);
+  const vec3<> d = vec3<>{2.0, 1.0, 0.0} - p.position, z = p.rotation * vec3<>{0.0, 0.0, 1.0}, off = cross(z, d);
+  CHECK(std::sqrt(dot(off, off)) < 1e-8);
+  CHECK(dot(z, d) > 0);
+
+  const auto middle = clik(kuka, away_from_limits(), from);
+  CHECK(middle.q.norm() < 1e-6);
+  const auto near = clik(kuka, posture(from), seven(seven::Zero()));
+  CHECK((near.q - from).norm() < 1e-6);
+  CHECK(clik(kuka, goals(posture(from, {1, 1, 1, 1, 1, 1, 0})), seven(seven::Zero())).q[6] == 0);
+
+  // Away from the stretched arm: the measure grows.
+  const auto wanted = reach_position(tool, vec3<>{0.4, 0.2, 0.9});
+  const auto plain = clik(kuka, wanted, from), free = clik(kuka, goals(wanted, manipulability()), from);
+  const auto measure = [](const seven& q) {
+    return std::sqrt((kuka.getJacobianMatrix(q) * kuka.getJacobianMatrix(q).transpose()).determinant());
+  };
+  CHECK(free.status == clik_status::reached);
+  CHECK(measure(free.q) > measure(plain.q));
+
+  // Two soft goals that contradict: between them by their weights. The first of `then` alone decides.
+  const seven other = -from;
+  const auto between = clik(kuka, goals(soft(3, posture(from)), posture(other)), seven(seven::Zero()));
+  CHECK((between.q - from / 2).norm() < 1e-6);
+  CHECK((clik(kuka, then(posture(from), posture(other)), seven(seven::Zero())).q - from).norm() < 1e-4);
+  const auto ordered = clik(kuka, then(reach_position(tool, point), reach_position(tool, vec3<>{0.5, 0.3, 0.6})), from);
+  CHECK(ordered.status == clik_status::reached);
+}
+
+TEST_CASE("Runtime arms, arms in the plane, free bodies") {
+  const auto arm = runtime_three();
+  const std::vector q{0.3, 0.5, 0.2};
+  const auto wanted = arm.getDependentPoses(q)[0];
+  const auto r = clik(arm, reach("tool", wanted), std::vector{1.0, 1.0, 1.0});
+  CHECK(r.status == clik_status::reached);
+  const auto found = arm.getDependentPoses(r.q)[0];
+  CHECK(found.position.x == within(wanted.position.x, 3e-9));
+  CHECK(found.rotation.x.x == within(wanted.rotation.x.x, 1e-9));
+  CHECK_THROWS_MATCHES(clik(arm, reach("tol", wanted), q), unknown_name, says("no tool 'tol'"));
+
+  const auto body = free_floater(along_x(0.2));
+  const pose there{to_quaternion(axis_angle<double>{3, {0.6, 0, 0.8}}), vec3<>{1.0, 2.0, 30.0}};
+  const auto floating = clik(body, reach(tool, there), neutral_configuration(body));
+  CHECK(floating.status == clik_status::reached);
+  CHECK(floating.restarts == 0);
+  const auto flat = free_floater_2D();
+  const auto slid = clik(
+      flat, reach(planar_arm_names::tool, forward_kinematics(flat, std::array{3.0, 2.0, 1.0}, planar_arm_names::tool)),
+      std::array{0.0, 0.0, 0.0});
+  CHECK(slid.q[0] == within(3, 1e-8));
+  CHECK(slid.q[2] == within(1, 1e-8));
+}
+
+TEST_CASE("What makes no sense is refused") {
+  const seven q = seven::Zero();
+  const double nan = std::nan("");
+  CHECK_THROWS_AS(reach_position(tool, vec3{nan, 0.0, 0.0}), bad_argument);
+  CHECK_THROWS_AS(reach_position(tool, vec3{1.0 / 0.0, 0.0, 0.0}), bad_argument);
+  CHECK_THROWS_AS(reach(tool, pose{mat3{axis::x, axis::y, axis::minus_z}, zero3{}}), bad_argument);
+  CHECK_THROWS_AS(reach(tool, pose{mat3{vec3{1.1, 0.0, 0.0}, vec3{0.0, 1.0, 0.0}, vec3{0.0, 0.0, 1.0}}, zero3{}}),
+                  bad_argument);
+  CHECK_THROWS_AS(reach(tool, pose{unit_quaternion{nan, 0.0, 0.0, 0.0}, zero3{}}), bad_argument);
+  CHECK_THROWS_AS(reach(tool, pose{unit_quaternion<double>{}, zero3{}}, {0, 0}), bad_argument);
+  CHECK_THROWS_AS(look_at(tool, vec3{1.0, 1.0, 0.0}, zero3{}), bad_argument);
+  CHECK_THROWS_AS(soft(-1, away_from_limits()), bad_argument);
+  CHECK_THROWS_AS(clik(kuka, posture(std::vector{1.0}), q), bad_argument);
+  CHECK_THROWS_AS(clik(kuka, away_from_limits(), std::vector{1.0}), bad_argument);
+  CHECK_THROWS_AS(clik(kuka, away_from_limits(), seven(seven::Constant(nan))), bad_argument);
+  CHECK_THROWS_AS(clik(kuka, away_from_limits(), q, {.iterations = 0}), bad_argument);
+}
