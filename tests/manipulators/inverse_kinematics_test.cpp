@@ -234,10 +234,15 @@ TEST_CASE("arms without a closed form say what their axes miss") {
     CHECK_THROWS_MATCHES(inverse_kinematics(arm, arm.getDependentPoses(numbers::Zero(arm.dofs()))[0]), no_closed_form,
                          says(text));
   };
-  no(chain(none, {{z, {0, 0, 1}}, {y, {1, .1, .1}}, {x, {0, 0, .5}}, {z, {0, 1e-4, .5}}, {y, {0, 0, 0}}, {z, none}}),
+  no(chain(none, {{e_z, {0, 0, 1}},
+                  {e_y, {1, .1, .1}},
+                  {e_x, {0, 0, .5}},
+                  {e_z, {0, 1e-4, .5}},
+                  {e_y, {0, 0, 0}},
+                  {e_z, none}}),
      "axes 4, 5, 6 pass within");
-  no(chain(none, {{z, {0, 0, 1}}, {y, none}}), "for an arm of 2 joints that turn");
-  no(chain(none, {{z, {0, 0, 1}}, {y, {1, 0, 0}}, {y, none}}), "whose axes are not parallel");
+  no(chain(none, {{e_z, {0, 0, 1}}, {e_y, none}}), "for an arm of 2 joints that turn");
+  no(chain(none, {{e_z, {0, 0, 1}}, {e_y, {1, 0, 0}}, {e_y, none}}), "whose axes are not parallel");
 }
 
 TEST_CASE("seven axes without an arm angle: the first or last joint is held") {
