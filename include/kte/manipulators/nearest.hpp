@@ -15,8 +15,8 @@ struct best_answer {
   /// |q - q_now|^2 of the joints; of those that do not get there, how far they are off.
   void look_at(const arm_structure& s, const ik_answer<Q>& a, const Q& now) {
     double far = 0;
-    const auto quality = !a.exact ? away : a.within_limits ? good : beyond_limits;
-    if (quality == away) {
+    const auto found = !a.exact ? away : a.within_limits ? good : beyond_limits;
+    if (found == away) {
       far = plain(a.position) / s.reach + plain(a.rotation);
     } else {
       for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
@@ -24,8 +24,8 @@ struct best_answer {
         far += d * d;
       }
     }
-    if (quality < is || (quality == is && !(far < way))) return;
-    answer = a, way = far, is = quality;
+    if (found < is || (found == is && !(far < way))) return;
+    answer = a, way = far, is = found;
   }
 };
 
