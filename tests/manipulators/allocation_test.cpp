@@ -1,4 +1,5 @@
 #include <kte/manipulators/clik.hpp>
+#include <kte/manipulators/nearest.hpp>
 #include <kte/manipulators/rates_towards.hpp>
 #include <kte/manipulators/three_r_three_r.hpp>
 
@@ -22,4 +23,19 @@ TEST_CASE("Rates and poses of static arms take no memory from the heap") {
                      clik_status::reached;
         }) == 0);
   CHECK(reached);
+}
+
+TEST_CASE("Closed forms of static arms take no memory from the heap") {
+  constexpr auto arm = three_r_three_r();
+  static_assert(arm.family() == arm_family::spherical_wrist);  // found while compiling
+  const joint_vector<double, 6> q{{0.1, 0.4, 0.3, 0.2, 0.6, 0.1}};
+  const auto wanted = forward_kinematics(arm, q, arm_names::tool);
+  std::size_t answers = 0;
+  double off = 0;
+  CHECK(allocations::during([&] {
+          answers = inverse_kinematics(arm, wanted).size();
+          off = (inverse_kinematics(arm, wanted, nearest(q)).q - q).norm();
+        }) == 0);
+  CHECK(answers == 8);
+  CHECK(off == within(0, 1e-13));
 }

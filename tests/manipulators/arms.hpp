@@ -45,35 +45,94 @@ inline kte::kte_map_chain chain(const vec3<>& pedestal, std::initializer_list<jo
   }
   return c;
 }
-inline constexpr vec3<> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, minus_y{0, -1, 0}, minus_z{0, 0, -1}, none{0, 0, 0};
+inline constexpr vec3<> e_x{1, 0, 0}, e_y{0, 1, 0}, e_z{0, 0, 1}, minus_y{0, -1, 0}, minus_z{0, 0, -1}, none{0, 0, 0};
 
 /// An industrial arm with no offsets; its wrist is right-angled.
 inline auto plain_3R3R() {
-  return chain(
-      none,
-      {{z, {0, 0, 1}}, {minus_y, {0, 0, 1}}, {minus_y, {0, 0, .5}}, {z, {0, 0, .5}}, {minus_y, {0, 0, .2}}, {z, none}});
+  return chain(none, {{e_z, {0, 0, 1}},
+                      {minus_y, {0, 0, 1}},
+                      {minus_y, {0, 0, .5}},
+                      {e_z, {0, 0, .5}},
+                      {minus_y, {0, 0, .2}},
+                      {e_z, none}});
 }
 /// ABB's IRB 2400, from Brandstoetter, Angerer and Hofbaur 2014.
 inline auto irb2400() {
-  return chain(none,
-               {{z, {.1, 0, .615}}, {y, {0, 0, .705}}, {y, {-.135, 0, .755}}, {z, none}, {y, none}, {z, {0, 0, .085}}});
+  return chain(none, {{e_z, {.1, 0, .615}},
+                      {e_y, {0, 0, .705}},
+                      {e_y, {-.135, 0, .755}},
+                      {e_z, none},
+                      {e_y, none},
+                      {e_z, {0, 0, .085}}});
 }
 inline auto ur5() {
-  return chain({0, 0, .089159}, {{z, {0, .13585, 0}},
-                                 {y, {.425, -.1197, 0}},
-                                 {y, {.39225, 0, 0}},
-                                 {y, {0, .093, 0}},
+  return chain({0, 0, .089159}, {{e_z, {0, .13585, 0}},
+                                 {e_y, {.425, -.1197, 0}},
+                                 {e_y, {.39225, 0, 0}},
+                                 {e_y, {0, .093, 0}},
                                  {minus_z, {0, 0, -.09465}},
-                                 {y, {0, .0823, 0}}});
+                                 {e_y, {0, .0823, 0}}});
 }
 inline auto iiwa14() {
-  return chain(
-      none,
-      {{z, {0, 0, .36}}, {y, none}, {z, {0, 0, .42}}, {minus_y, none}, {z, {0, 0, .4}}, {y, none}, {z, {0, 0, .126}}});
+  return chain(none, {{e_z, {0, 0, .36}},
+                      {e_y, none},
+                      {e_z, {0, 0, .42}},
+                      {minus_y, none},
+                      {e_z, {0, 0, .4}},
+                      {e_y, none},
+                      {e_z, {0, 0, .126}}});
 }
-inline auto planar_3R() { return chain(none, {{z, {1, 0, 0}}, {z, {.8, 0, 0}}, {z, {.3, 0, 0}}}); }
+inline auto planar_3R() { return chain(none, {{e_z, {1, 0, 0}}, {e_z, {.8, 0, 0}}, {e_z, {.3, 0, 0}}}); }
 inline auto scara() {
-  return chain({0, 0, .3}, {{z, {.4, 0, 0}}, {z, {.3, 0, 0}}, {z, {0, 0, -.1}, true}, {z, {.05, 0, 0}}});
+  return chain({0, 0, .3}, {{e_z, {.4, 0, 0}}, {e_z, {.3, 0, 0}}, {e_z, {0, 0, -.1}, true}, {e_z, {.05, 0, 0}}});
+}
+
+/// A spherical wrist behind axes that are neither parallel nor meet.
+inline auto bent() {
+  return chain(none, {{e_z, {.2, .1, .6}},
+                      {{0, .6, .8}, {.1, 0, .7}},
+                      {e_x, {-.1, .2, .7}},
+                      {e_z, none},
+                      {e_y, none},
+                      {e_z, {0, 0, .085}}});
+}
+/// A UR5 of which axes 5 and 6 pass by each other.
+inline auto ur5_with_offset() {
+  return chain({0, 0, .089159}, {{e_z, {0, .13585, 0}},
+                                 {e_y, {.425, -.1197, 0}},
+                                 {e_y, {.39225, 0, 0}},
+                                 {e_y, {0, .093, 0}},
+                                 {minus_z, {.07, 0, -.09465}},
+                                 {e_y, {0, .0823, 0}}});
+}
+/// Franka Emika's Panda.
+inline auto panda() {
+  return chain({0, 0, .333}, {{e_z, none},
+                              {e_y, {0, 0, .316}},
+                              {e_z, {.0825, 0, 0}},
+                              {minus_y, {-.0825, 0, .384}},
+                              {e_z, none},
+                              {minus_y, {.088, 0, 0}},
+                              {minus_z, {0, 0, -.107}}});
+}
+/// The European Robotic Arm, and one like Canadarm2.
+inline auto era() {
+  return chain({0, 0, 1.228}, {{e_z, {0, 0, 1.228}},
+                               {e_y, {0, 0, .34}},
+                               {e_x, {0, 0, 4.072}},
+                               {e_x, {0, 0, 4.072}},
+                               {e_x, {0, 0, .34}},
+                               {e_y, {0, 0, 1.228}},
+                               {e_z, none}});
+}
+inline auto ssrms() {
+  return chain(none, {{e_z, {.38, -.635, 0}},
+                      {minus_y, {.38, 0, .504}},
+                      {e_z, {6.85, 0, .504}},
+                      {e_z, {6.85, 0, .504}},
+                      {e_z, {.38, 0, 0}},
+                      {minus_y, {0, -.635, 0}},
+                      {e_z, none}});
 }
 
 using numbers = Eigen::VectorXd;

@@ -10,13 +10,13 @@ template <class Q>
 struct best_answer {
   ik_answer<Q> answer;
   double way = 1e300;
-  enum quality { none, away, beyond_limits, good } is = none;
+  enum rank_of { none, away, beyond_limits, good } is = none;
 
   /// |q - q_now|^2 of the joints; of those that do not get there, how far they are off.
   void look_at(const arm_structure& s, const ik_answer<Q>& a, const Q& now) {
     double far = 0;
-    const auto found = !a.exact ? away : a.within_limits ? good : beyond_limits;
-    if (found == away) {
+    const auto rank = !a.exact ? away : a.within_limits ? good : beyond_limits;
+    if (rank == away) {
       far = plain(a.position) / s.reach + plain(a.rotation);
     } else {
       for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
@@ -24,8 +24,8 @@ struct best_answer {
         far += d * d;
       }
     }
-    if (found < is || (found == is && !(far < way))) return;
-    answer = a, way = far, is = found;
+    if (rank < is || (rank == is && !(far < way))) return;
+    answer = a, way = far, is = rank;
   }
 };
 
