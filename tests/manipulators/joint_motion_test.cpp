@@ -98,6 +98,8 @@ TEST_CASE("Poses move along constant rates, tools along straight lines") {
   CHECK(std::atan2(r.y.x, r.x.x) == within(0.45, 1e-15));
   CHECK(line.way()[5] == within(1, 1e-15));
   CHECK(pose_error(line(1.0), to).norm() < 1e-15);
+  const pose rolled{rotation_about(axis::x, 1.0), vec3{0.0, 0.0, 0.0}};
+  CHECK(pose_error(straight_line(from, rolled)(1.0), rolled).norm() < 1e-15);
 }
 
 TEST_CASE("Motions that make no sense are refused") {

@@ -95,7 +95,8 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
   clik_result<S, at_type::configuration::RowsAtCompileTime> out{start, clik_status::local_minimum, 0, 0, S(0), S(0)};
   detail::even_numbers random(options.seed);
   S least = std::numeric_limits<S>::infinity();
-  // Of arms that answer a pose in finitely many ways the closed form has the nearest; others begin where they are.
+  // Of arms that answer a pose in finitely many ways the closed form has the nearest; of others it has to be looked
+  // for, which takes as long as some ten starts.
   const auto at_closed_form = [&] {
     auto answer = start;
     const bool found = !options.numeric && detail::start_at_closed_form(arm, levels.first, answer);
@@ -116,7 +117,7 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
                                      : clik_status::local_minimum;
     }
     if (out.status == clik_status::reached || out.iterations >= options.iterations) break;
-    if (redundant && out.restarts == 0 && at_closed_form()) continue;
+    if (redundant && out.restarts == 9 && at_closed_form()) continue;
     S best = std::numeric_limits<S>::infinity();
     typename at_type::configuration next = start;
     for (int i = 0; i < options.draws; ++i) {
