@@ -12,3 +12,9 @@ for example in pendulum arm swing reach own_element; do
   echo "Running $example"
   (cd build/examples/examples && ./$example)
 done
+echo "Running evaluate: what its file says is odd, then a table of dynamics, by a runtime chain and by a type compiled here"
+robot=tests/data/robots/iiwa14.urdf
+build/examples/examples/evaluate --check $robot
+for how in "" --static; do
+  build/examples/examples/evaluate $robot examples/evaluate/iiwa14.csv $how | cut -c 1-120
+done
