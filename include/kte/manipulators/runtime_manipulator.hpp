@@ -30,10 +30,11 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
       : manipulator(c, std::move(tools), unlimited(c)) {}
   // A text is a template parameter: else {"left", "right"} would also be a std::string, of two pointers.
   template <std::convertible_to<std::string> Text>
-  manipulator(const kte_map_chain& c, const Text& its_tool) : manipulator(c, std::vector<std::string>{its_tool}) {}
+  manipulator(const kte_map_chain& c, const Text& name_of_tool)
+      : manipulator(c, std::vector<std::string>{name_of_tool}) {}
   template <std::convertible_to<std::string> Text>
-  manipulator(const kte_map_chain& c, const Text& its_tool, const joint_limits<>& limits)
-      : manipulator(c, std::vector<std::string>{its_tool}, limits) {}
+  manipulator(const kte_map_chain& c, const Text& name_of_tool, const joint_limits<>& limits)
+      : manipulator(c, std::vector<std::string>{name_of_tool}, limits) {}
 
   const joint_limits<>& limits() const { return limits_; }
   std::size_t tools() const { return tools_.size(); }

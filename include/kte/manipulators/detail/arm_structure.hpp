@@ -116,13 +116,13 @@ constexpr void put_points(arm_structure& s, int first, int last, const vec3<>& a
 }
 
 /// Six axes in the order of `s.arm`; which formulas they fit.
-constexpr bool fits_six(arm_structure& s, double angle, double length) {
+constexpr bool fits_six(arm_structure& s, double most_rad, double most_m) {
   const axes_of a{s.arm};
   const auto wrist = a.meet(3, 4, 5);
   const bool turns = a.sine(3, 4) > 1e-3 && a.sine(4, 5) > 1e-3;
-  if (turns && wrist.miss <= length && a.sine(0, 1) > angle) {
+  if (turns && wrist.miss <= most_m && a.sine(0, 1) > most_rad) {
     put_points(s, 3, 5, wrist.at);
-    if (a.sine(1, 2) <= angle) {
+    if (a.sine(1, 2) <= most_rad) {
       align(s, 2, 1);
       s.form = closed_form::wrist_parallel;
     } else {
@@ -130,11 +130,11 @@ constexpr bool fits_six(arm_structure& s, double angle, double length) {
     }
     return true;
   }
-  if (a.sine(1, 2) <= angle && a.sine(1, 3) <= angle && a.sine(0, 1) > 1e-3 && a.sine(3, 4) > 1e-3 &&
+  if (a.sine(1, 2) <= most_rad && a.sine(1, 3) <= most_rad && a.sine(0, 1) > 1e-3 && a.sine(3, 4) > 1e-3 &&
       a.sine(4, 5) > 1e-3) {
     const auto last = a.meet(4, 5);
     align(s, 2, 1), align(s, 3, 1);
-    if (last.miss <= length) {
+    if (last.miss <= most_m) {
       put_points(s, 4, 5, last.at);
       s.form = closed_form::parallel_meeting;
     } else {
@@ -159,10 +159,10 @@ constexpr arm_family family_of(closed_form form, bool backwards) {
 }
 
 /// Of either direction, the one with the simpler formulas.
-constexpr bool fits_six_either_way(arm_structure& s, const arm_geometry& arm, double angle, double length) {
+constexpr bool fits_six_either_way(arm_structure& s, const arm_geometry& arm, double most_rad, double most_m) {
   arm_structure there = s, back = s;
   there.arm = arm, back.arm = reversed(arm), back.backwards = true;
-  const bool ahead = fits_six(there, angle, length), behind = fits_six(back, angle, length);
+  const bool ahead = fits_six(there, most_rad, most_m), behind = fits_six(back, most_rad, most_m);
   if (!ahead && !behind) return false;
   const auto simple = [](const arm_structure& x) {
     return x.form == closed_form::wrist_parallel || x.form == closed_form::parallel_meeting;
@@ -172,26 +172,26 @@ constexpr bool fits_six_either_way(arm_structure& s, const arm_geometry& arm, do
   return true;
 }
 
-constexpr bool fits_srs(arm_structure& s, double length) {
+constexpr bool fits_srs(arm_structure& s, double most_m) {
   const axes_of a{s.original};
   const auto shoulder = a.meet(0, 1, 2), wrist = a.meet(4, 5, 6);
   const auto turns = [&](int i, int j) { return a.sine(i, j) > 1e-3; };
-  if (shoulder.miss > length || wrist.miss > length || !(turns(0, 1) && turns(1, 2) && turns(4, 5) && turns(5, 6)))
+  if (shoulder.miss > most_m || wrist.miss > most_m || !(turns(0, 1) && turns(1, 2) && turns(4, 5) && turns(5, 6)))
     return false;
   s.arm = s.original;
   put_points(s, 0, 2, shoulder.at), put_points(s, 4, 6, wrist.at);
   // The elbow where axis 4 is nearest to the shoulder.
   const vec3<> h = s.h(3), e = s.p(3) + dot(shoulder.at - s.p(3), h) * h;
-  if (length_of(e - shoulder.at) <= length || length_of(normal_part(wrist.at - e, h)) <= length) return false;
+  if (length_of(e - shoulder.at) <= most_m || length_of(normal_part(wrist.at - e, h)) <= most_m) return false;
   put_points(s, 3, 3, e);
   s.form = closed_form::srs, s.family = arm_family::srs;
   return true;
 }
 
-constexpr bool fits_planar(arm_structure& s, double angle) {
+constexpr bool fits_planar(arm_structure& s, double most_rad) {
   const axes_of a{s.original};
   for (int i = 1; i < s.original.n; ++i)
-    if (a.sine(0, i) > angle) return false;
+    if (a.sine(0, i) > most_rad) return false;
   s.arm = s.original;
   for (int i = 1; i < s.original.n; ++i) align(s, i, 0);
   const int n = s.original.n, turning = s.original.turning();
@@ -222,13 +222,13 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
   arm_structure s;
   s.original = arm, s.arm = arm, s.reach = reach_of(arm);
   if (arm.refused != nullptr || !(s.reach > 0)) return s;
-  const double length = tolerance * s.reach;
+  const double most_m = tolerance * s.reach;
   const bool turns = arm.turning() == arm.n;
   if (arm.n <= 4) {
     fits_planar(s, tolerance);
   } else if (arm.n == 6 && turns) {
-    fits_six_either_way(s, arm, tolerance, length);
-  } else if (arm.n == 7 && turns && !fits_srs(s, length)) {
+    fits_six_either_way(s, arm, tolerance, most_m);
+  } else if (arm.n == 7 && turns && !fits_srs(s, most_m)) {
     const auto first = with_held(arm, 0, tolerance), last = with_held(arm, arm.n - 1, tolerance);
     const bool by_last =
         last.form != closed_form::none && (first.form == closed_form::none || last.form != closed_form::wrist_general);

@@ -51,18 +51,20 @@ void add_all_crossings(const arm_structure& s, const elbow_side<double>& side, c
       const double L = (*list)[joint(i)];
       if (L > -1e300 && L < 1e300) add(angle_of(L));
     };
-    using angle = solved_angle<double>;
-    limit(0, [&](const angle& L) { add_crossings(side, turned(s.h(0), L, s.h(1)), s.h(2), dot(s.h(1), s.h(2)), all); });
-    limit(1, [&](const angle& L) { add_crossings(side, s.h(0), s.h(2), dot(s.h(0), turned(s.h(1), L, s.h(2))), all); });
+    using turn_to = solved_angle<double>;
+    limit(0,
+          [&](const turn_to& L) { add_crossings(side, turned(s.h(0), L, s.h(1)), s.h(2), dot(s.h(1), s.h(2)), all); });
+    limit(1,
+          [&](const turn_to& L) { add_crossings(side, s.h(0), s.h(2), dot(s.h(0), turned(s.h(1), L, s.h(2))), all); });
     limit(2,
-          [&](const angle& L) { add_crossings(side, s.h(0), turned(s.h(2), -L, s.h(1)), dot(s.h(0), s.h(1)), all); });
-    limit(4, [&](const angle& L) {
+          [&](const turn_to& L) { add_crossings(side, s.h(0), turned(s.h(2), -L, s.h(1)), dot(s.h(0), s.h(1)), all); });
+    limit(4, [&](const turn_to& L) {
       add_crossings(side, axis7, in_link3(turned(s.h(4), L, s.h(5))), dot(s.h(5), s.h(6)), all);
     });
-    limit(5, [&](const angle& L) {
+    limit(5, [&](const turn_to& L) {
       add_crossings(side, axis7, in_link3(s.h(4)), dot(s.h(4), turned(s.h(5), L, s.h(6))), all);
     });
-    limit(6, [&](const angle& L) {
+    limit(6, [&](const turn_to& L) {
       add_crossings(side, vec3<>(R07 * turned(s.h(6), -L, s.h(5))), in_link3(s.h(4)), dot(s.h(4), s.h(5)), all);
     });
   }

@@ -21,16 +21,16 @@ raw_answers<S> planar_and_slide(const arm_structure& s, const rotation_matrix<S>
       turn[turning++] = i;
   }
   const auto point = [&](std::size_t k) -> const vec3<>& { return s.arm.point[turn[k]]; };
-  const vec3<>&h = s.arm.axis[0], end = turning == 3 ? point(2) : s.arm.tool.position;
-  const vec3<S> w = position - R * as<S>(transpose(s.arm.tool.rotation) * (s.arm.tool.position - end));
-  const auto q12 = triangle(h, as<S>(normal_part(point(1) - point(0), h)), as<S>(normal_part(end - point(1), h)),
+  const vec3<>&h = s.arm.axis[0], tip = turning == 3 ? point(2) : s.arm.tool.position;
+  const vec3<S> w = position - R * as<S>(transpose(s.arm.tool.rotation) * (s.arm.tool.position - tip));
+  const auto q12 = triangle(h, as<S>(normal_part(point(1) - point(0), h)), as<S>(normal_part(tip - point(1), h)),
                             normal_to(h, vec3<S>(w - as<S>(point(0)))), seed.at(static_cast<int>(turn[0])));
   raw_answers<S> out;
   for (const bool down : {false, true}) {
     raw_answer<S> x;
     const auto t1 = down ? q12.t2.minus : q12.t2.plus, t2 = down ? q12.t3.minus : q12.t3.plus;
     x.t[turn[0]] = t1.value(), x.t[turn[1]] = t2.value();
-    if (slide < arm_geometry::most) x.t[slide] = dot(as<S>(h), vec3<S>(w - as<S>(end)));
+    if (slide < arm_geometry::most) x.t[slide] = dot(as<S>(h), vec3<S>(w - as<S>(tip)));
     if (turning == 3) {
       const vec3<> v = any_normal(h);
       const auto whole = subproblem1(h, as<S>(v), vec3<S>(R * as<S>(transpose(s.arm.tool.rotation) * v)));
