@@ -12,6 +12,8 @@
 ///   kte/dynamics/batch.hpp             many states at once, in packs; of runtime chains: runtime_batch.hpp
 ///   kte/simulation.hpp                 chains as systems x' = f(t, x), all integrators, events
 ///   kte/io.hpp                         files: models, tables, recorders, progress
+///   kte/robots.hpp                     robots from URDF, MJCF, SDF, and to them
+///   kte/manipulators.hpp               arms with limits: inverse kinematics, motions
 ///   kte/elements/four_bar.hpp          linkages; also dyad.hpp, slider_crank.hpp; law_follower.hpp, law_signal.hpp
 ///   kte/elements/registry.hpp          runtime chains from records, which are plain data
 ///   kte/runtime_chain/from_record.hpp  the same for static chains
