@@ -28,7 +28,7 @@ void check_closed_form(const Arm& arm) {
 
 /// What is free in a configuration, by joint.
 template <class S, class Q>
-free_angles<S> joints_of(const arm_geometry& arm, const Q& q) {
+free_angles<S> raw_angles(const arm_geometry& arm, const Q& q) {
   free_angles<S> x;
   for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i)
     x.t[i] = S(q[static_cast<Eigen::Index>(arm.in_q[i])]);
@@ -61,7 +61,7 @@ ik_answer<Q> finished(const Arm& arm, const arm_structure& s, const plain_pose_o
 template <class Arm, class S, class Q>
 ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
                            const S& extra) {
-  const auto raw = solve_closed_form(s, x, joints_of<S>(s.original, start), extra);
+  const auto raw = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
   ik_answers<Q> all;
   for (std::size_t i = 0; i < raw.size; ++i) all.push_back(finished(arm, s, x, start, raw.all[i]));
   return all;
@@ -161,7 +161,7 @@ auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q) {
   detail::check_arm_angle(arm);
   using S = value_of<Q>;
   const auto& s = arm.structure();
-  const auto joints = detail::joints_of<S>(s.original, q).t;
+  const auto joints = detail::raw_angles<S>(s.original, q).t;
   return detail::arm_angle_at<S>(s, detail::goal_of(s, detail::tool_pose(s.original, joints)).position, joints);
 }
 

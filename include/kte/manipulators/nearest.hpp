@@ -17,10 +17,10 @@ struct best_answer {
     double far = 0;
     const auto rank = !a.exact ? away : a.within_limits ? good : beyond_limits;
     if (rank == away) {
-      far = plain(a.position) / s.reach + plain(a.rotation);
+      far = double_of(a.position) / s.reach + double_of(a.rotation);
     } else {
       for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
-        const double d = plain(a.q[s.original.in_q[i]]) - plain(now[s.original.in_q[i]]);
+        const double d = double_of(a.q[s.original.in_q[i]]) - double_of(now[s.original.in_q[i]]);
         far += d * d;
       }
     }
@@ -37,11 +37,11 @@ void look_at_all(const Arm& arm, const plain_pose_of<S>& x, const Q& now, double
 /// Seven axes: the arm angle at which the arm is, or the nearest at which something is within limits.
 template <class S, class Arm, class Q>
 void look_for_arm_angle(const Arm& arm, const plain_pose_of<S>& x, const Q& now, best_answer<Q>& best) {
-  const double psi = plain(arm_angle_of(arm, now));
+  const double psi = double_of(arm_angle_of(arm, now));
   look_at_all(arm, x, now, psi, best);
   if (best.is == best_answer<Q>::good) return;
   plain_pose_of<double> y;
-  const auto copy = [](const vec3<S>& v) { return vec3<>{plain(v.x), plain(v.y), plain(v.z)}; };
+  const auto copy = [](const vec3<S>& v) { return vec3<>{double_of(v.x), double_of(v.y), double_of(v.z)}; };
   y = {{copy(x.rotation.x), copy(x.rotation.y), copy(x.rotation.z)}, copy(x.position)};
   const auto [R, p] = goal_of(arm.structure(), y);
   for (const auto& way : feasible_angles(arm.structure(), R, p, limits_of_joints(arm))) {
@@ -60,7 +60,7 @@ template <class S, class Arm, class Q>
 void look_for_held_joint(const Arm& arm, const plain_pose_of<S>& x, const Q& now, best_answer<Q>& best) {
   const auto& s = arm.structure();
   const auto joint = static_cast<std::size_t>(s.held);
-  const double here = plain(now[s.original.in_q[joint]]);
+  const double here = double_of(now[s.original.in_q[joint]]);
   const auto v = static_cast<std::size_t>(s.original.in_v[joint]);
   const double lower = arm.limits().lower[v], upper = arm.limits().upper[v];
   const auto good_at = [&](double t) {
@@ -117,8 +117,8 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   const auto best = best_near(arm, x, now);
   if (best.is != best.good) {
     std::vector<double> q;
-    for (Eigen::Index i = 0; i < best.answer.q.size(); ++i) q.push_back(plain(best.answer.q[i]));
-    const double m = plain(best.answer.position), rad = plain(best.answer.rotation);
+    for (Eigen::Index i = 0; i < best.answer.q.size(); ++i) q.push_back(double_of(best.answer.q[i]));
+    const double m = double_of(best.answer.position), rad = double_of(best.answer.rotation);
     const bool limits = best.is == best.beyond_limits;
     raise<unreachable>(limits ? "kte: this pose is reached beyond the limits of joints only"
                               : "kte: this pose cannot be reached; the nearest found misses it by " + number(m) +

@@ -38,7 +38,8 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
   using std::sqrt;
   using matrix = std::array<std::array<double, 2>, 2>;
   const auto number = [](const auto& m) {
-    return matrix{{{detail::plain(m[0][0]), detail::plain(m[0][1])}, {detail::plain(m[1][0]), detail::plain(m[1][1])}}};
+    return matrix{{{detail::double_of(m[0][0]), detail::double_of(m[0][1])},
+                   {detail::double_of(m[1][0]), detail::double_of(m[1][1])}}};
   };
   const auto det = [](const auto& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; };
   matrix a = number(A), b = number(B);
@@ -47,7 +48,7 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
   const double d = det(a);
   angle_pairs<S> out;
   if (!(std::abs(d) > 0)) return out;
-  const double e0 = detail::plain(e[0]), e1 = detail::plain(e[1]);
+  const double e0 = detail::double_of(e[0]), e1 = detail::double_of(e[1]);
   const auto solve = [&](double x, double y) {
     return std::array{(a[1][1] * x - a[0][1] * y) / d, (a[0][0] * y - a[1][0] * x) / d};
   };
@@ -71,7 +72,7 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
       const S j00 = slope(A[0], x1), j01 = slope(B[0], x2), j10 = slope(A[1], x1), j11 = slope(B[1], x2);
       const S j = j00 * j11 - j01 * j10;
       const S d1 = (j11 * r0 - j01 * r1) / j, d2 = (j00 * r1 - j10 * r0) / j;
-      const double way = std::abs(detail::plain(d1)) + std::abs(detail::plain(d2));
+      const double way = std::abs(detail::double_of(d1)) + std::abs(detail::double_of(d2));
       if (!(way < 1e-2)) break;  // next to a double root
       t1 -= d1, t2 -= d2;
       x1 = angle_of(t1), x2 = angle_of(t2);
@@ -79,7 +80,7 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
     bool known = false;
     for (const auto& y : out) {
       const auto same = [](const solved_angle<S>& p, const solved_angle<S>& q) {
-        return std::abs(detail::plain(p.cos - q.cos)) + std::abs(detail::plain(p.sin - q.sin)) < 1e-9;
+        return std::abs(detail::double_of(p.cos - q.cos)) + std::abs(detail::double_of(p.sin - q.sin)) < 1e-9;
       };
       known |= same(y.first, x1) && same(y.second, x2);
     }

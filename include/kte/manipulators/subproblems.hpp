@@ -17,9 +17,9 @@ namespace kte {
 namespace detail {
 /// A number as a double, without derivatives.
 template <class S>
-double plain(const S& x) {
+double double_of(const S& x) {
   if constexpr (requires { x.value; }) {
-    return plain(x.value);
+    return double_of(x.value);
   } else {
     return static_cast<double>(x);
   }

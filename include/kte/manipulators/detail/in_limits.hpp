@@ -17,7 +17,7 @@ bool bring_within(double lower, double upper, bool slides, const Start& start, S
   const S most = S(upper) + (upper < 1e300 ? reaches(S(upper)) : S(0));
   if (!slides) {
     const S turn = S(2) * half_turn<S>();
-    const auto turns = [&turn](const S& way) { return plain(S(way / turn)); };
+    const auto turns = [&turn](const S& way) { return double_of(S(way / turn)); };
     const double nearest = std::floor(turns(S(S(start) - x)) + 0.5);
     if (nearest != 0) x += S(nearest) * turn;
     if (x > most) x -= S(std::ceil(turns(S(x - most)))) * turn;

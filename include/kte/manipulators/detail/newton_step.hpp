@@ -10,8 +10,8 @@ bool solve_six(std::array<std::array<S, 7>, 6>& m, std::array<S, 6>& x) {
   for (std::size_t c = 0; c < 6; ++c) {
     std::size_t best = c;
     for (std::size_t r = c + 1; r < 6; ++r)
-      if (std::abs(plain(m[r][c])) > std::abs(plain(m[best][c]))) best = r;
-    if (!(std::abs(plain(m[best][c])) > 1e-12)) return false;
+      if (std::abs(double_of(m[r][c])) > std::abs(double_of(m[best][c]))) best = r;
+    if (!(std::abs(double_of(m[best][c])) > 1e-12)) return false;
     std::swap(m[c], m[best]);
     for (std::size_t r = c + 1; r < 6; ++r) {
       const S ratio = m[r][c] / m[c][c];
@@ -52,7 +52,7 @@ void newton_step(const arm_geometry& arm, std::size_t first, const pose<rotation
   std::array<S, 6> step;
   if (!solve_six(m, step)) return;
   double longest = 0;
-  for (const auto& s : step) longest = std::max(longest, std::abs(plain(s)));
+  for (const auto& s : step) longest = std::max(longest, std::abs(double_of(s)));
   if (!(longest < 1e-3)) return;
   for (std::size_t k = 0; k < 6; ++k) t[first + k] += step[k];
 }

@@ -110,8 +110,8 @@ raw_answers<S> solve_closed_form(const arm_structure& s, plain_pose_of<S> x, con
     if (s.form == closed_form::wrist_general || s.form == closed_form::parallel_general)
       for (int k = 0; k < 2; ++k) {
         const auto gap = gap_between(tool_pose(s.original, y.t), wanted);
-        const double least = 8 * plain(std::numeric_limits<S>::epsilon());
-        if (!(plain(gap.position) > least * s.reach || plain(gap.rotation) > least)) break;
+        const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
+        if (!(double_of(gap.position) > least * s.reach || double_of(gap.rotation) > least)) break;
         newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, y.t);
       }
   }
