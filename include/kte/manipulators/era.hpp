@@ -25,7 +25,7 @@ constexpr auto era_chain() {
 constexpr auto era_limits() {
   auto limits = unlimited(era_chain());
   limits.upper = detail::in_radians<7>({180, 180, 180, 135, 180, 180, 180});
-  limits.lower = detail::negative(limits.upper);
+  limits.lower = detail::negated(limits.upper);
   return limits;
 }
 

@@ -34,7 +34,7 @@ constexpr auto iiwa14_chain() {
 constexpr auto iiwa14_limits() {
   auto limits = unlimited(iiwa14_chain());
   limits.upper = detail::in_radians<7>({170, 120, 170, 120, 170, 120, 175});
-  limits.lower = detail::negative(limits.upper);
+  limits.lower = detail::negated(limits.upper);
   limits.rate = detail::in_radians<7>({85, 85, 100, 75, 130, 135, 135});
   limits.effort = {320, 320, 176, 176, 110, 40, 40};
   return limits;

@@ -28,7 +28,7 @@ constexpr std::array<double, N> in_radians(std::array<double, N> degrees) {
   return degrees;
 }
 template <std::size_t N>
-constexpr std::array<double, N> negative(std::array<double, N> x) {
+constexpr std::array<double, N> negated(std::array<double, N> x) {
   for (double& each : x) each = -each;
   return x;
 }

@@ -19,7 +19,7 @@ constexpr auto p3r3r_chain(const three_r_three_r_lengths& lengths = crs_a465) {
 constexpr auto p3r3r_limits() {
   auto limits = unlimited(p3r3r_chain());
   limits.upper = detail::in_radians<7>({0, 180, 180, 180, 180, 180, 180});
-  limits.lower = detail::negative(limits.upper);
+  limits.lower = detail::negated(limits.upper);
   limits.lower[0] = 0, limits.upper[0] = 1;
   return limits;
 }

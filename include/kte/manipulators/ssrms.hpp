@@ -34,7 +34,7 @@ constexpr auto ssrms_chain() {
 constexpr auto ssrms_limits() {
   auto limits = unlimited(ssrms_chain());
   limits.upper = detail::in_radians<7>({270, 270, 270, 270, 270, 270, 270});
-  limits.lower = detail::negative(limits.upper);
+  limits.lower = detail::negated(limits.upper);
   limits.rate = detail::in_radians<7>({4, 4, 4, 4, 4, 4, 4});
   limits.effort = {2332, 2332, 2332, 2332, 2332, 2332, 2332};
   return limits;

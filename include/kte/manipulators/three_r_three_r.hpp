@@ -40,7 +40,7 @@ constexpr auto three_r_three_r_chain(const three_r_three_r_lengths& lengths = {}
 constexpr auto three_r_three_r_limits() {
   auto limits = unlimited(three_r_three_r_chain());
   limits.upper = detail::in_radians<6>({180, 180, 180, 180, 180, 180});
-  limits.lower = detail::negative(limits.upper);
+  limits.lower = detail::negated(limits.upper);
   return limits;
 }
 

@@ -39,7 +39,7 @@ constexpr auto ur_chain(const ur_lengths& l = {}) {
 constexpr auto ur_limits() {
   auto limits = unlimited(ur_chain());
   limits.upper = detail::in_radians<6>({360, 360, 180, 360, 360, 360});
-  limits.lower = detail::negative(limits.upper);
+  limits.lower = detail::negated(limits.upper);
   limits.rate = {3.15, 3.15, 3.15, 3.2, 3.2, 3.2};
   limits.effort = {150, 150, 150, 28, 28, 28};
   return limits;
