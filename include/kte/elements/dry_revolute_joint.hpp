@@ -76,11 +76,14 @@ namespace detail {
 struct dry_revolute_joint_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("dry_revolute_joint_2D", [](const auto& x) {
-      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-      return x.placed(dry_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
-                                            x.number("friction_radius"), x.number("smoothing")));
-    });
+    add(
+        "dry_revolute_joint_2D",
+        [](const auto& x) {
+          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+          return x.placed(dry_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
+                                                x.number("friction_radius"), x.number("smoothing")));
+        },
+        "friction_radius, smoothing");
     add("dry_revolute_joint_3D", [](const auto& x) {
       const auto about = [&](const auto& n) {
         return dry_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), n,

@@ -13,6 +13,8 @@ namespace kte::detail {
 /// The worst condition of M at random configurations, with its rows and columns divided by the roots of its diagonal,
 /// so that units do not matter: M_ij / sqrt(M_ii M_jj). Infinite where a coordinate moves no mass.
 inline double worst_condition(const kte_map_chain& c) {
+  // No packs: in those of AVX-512 g++ 12 takes its own headers' registers for uninitialised.
+  using matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   auto s = c.make_state();
   std::mt19937 engine(1);
   double worst = 1;
@@ -21,13 +23,13 @@ inline double worst_condition(const kte_map_chain& c) {
     Eigen::VectorXd step(n);
     for (int i = 0; i < n; ++i) step[i] = (static_cast<double>(engine()) * 0x1p-31 - 1) * 3;  // rad, m
     const auto& m = mass_matrix(c, s, integrate(c, neutral_configuration(c), step, 1.0));
-    Eigen::MatrixXd scaled(n, n);
+    matrix scaled(n, n);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) scaled(i, j) = m(i, j) / std::sqrt(m(i, i) * m(j, j));
     if (!scaled.allFinite()) return robot_joint::none;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled, Eigen::EigenvaluesOnly);
-    const double low = modes.eigenvalues()[0], high = modes.eigenvalues()[n - 1];
-    worst = std::max(worst, low > 0 ? high / low : robot_joint::none);
+    const Eigen::SelfAdjointEigenSolver<matrix> modes(scaled, Eigen::EigenvaluesOnly);
+    const long double low = modes.eigenvalues()[0], high = modes.eigenvalues()[n - 1];
+    worst = std::max(worst, low > 0 ? static_cast<double>(high / low) : robot_joint::none);
   }
   return worst;
 }
