@@ -39,6 +39,10 @@ TEST_CASE("limits are infinite unless they are given") {
     CHECK(*list == std::array{inf, inf});
   CHECK(all.lower == std::array{-inf, -inf});
 
+  constexpr joint_limits<std::array<double, 2>> above{.upper = {1, 2}};
+  for (const auto* list : {&above.rate, &above.acceleration, &above.jerk, &above.effort})
+    CHECK(*list == std::array{inf, inf});
+
   const auto same = unlimited(floating());
   for (const auto* list : {&same.upper, &same.rate, &same.acceleration, &same.jerk, &same.effort})
     CHECK(*list == std::vector<double>(7, inf));

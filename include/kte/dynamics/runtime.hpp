@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
-#include <kte/static_chain/layout.hpp>
+#include <kte/runtime_chain/layout.hpp>
 #include <kte/tree/jacobian.hpp>
 
 /// The algorithms on runtime chains, under the names they have on static chains. They work in the memory of a state and
@@ -104,14 +104,6 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
   return detail::pose_of(c, s, x);
 }
 
-/// The layout of a chain: where its coordinates stand in q and v.
-inline std::vector<layout_entry<std::string>> layout(const kte_map_chain& c) {
-  std::vector<layout_entry<std::string>> table;
-  for (const auto& f : c.wiring().free)
-    table.push_back({c.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what, f.q,
-                     nq_of(f.what), f.v, nv_of(f.what)});
-  return table;
-}
 /// As on static chains (dynamics/configuration_space.hpp).
 template <indexable Q, indexable V>
 Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double dt) {

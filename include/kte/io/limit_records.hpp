@@ -22,7 +22,7 @@ template <class Chain, class Numbers>
 std::vector<limit_record> limit_records(const Chain& c, const joint_limits<Numbers>& limits) {
   check_limits(c, limits);
   std::vector<limit_record> all;
-  for (const auto& e : detail::limited_layout(c)) {
+  for (const auto& e : layout(c)) {
     limit_record r{std::string(e.name), {}};
     detail::visit_limits(limits, [&](const char* name, const auto& list, double none) {
       const auto first = list.begin() + e.v, last = first + e.nv;
@@ -39,7 +39,7 @@ std::vector<limit_record> limit_records(const Chain& c, const joint_limits<Numbe
 template <class Chain>
 auto limits_of(const Chain& c, const model_record& m) {
   auto limits = unlimited(c);
-  const auto table = detail::limited_layout(c);
+  const auto table = layout(c);
   for (const auto& r : m.limits) {
     const auto e = std::find_if(table.begin(), table.end(), [&r](const auto& x) { return x.name == r.coordinate; });
     if (e == table.end())

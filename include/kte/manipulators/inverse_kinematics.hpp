@@ -88,7 +88,7 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
   check_closed_form(arm);
   const arm_structure& s = arm.structure();
   const int last = s.original.n - 1;
-  for (const auto& e : limited_layout(arm)) {
+  for (const auto& e : layout(arm)) {
     if (std::string_view(e.name) != coordinate) continue;
     for (const int i : {0, last})
       if (last == 6 && s.original.in_q[static_cast<std::size_t>(i)] == e.q) {

@@ -52,7 +52,7 @@ auto checked_end(const Arm& arm, const Q& q, const char* which) {
     const auto i = static_cast<std::size_t>(f.v);
     if (f.what == kind::gen && !(arm.limits().lower[i] <= out[f.q] && out[f.q] <= arm.limits().upper[i]))
       raise<bad_argument>(std::string("kte: ") + which + " is beyond the limits of " +
-                          text_of_rate(limited_layout(arm), f.v));
+                          text_of_rate(layout(arm), f.v));
   });
   return out;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
-#include <kte/static_chain/layout.hpp>
+#include <kte/runtime_chain/layout.hpp>
 
 #include <limits>
 #include <string>
@@ -24,7 +23,8 @@ constexpr Numbers all_of(double x) {
 ///   rate            of |v|, rad/s or m/s
 ///   acceleration, jerk    of |v'|, |v''|
 ///   effort          of |tau|, Nm or N
-/// Infinite where there is no limit. They change nothing that a chain does (`joint_limit_gen` is an element that does):
+/// Infinite where there is no limit; lists that do not know their size, as std::vector, begin with `unlimited(chain)`.
+/// They change nothing that a chain does (`joint_limit_gen` is an element that does):
 /// inverse kinematics, planners and controls read them.
 template <class Numbers = std::vector<double>>
 struct joint_limits {
@@ -59,25 +59,13 @@ std::string text_of_rate(const Table& table, int i) {
              (e.nv > 1 ? ", number " + std::to_string(i - e.v + 1) + " of v" : "");
   return {};
 }
-/// The chain's layout without the algorithms of dynamics/runtime.hpp.
-inline std::vector<layout_entry<std::string>> limited_layout(const kte_map_chain& c) {
-  std::vector<layout_entry<std::string>> table;
-  for (const auto& f : c.wiring().free)
-    table.push_back({c.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what, f.q,
-                     nq_of(f.what), f.v, nv_of(f.what)});
-  return table;
-}
-template <class Gravity, class... E>
-constexpr auto limited_layout(const static_chain<Gravity, E...>& c) {
-  return layout(c);
-}
 }  // namespace detail
 
 /// Throws `bad_parameter`, with the name of the coordinate, unless the lists are as long as v, lower <= upper, and the
 /// others not negative. Infinity is a limit, NaN none.
 template <class Chain, class Numbers>
 constexpr void check_limits(const Chain& chain, const joint_limits<Numbers>& limits) {
-  const auto table = detail::limited_layout(chain);
+  const auto table = layout(chain);
   std::size_t n = 0;
   for (const auto& e : table) n += static_cast<std::size_t>(e.nv);
   const auto refuse = [&table](std::size_t i, const std::string& why) {

@@ -34,7 +34,7 @@ KTE_FUNCTION std::vector<robot_note> check_robot(const robot_description& d, con
 
 KTE_FUNCTION std::vector<robot_note> check_robot(const robot& r) {
   auto found = r.warnings;
-  for (const auto& e : detail::limited_layout(r.chain)) {
+  for (const auto& e : layout(r.chain)) {
     if (e.nv != 1) continue;
     const auto i = static_cast<std::size_t>(e.v);
     const auto say = [&](const std::string& what) { found.push_back({0, "coordinate '" + e.name + "': " + what}); };

@@ -23,7 +23,7 @@ KTE_FUNCTION robot_description describe(const kte_map_chain& chain, const std::s
 KTE_FUNCTION robot_description describe(const robot& r) {
   auto d = describe(r.chain, r.name);
   for (auto& j : d.joints)
-    for (const auto& e : detail::limited_layout(r.chain)) {
+    for (const auto& e : layout(r.chain)) {
       if (e.name != j.name || e.nv != 1) continue;
       const auto i = static_cast<std::size_t>(e.v);
       j.lower = r.limits.lower[i], j.upper = r.limits.upper[i];

@@ -48,7 +48,7 @@ void check_limits_of_poses(const Arm& arm) {
     if (f.what == kind::gen) return;
     for (int k = f.v; k < f.v + nv_of(f.what); ++k)
       if (const auto i = static_cast<std::size_t>(k); !infinite(limits.lower[i]) || !infinite(limits.upper[i]))
-        refuse_limits_of_pose(text_of_rate(limited_layout(arm), k));
+        refuse_limits_of_pose(text_of_rate(layout(arm), k));
   });
 }
 

@@ -155,7 +155,7 @@ class chain_builder {
     auto& hard = out_.limits;
     hard = unlimited(out_.chain);
     auto soft = hard;
-    for (const auto& e : limited_layout(out_.chain)) {
+    for (const auto& e : layout(out_.chain)) {
       if (e.what != kte::kind::gen) continue;
       const auto& j = d_.joints[tree_.joint(e.name)];
       const auto i = static_cast<std::size_t>(e.v);

@@ -23,11 +23,11 @@ void give_titles(xml_node& root, const std::string& source);
 
 #ifdef KTE_FUNCTION
 #  include <kte/io/file.hpp>
-#  include <kte/io/read_options.hpp>
 #  include <kte/io/source_text.hpp>
 #  include <kte/robots/description.hpp>
 
 namespace kte::detail {
+inline constexpr std::size_t largest_robot_file = std::size_t{1} << 28;
 KTE_FUNCTION void fail_xml(const std::string& source, int line, const std::string& why) {
   raise<bad_file>("kte: " + place_text(source, line) + why);
 }
@@ -38,11 +38,11 @@ KTE_FUNCTION void fail_xml_syntax(const std::string& source, int line, const cha
   fail_xml(source, line, "this is no good XML: " + why);
 }
 KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::string& source) {
-  return source_text(text, source, read_options{}.max_bytes).text();
+  if (text.size() > largest_robot_file)
+    fail_xml(source, 1, "the file has more than " + std::to_string(largest_robot_file) + " bytes");
+  return source_text(text, source).text();
 }
-KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) {
-  return read_file(path, read_options{}.max_bytes);
-}
+KTE_FUNCTION std::string text_of_file(const std::filesystem::path& path) { return read_file(path, largest_robot_file); }
 
 /// `owner` is the title of the nearest element above that has a name; that of the root is the robot's.
 inline void give_title(xml_node& n, const std::string& source, const std::string& owner, bool top) {
