@@ -51,8 +51,7 @@ auto checked_end(const Arm& arm, const Q& q, const char* which) {
   for_each_freedom_of(arm, [&](const freedom& f) {
     const auto i = static_cast<std::size_t>(f.v);
     if (f.what == kind::gen && !(arm.limits().lower[i] <= out[f.q] && out[f.q] <= arm.limits().upper[i]))
-      raise<bad_argument>(std::string("kte: ") + which + " is beyond the limits of " +
-                          text_of_rate(layout(arm), f.v));
+      raise<bad_argument>(std::string("kte: ") + which + " is beyond the limits of " + text_of_rate(layout(arm), f.v));
   });
   return out;
 }
