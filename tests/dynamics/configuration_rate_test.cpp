@@ -1,12 +1,12 @@
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "digits50.hpp"
 #include "dynamics/configurations.hpp"
 
 // Velocities are the time derivatives of configurations, by differences at 50 digits.
 
 using namespace kte;
 using namespace kte::test::configurations;
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = kte::test::digits50;
 
 TEST_CASE("the time derivative of integrate is v", "[configuration]") {
   // By central differences at 50 digits, with errors of h^2 = 1e-34 and 1e-50/h.

@@ -1,5 +1,5 @@
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "digits50.hpp"
 #include "dynamics/configurations.hpp"
 
 // Configurations with rotations and poses in them: how to get from one to another.
@@ -39,7 +39,7 @@ TEST_CASE("in the neutral configuration nothing is moved or turned", "[configura
   CHECK(integrate(model, q, joint_vector<double, nv>(joint_vector<double, nv>::Zero()), 1.0) == q);
   auto s = make_state(model);  // a new state is in it
   CHECK(positions(s) == q);
-  CHECK(neutral_configuration<boost::multiprecision::cpp_bin_float_50>(model)[4] == 1);
+  CHECK(neutral_configuration<kte::test::digits50>(model)[4] == 1);
 }
 
 TEST_CASE("the difference is what integrate needs", "[configuration]") {

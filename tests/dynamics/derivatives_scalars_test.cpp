@@ -1,7 +1,6 @@
 #include <kte/dynamics/derivatives.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "chain/models.hpp"
 
@@ -57,7 +56,7 @@ double gap_between(const Chain& c) {
 }  // namespace
 
 TEST_CASE("derivatives in other scalars", "[derivatives]") {
-  using big = boost::multiprecision::cpp_bin_float_50;
+  using big = kte::test::digits50;
   // Element by element, and by dual numbers: sums over two or three bodies, some eps of the worse of the two.
   CHECK(gap_between<float, double>(arm) < 20 * std::numeric_limits<float>::epsilon());
   CHECK(gap_between<double, long double>(arm) < 20 * std::numeric_limits<double>::epsilon());

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "digits50.hpp"
 #include "dynamics/trees.hpp"
 
 /// Derivatives by central differences at 50 digits, to judge others by.
 namespace kte::test {
 
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = digits50;
 
 /// Keeps the worse of both.
 inline void note(double& worst, double d) { worst = worse(worst, d); }

@@ -1,12 +1,12 @@
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "digits50.hpp"
 #include "dynamics/floating_bodies.hpp"
 
 // Double precision where bodies float.
 
 using namespace kte;
 using namespace kte::test::floating_bodies;
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = kte::test::digits50;
 
 namespace {
 

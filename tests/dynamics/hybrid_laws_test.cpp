@@ -1,7 +1,6 @@
 #include <kte/dynamics/hybrid_dynamics.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "digits50.hpp"
 #include "data/solo12.hpp"
 #include "dynamics/trees.hpp"
 #include "robots/solo12.hpp"
@@ -91,7 +90,7 @@ TEST_CASE("a joint that is prescribed needs no mass", "[hybrid]") {
 }
 
 TEST_CASE("hybrid dynamics at 50 digits", "[hybrid]") {
-  using big = boost::multiprecision::cpp_bin_float_50;
+  using big = kte::test::digits50;
   constexpr auto c =
       chain(prismatic_joint_3D(q1, base, a, axis::y), inertia_3D(a, body), spherical_joint_3D(ball, a, b),
             inertia_3D(b, light), revolute_joint_3D(q2, b, d, oblique), inertia_3D(d, body), spring_3D(a, d, 0.25, 8.0))

@@ -1,6 +1,6 @@
 #include <Eigen/Eigenvalues>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "random.hpp"
@@ -9,7 +9,7 @@
 // The algorithms against each other.
 
 using models::element_by_element, models::hand, models::pendulum, models::tree;
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = kte::test::digits50;
 
 namespace {
 

@@ -1,5 +1,5 @@
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "digits50.hpp"
 #include "dynamics/inverse_error.hpp"
 
 // The inverse of the mass matrix where coordinates follow others, at 50 digits, and where there is none.
@@ -46,7 +46,7 @@ TEST_CASE("the inverse of a mass matrix that is known", "[mass_matrix_inverse]")
 }
 
 TEST_CASE("the inverse of the mass matrix at 50 digits", "[mass_matrix_inverse]") {
-  using big = boost::multiprecision::cpp_bin_float_50;
+  using big = kte::test::digits50;
   constexpr auto c = chain(prismatic_joint_3D(q1, base, a, axis::y), inertia_3D(a, body),
                            spherical_joint_3D(ball, a, b), inertia_3D(b, light), inertia_gen(q1, 0.5));
   const std::array<big, 5> q{big(1) / 3, big(1) / 2, big(1) / 7, big(-2) / 3, big(1) / 5};

@@ -2,8 +2,7 @@
 
 #include <kte/dynamics/runtime_bodies.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "chain/gear.hpp"
 #include "chain/models.hpp"
@@ -12,7 +11,7 @@
 /// Small mechanisms with axes that are exact, so that laws hold to all digits of any scalar; and motions of them.
 namespace kte::test {
 
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = digits50;
 
 // clang-format off
 inline constexpr struct trunk_  final : pose_3D_key<"trunk">    {} trunk;

@@ -4,9 +4,8 @@
 #include <kte/kernels/variation.hpp>
 
 #include <Eigen/Core>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "random.hpp"
 
@@ -18,7 +17,7 @@
 /// measured 2.7e-33. What has no differences in it is right to 1e-46; measured 3e-49.
 namespace kte::test::variations {
 
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = digits50;
 using vector = vec3<big>;
 using square = mat3<vector>;
 using namespace kte::detail;

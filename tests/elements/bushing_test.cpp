@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "chain/registered.hpp"
+#include "digits100.hpp"
 #include "elements/laws.hpp"
 
 using namespace kte;
@@ -37,23 +38,24 @@ std::array<frame_3D<>, 2> loaded(const bushing_matrix& k, const bushing_matrix& 
 TEST_CASE("bushings obey the laws", "[elements][bushing]") { check_laws<double>(), check_laws<digits50>(); }
 
 TEST_CASE("functions of half a turn keep their digits where they change to series", "[elements][bushing]") {
-  using digits100 = boost::multiprecision::cpp_bin_float_100;
   const auto errors = []<class S>(const S& t) {
     using variable = dual<S, 1>;
     variable tt(t * t);
     tt.derivative[0] = 1;
     const auto x = detail::half_turn_functions_of(tt);
     // By the formulas, and derivatives by t^2 by hand, in more digits than they lose.
-    const digits100 T(t), s = sin(T / 2) / T, c = cos(T / 2), k = (1 - 1 / (2 * s)) / (T * T);
+    const digits100 T = to_100(t), s = sin(T / 2) / T, c = cos(T / 2), k = (1 - 1 / (2 * s)) / (T * T);
     const digits100 s_dot = (c / 2 - s) / (2 * T * T), c_dot = -s / 4, k_dot = (s_dot / (2 * s * s) - k) / (T * T);
-    const auto off = [](const S& y, const digits100& exact) { return S(abs(digits100(y) - exact)); };
+    const auto off = [](const S& y, const digits100& exact, const digits100& factor) {
+      return from_100<S>(factor * abs(to_100(y) - exact));
+    };
     // Each with the powers of t by which it comes into loads and their derivatives.
-    return std::array{off(x.s.value, s),
-                      off(x.c.value, c),
-                      S(T * T * off(x.k.value, k)),
-                      S(T * T * off(x.s.derivative[0], s_dot)),
-                      S(T * T * off(x.c.derivative[0], c_dot)),
-                      S(T * T * T * T * off(x.k.derivative[0], k_dot))};
+    return std::array{off(x.s.value, s, 1),
+                      off(x.c.value, c, 1),
+                      off(x.k.value, k, T * T),
+                      off(x.s.derivative[0], s_dot, T * T),
+                      off(x.c.derivative[0], c_dot, T * T),
+                      off(x.k.derivative[0], k_dot, T * T * T * T)};
   };
   for (const double t : {1e-9, 1e-3, 0.0110, 0.0111, 0.5, 3.0})
     for (const double e : errors(t)) CHECK(e <= 4 * eps<double>);

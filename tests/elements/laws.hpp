@@ -2,16 +2,13 @@
 
 #include <kte/testing/element_laws.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <limits>
 
+#include "digits50.hpp"
 #include "random.hpp"
 
 /// The laws of elements at double and at 50 digits.
 namespace kte::test {
-
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 template <class S>
 const S eps = std::numeric_limits<S>::epsilon();

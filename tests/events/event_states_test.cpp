@@ -1,10 +1,8 @@
 #include <kte/events/events.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include "catch.hpp"
+#include "digits50.hpp"
 
 // Events of states and times of every kind.
 
@@ -63,7 +61,7 @@ TEST_CASE("Events in every scalar, and of dynamic states") {
   check(1.0f, 1e-6);
   check(1.0, 3e-15);
   check(1.0l, 2e-18);
-  check(boost::multiprecision::cpp_bin_float_50(1), 1e-47);
+  check(kte::test::digits50(1), 1e-47);
 
   const auto f = [](double, const Eigen::VectorXd& x) -> Eigen::VectorXd { return Eigen::VectorXd::Ones(x.size()); };
   dormand_prince45 solver(f, 0.0, Eigen::VectorXd(Eigen::VectorXd::Zero(5)));

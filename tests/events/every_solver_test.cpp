@@ -1,4 +1,3 @@
-#include <kte/events/events.hpp>
 #include <kte/integrators/adams.hpp>
 #include <kte/integrators/bdf.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
@@ -12,58 +11,20 @@
 #include <kte/integrators/tr_bdf2.hpp>
 #include <kte/integrators/trapezoidal.hpp>
 
-#include <limits>
-#include <stdexcept>
-
 #include "catch.hpp"
+#include "events/sliding_block.hpp"
 
 // What holds for every solver that chooses its steps: after a failure it works again, and events start and end well.
 // One right-hand side and one list of events for all, so that each solver is compiled once.
 
 using namespace kte;
-using kte::test::contains_text;
-using kte::test::within;
+using namespace kte::test;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double half_swing = 3.14159265358979323846 / 10;
-
-/// A block of 1 kg on a spring of 100 N/m, with dry friction of 2 N, released at 1.03 m: it turns every pi / 10 s, each
-/// time 0.04 m nearer. Things may be wrong from a time on.
-struct block {
-  enum trouble { none, not_a_number, refusal, singular, bad_reset, bad_event, shaken };
-  trouble now = none;
-  double from = 0.5;
-  int direction = -1;
-  bool by_sign =
-      false;  ///< the direction is that of the speed: f jumps where it starts; differences for a Jacobian do too
-};
-using state = Eigen::Vector2d;
-const state released(1.03, 0);
-struct slides {
-  const block* b;
-  state operator()(double t, const state& x) const {
-    if (t > b->from && b->now == block::not_a_number) return {nan, nan};
-    if (t > b->from && b->now == block::refusal) throw bad_argument("kte: quaternion 'body' has length 0");
-    if (t > b->from && b->now == block::singular) throw singular_mass_matrix("kte: coordinate 'q2' moves no mass");
-    if (b->now == block::shaken) return {x[1], -100 * x[0] + 5 * std::sin(50 * t)};
-    const int direction = !b->by_sign ? b->direction : x[1] > 0 ? 1 : x[1] < 0 ? -1 : 0;
-    return {x[1], -100 * x[0] - 2 * direction};
-  }
-};
-/// Shaken by a force, without friction, from t0 on.
-state shaking(double t0, double t) {
-  const double far = -1.0 / 480, a = 1.03 - far * std::sin(50 * t0), b = -5 * far * std::cos(50 * t0);
-  const double c = std::cos(10 * (t - t0)), s = std::sin(10 * (t - t0));
-  return {a * c + b * s + far * std::sin(50 * t), -10 * a * s + 10 * b * c + 50 * far * std::cos(50 * t)};
-}
-/// Until the first turn.
-state sliding(double t) { return {0.02 + 1.01 * std::cos(10 * t), -10.1 * std::sin(10 * t)}; }
-
 auto turns_of(block& b) {
   return events(event([&b](double t, const state& x) {
-                  return b.now == block::bad_event && t > 0.2 ? nan : x[1];
+                  return b.now == block::bad_event && t > 0.2 ? no_number : x[1];
                 }).reset([&b](double t, state& x) {
     if (b.now == block::bad_reset) throw std::domain_error("no reset");
     x[1] = 0;
@@ -218,50 +179,6 @@ void check_limits() {
   }
 }
 
-/// What tolerances of 1e-14 and 1e-15 may cost, times what 1e-12 does.
-struct growth {
-  double at_14, at_15;
-};
-/// Tolerances near or below what rounding allows cost no more than what the order asks, and are no worse. Late times
-/// are rounded to t0 eps, and with them the force that shakes, by 250 N/s at most.
-template <template <class, class> class Method>
-void check_rounding(std::initializer_list<double> starts, growth most) {
-  for (double t0 : starts) {
-    CAPTURE(t0);
-    const auto cost_and_error = [&](double tol) {
-      block b{.now = block::shaken};
-      Method<slides, state> solver(slides{&b}, t0, released, {.absolute = tol, .relative = tol});
-      solver.integrate(t0 + 2);
-      const double error = (solver.state() - shaking(t0, t0 + 2)).norm();
-      return std::pair(static_cast<double>(solver.statistics().evaluations), error);
-    };
-    const auto [cost, error] = cost_and_error(1e-12);
-    for (double tol : {1e-14, 1e-15}) {
-      const auto [more, less] = cost_and_error(tol);
-      CHECK(more < (tol == 1e-14 ? most.at_14 : most.at_15) * cost);
-      CHECK(less < error + 250 * t0 * std::numeric_limits<double>::epsilon());
-    }
-  }
-}
-/// The force that shakes is as smooth at late times: tolerances far above rounding cost what they cost at time 0.
-template <template <class, class> class Method>
-void check_late() {
-  const auto cost_and_error = [](double t0) {
-    block b{.now = block::shaken};
-    Method<slides, state> solver(slides{&b}, t0, released, {.absolute = 1e-9, .relative = 1e-9});
-    solver.integrate(t0 + 2);
-    const double error = (solver.state() - shaking(t0, t0 + 2)).norm();
-    return std::pair(static_cast<double>(solver.statistics().evaluations), error);
-  };
-  const auto [cost, error] = cost_and_error(0);
-  for (double t0 : {1000.0, 4000.0}) {
-    CAPTURE(t0);
-    const auto [late_cost, late_error] = cost_and_error(t0);
-    CHECK(late_cost < 1.15 * cost);  // where rounding of t matters, one more evaluation a step
-    CHECK(late_error < 2 * error);
-  }
-}
-
 }  // namespace
 
 TEST_CASE("Zero at the start is no event, for every solver and tolerance") {
@@ -332,34 +249,4 @@ TEST_CASE("A solution is the dense output of every solver, from its start to its
   SECTION("tr_bdf2") { check_solution<tr_bdf2>(); }
   SECTION("trapezoidal") { check_solution<trapezoidal>(); }
   SECTION("kennedy_carpenter34") { check_solution<kennedy_carpenter34>(); }
-}
-
-TEST_CASE("Tolerances near rounding cost no more than their order asks") {
-  constexpr growth order_5{2.6, 4.1};  // 10^(2/5), 10^(3/5)
-  SECTION("fehlberg45") { check_rounding<fehlberg45>({0, 1000, 4000}, order_5); }
-  SECTION("dormand_prince45") { check_rounding<dormand_prince45>({0, 1000, 4000}, order_5); }
-  SECTION("prince_dormand87") { check_rounding<prince_dormand87>({0, 1000, 4000}, {1.9, 2.5}); }  // order 8
-  SECTION("adams") { check_rounding<adams>({0, 1000, 4000}, {2.2, 2.8}); }  // rounding makes order 12 no use
-  SECTION("bdf") { check_rounding<bdf>({0, 1000, 4000}, {2.3, 3.3}); }      // 10^(2/6), 10^(3/6)
-  SECTION("rodas") { check_rounding<rodas>({0, 1000}, {3.5, 6.5}); }        // 10^(2/4), 10^(3/4)
-}
-
-TEST_CASE("Late times cost methods that need df/dt no more than early ones") {
-  SECTION("rodas") { check_late<rodas>(); }
-  SECTION("rosenbrock23") { check_late<rosenbrock23>(); }
-}
-
-TEST_CASE("Differences by time never ask for what was before a start") {
-  double first = 1000;
-  const auto shake = [&first](double t, const state& x) -> state {
-    first = std::min(first, t);
-    return {x[1], -100 * x[0] + 5 * std::sin(50 * t)};
-  };
-  rodas<decltype(shake), state> solver(shake, 1000.0, released, {.absolute = 1e-13, .relative = 1e-13});
-  solver.integrate(1000.02);
-  CHECK(first == 1000.0);
-  first = 2000;
-  solver.restart(1000.02, released);
-  solver.integrate(1000.04);
-  CHECK(first == 1000.02);
 }

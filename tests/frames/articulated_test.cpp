@@ -1,9 +1,8 @@
 #include <kte/frames/articulated.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <limits>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "math/draw.hpp"
 
@@ -11,7 +10,7 @@
 
 using namespace kte;
 using test::draw;
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = kte::test::digits50;
 
 namespace {
 

@@ -4,14 +4,11 @@
 #include <kte/math/axis_angle.hpp>
 #include <kte/testing/detail/numeric.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "digits50.hpp"
 #include "random.hpp"
 
 /// Random motions, motions along given curves, and how far motions are apart.
 namespace kte::test {
-
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 template <class S>
 vec3<S> random_vector(random_numbers& draw) {

@@ -8,7 +8,7 @@
 
 using namespace kte;
 using namespace kte::test;
-using digits50 = boost::multiprecision::cpp_bin_float_50;
+using many_digits = boost::multiprecision::cpp_bin_float_50;
 using digits100 = boost::multiprecision::cpp_bin_float_100;
 
 namespace {
@@ -127,7 +127,7 @@ void check_logarithm(random_numbers& draw, const vec3<S>& w, const S& scale) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigid_motion]", double, digits50) {
+TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigid_motion]", double, many_digits) {
   random_numbers draw(1);
   for (const auto& t : angles<TestType>())
     for (int i = 0; i < 5; ++i) check_exponential<TestType>(draw, t * direction<TestType>(draw), TestType(1));
@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigi
     for (int i = 0; i < 5; ++i) check_exponential<TestType>(draw, TestType(t) * direction<TestType>(draw), TestType(1));
 }
 
-TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "[math][rigid_motion]", double, digits50) {
+TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "[math][rigid_motion]", double, many_digits) {
   random_numbers draw(2);
   for (const auto& t : angles<TestType>())
     for (int i = 0; i < 5; ++i) check_logarithm<TestType>(draw, t * direction<TestType>(draw), TestType(1));
@@ -147,7 +147,7 @@ TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "[math][rigid_
       check_logarithm<TestType>(draw, TestType(t) * direction<TestType>(draw), TestType(scale));
 }
 
-TEMPLATE_TEST_CASE("exponential and logarithm undo each other", "[math][rigid_motion]", double, digits50) {
+TEMPLATE_TEST_CASE("exponential and logarithm undo each other", "[math][rigid_motion]", double, many_digits) {
   using S = TestType;
   random_numbers draw(3);
   for (const auto& t : angles<S>())

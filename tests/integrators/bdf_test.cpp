@@ -1,11 +1,9 @@
 #include <kte/integrators/bdf.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include <cmath>
 #include <vector>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 
 using namespace kte;
@@ -13,7 +11,7 @@ using kte::test::contains_text;
 
 namespace {
 
-using real50 = boost::multiprecision::cpp_bin_float_50;
+using real50 = kte::test::digits50;
 template <class S>
 using one = Eigen::Matrix<S, 1, 1>;
 constexpr bdf_formula ndf = bdf_formula::numerical_differentiation, plain = bdf_formula::backward_differentiation;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 
 #include <array>
 #include <complex>
+
+#include "digits50.hpp"
 
 /// Order conditions up to 4 and the stability of implicit methods, Runge-Kutta and Rosenbrock. With A the weights of
 /// slopes in stages, B = A + Gamma for Rosenbrock methods and B = A for others, c = A 1:
@@ -17,7 +17,7 @@
 /// Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.7, table 7.1 and (7.14).
 namespace kte::test {
 
-using real50 = boost::multiprecision::cpp_bin_float_50;
+using real50 = digits50;
 
 template <std::size_t Stages>
 struct implicit_method {

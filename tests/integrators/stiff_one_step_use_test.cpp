@@ -4,11 +4,9 @@
 #include <kte/integrators/tr_bdf2.hpp>
 #include <kte/integrators/trapezoidal.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include <limits>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 
 // How one-step methods for stiff systems are used, and how they fail.
@@ -132,7 +130,7 @@ S decayed(const S& tolerance) {
 /// Methods of order 2 take some 100 steps at 1e-8, and each may miss by that.
 template <template <class, class> class Method>
 void check_scalars() {
-  using real50 = boost::multiprecision::cpp_bin_float_50;
+  using real50 = kte::test::digits50;
   CHECK(decayed<float, Method>(1e-4f) == within(std::exp(-1.0), 1e-3));
   CHECK(static_cast<double>(decayed<long double, Method>(1e-8L) - std::exp(-1.0L)) == within(0.0, 2e-6));
   CHECK(static_cast<double>(decayed<real50, Method>(1e-8) - exp(real50(-1))) == within(0.0, 2e-6));

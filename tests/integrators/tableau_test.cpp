@@ -7,11 +7,11 @@
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "integrators/order_conditions.hpp"
 
@@ -74,7 +74,7 @@ void check_embedded() {
   }
 }
 
-using real50 = boost::multiprecision::cpp_bin_float_50;
+using real50 = kte::test::digits50;
 
 /// A tableau and the stages of its extension in one.
 template <class Tableau>

@@ -1,16 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 
 #include <algorithm>
 #include <cmath>
 
+#include "digits50.hpp"
+
 /// A pendulum and a linear oscillator, at any precision.
 namespace kte::test {
 
-using real50 = boost::multiprecision::cpp_bin_float_50;
+using real50 = digits50;
 template <class S>
 using state = Eigen::Matrix<S, 2, 1>;
 

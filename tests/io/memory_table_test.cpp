@@ -3,10 +3,10 @@
 #include <kte/io/table_writer.hpp>
 
 #include <Eigen/Core>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <array>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "scratch.hpp"
 
@@ -44,7 +44,7 @@ TEST_CASE("A table in memory is what the same rows give in a file of any format"
 }
 
 TEST_CASE("Rows take numbers and vectors of any scalar type") {
-  using many_digits = boost::multiprecision::cpp_bin_float_50;
+  using many_digits = kte::test::digits50;
   memory_table out({"a", "b", "c", "d"});
   out.row(many_digits(1) / 3, 0.5L, Eigen::Vector2f(0.25f, -2));
   CHECK(out.contents().columns == std::vector<std::vector<double>>{{1.0 / 3}, {0.5}, {0.25}, {-2}});

@@ -1,12 +1,10 @@
 #include <kte/manipulators/quartic_subproblems.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "random.hpp"
 
 using namespace kte;
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
 template <class S>
@@ -60,7 +58,7 @@ TEST_CASE("subproblem 6: the angles a question was made of are among the answers
     }
   };
   ask(double{}, 1e-9);
-  ask(digits50{}, 1e-9);
+  ask(kte::test::digits50{}, 1e-9);
 }
 
 TEST_CASE("subproblem 5: also where axes meet") {

@@ -1,12 +1,10 @@
 #include <kte/manipulators/subproblems.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "random.hpp"
 
 using namespace kte;
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
 template <class S>
@@ -73,7 +71,7 @@ TEST_CASE("subproblems 1 to 4 and the triangle give back the question") {
   ask_all<double>(1e-14);
   ask_all<float>(5e-6);
   ask_all<long double>(1e-17);
-  ask_all<digits50>(1e-47);
+  ask_all<kte::test::digits50>(1e-47);
 }
 
 TEST_CASE("a cos t + b sin t = c at its border") {
@@ -96,7 +94,7 @@ TEST_CASE("next to its border an angle has all the digits that 50 digits give it
   for (int k = 1; k <= 15; ++k) {
     const double c = 1 - std::pow(10.0, -k);
     const auto t = linear_in_angle(1.0, 0.0, c);
-    const double exact = static_cast<double>(linear_in_angle(digits50(1), digits50(0), digits50(c)).plus.value());
+    const double exact = static_cast<double>(linear_in_angle(kte::test::digits50(1), kte::test::digits50(0), kte::test::digits50(c)).plus.value());
     CHECK(t.plus.value() == within_relative(exact, 4e-16));
   }
 }

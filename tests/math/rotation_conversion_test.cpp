@@ -1,12 +1,12 @@
 #include <kte/math/axis.hpp>
 
 #include <Eigen/Geometry>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include "digits50.hpp"
 #include "catch.hpp"
 #include "math/draw.hpp"
 #include "math/gap.hpp"
@@ -14,7 +14,6 @@
 using namespace kte;
 using test::eigen;
 using test::gap;
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
 
@@ -94,19 +93,19 @@ TEST_CASE("conversions of random rotations are mutually inverse", "[math][rotati
 }
 
 TEST_CASE("conversions keep fifty digits", "[math][rotation][long]") {
-  check_round_trips<digits50>(1000, digits50(1e-48) / 12);
+  check_round_trips<kte::test::digits50>(1000, kte::test::digits50(1e-48) / 12);
   using std::sqrt;
-  const digits50 pi50 = boost::math::constants::pi<digits50>();
-  const vec3<digits50> n{digits50(2) / 7, digits50(-3) / 7, digits50(6) / 7};
-  for (const digits50& t : {digits50("1e-300"), digits50("1e-40"), digits50("1e-8"), digits50(1), digits50(pi50 / 2)}) {
-    const axis_angle<digits50> a{t, n};
+  const kte::test::digits50 pi50 = boost::math::constants::pi<kte::test::digits50>();
+  const vec3<kte::test::digits50> n{kte::test::digits50(2) / 7, kte::test::digits50(-3) / 7, kte::test::digits50(6) / 7};
+  for (const kte::test::digits50& t : {kte::test::digits50("1e-300"), kte::test::digits50("1e-40"), kte::test::digits50("1e-8"), kte::test::digits50(1), kte::test::digits50(pi50 / 2)}) {
+    const axis_angle<kte::test::digits50> a{t, n};
     const auto r = t * n;
-    CHECK(gap(to_rotation_vector(matrix(a)), r) <= digits50("1e-48") * t);
-    CHECK(gap(to_rotation_vector(matrix(r)), r) <= digits50("1e-48") * t);
-    CHECK(gap(to_axis_angle(to_quaternion(r)).axis, n) <= digits50("1e-48"));
-    CHECK(test::size(digits50(to_axis_angle(r).angle - t)) <= digits50("1e-48") * t);
+    CHECK(gap(to_rotation_vector(matrix(a)), r) <= kte::test::digits50("1e-48") * t);
+    CHECK(gap(to_rotation_vector(matrix(r)), r) <= kte::test::digits50("1e-48") * t);
+    CHECK(gap(to_axis_angle(to_quaternion(r)).axis, n) <= kte::test::digits50("1e-48"));
+    CHECK(test::size(kte::test::digits50(to_axis_angle(r).angle - t)) <= kte::test::digits50("1e-48") * t);
   }
-  CHECK(gap(matrix(axis_angle<digits50>{pi50, n}), matrix(axis_angle<digits50>{pi50, -n})) <= digits50("1e-48"));
+  CHECK(gap(matrix(axis_angle<kte::test::digits50>{pi50, n}), matrix(axis_angle<kte::test::digits50>{pi50, -n})) <= kte::test::digits50("1e-48"));
 }
 
 TEST_CASE("conversions agree with Eigen and with Rodrigues", "[math][rotation]") {
