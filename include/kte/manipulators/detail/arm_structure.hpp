@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/manipulators/detail/arm_geometry.hpp>
+#include <kte/manipulators/detail/singular_axes.hpp>
 #include <kte/math/principal_moments.hpp>
 
 #include <cstdint>
@@ -163,7 +163,7 @@ constexpr bool fits_six_either_way(arm_structure& s, const arm_geometry& arm, do
   arm_structure there = s, back = s;
   there.arm = arm, back.arm = reversed(arm), back.backwards = true;
   const bool ahead = fits_six(there, most_rad, most_m), behind = fits_six(back, most_rad, most_m);
-  if (!ahead && !behind) return false;
+  if ((!ahead && !behind) || singular_everywhere(arm, s.reach)) return false;
   const auto simple = [](const arm_structure& x) {
     return x.form == closed_form::wrist_parallel || x.form == closed_form::parallel_meeting;
   };
@@ -192,6 +192,7 @@ constexpr bool fits_planar(arm_structure& s, double most_rad) {
   const axes_of a{s.original};
   for (int i = 1; i < s.original.n; ++i)
     if (a.sine(0, i) > most_rad) return false;
+  if (singular_everywhere(s.original, s.reach)) return false;
   s.arm = s.original;
   for (int i = 1; i < s.original.n; ++i) align(s, i, 0);
   const int n = s.original.n, turning = s.original.turning();

@@ -10,6 +10,8 @@ inline std::string why_no_closed_form(const arm_structure& s) {
   const arm_geometry& arm = s.original;
   if (arm.refused != nullptr) return std::string("no closed form of inverse kinematics: the arm ") + arm.refused;
   const std::string few = "no closed form of inverse kinematics for an arm of ";
+  if (arm.n > 0 && arm.n <= 6 && s.reach > 0 && singular_everywhere(arm, s.reach))
+    return few + std::to_string(arm.n) + " joints that is singular in every posture, as where four axes meet in a point";
   const auto turning = std::to_string(arm.turning()) + " joints that turn";
   const bool serial = arm.turning() == arm.n && (arm.n == 6 || arm.n == 7);
   if (!serial) {
