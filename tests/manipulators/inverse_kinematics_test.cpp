@@ -241,6 +241,13 @@ TEST_CASE("arms without a closed form say what their axes miss") {
                   {e_y, {0, 0, 0}},
                   {e_z, none}}),
      "axes 4, 5, 6 pass within");
+  no(chain(none, {{e_z, {0, 0, 1}},
+                  {e_y, {1, .1, .1}},
+                  {e_y, {0, .1, .5}},
+                  {{std::sin(1e-5), std::cos(1e-5), 0}, {0, 1e-4, .5}},
+                  {e_z, {.1, 0, 0}},
+                  {e_x, none}}),
+     "axes 3, 4, 5 are 1.5707963267948");
   no(chain(none, {{e_z, {0, 0, 1}}, {e_y, none}}), "for an arm of 2 joints that turn");
   no(chain(none, {{e_z, {0, 0, 1}}, {e_y, {1, 0, 0}}, {e_y, none}}), "whose axes are not parallel");
 }
