@@ -17,6 +17,18 @@ auto starting_configuration(const Arm& arm) {
   return neutral_configuration(arm).template cast<S>().eval();
 }
 
+/// Does not compile where the type of a static arm says that it has no closed form, whatever its numbers are.
+template <class Chain, key_type First, key_type... More>
+constexpr void refuse_by_type(const manipulator<Chain, tool_keys<First, More...>>&) {
+  static_assert(sizeof...(More) == 0,
+                "kte: inverse kinematics in closed form is of an arm with one tool; kte::clik takes goals of several");
+  static_assert(sizeof...(More) > 0 || may_have_closed_form<First, Chain>(),
+                "kte: no closed form of inverse kinematics: for that an arm has three, four, six or seven joints of "
+                "one free coordinate each between base and tool; kte::clik solves others");
+}
+template <class Arm>
+constexpr void refuse_by_type(const Arm&) {}
+
 /// Throws unless this arm has a closed form.
 template <class Arm>
 void check_closed_form(const Arm& arm) {
@@ -113,9 +125,10 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
 /// which are not `exact`.
 ///
 /// Generic in the scalar of the pose, so also derivatives by dual numbers. Throws `no_closed_form`, and `bad_argument`
-/// for a pose that is none.
+/// for a pose that is none; where the type of a static arm says that it has no closed form, it does not compile.
 template <class Chain, class Tools, class Rotation, class Position>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {
+  detail::refuse_by_type(arm);
   detail::check_closed_form(arm);
   const auto x = detail::checked_pose(detail::spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
@@ -125,6 +138,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
 /// The same of an arm of seven axes at an arm angle.
 template <class Chain, class Tools, class Rotation, class Position>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted, arm_angle angle) {
+  detail::refuse_by_type(arm);
   detail::check_arm_angle(arm);
   if (!(angle.psi - angle.psi == 0)) detail::raise<bad_argument>("kte: an arm angle must be finite");
   const auto x = detail::checked_pose(detail::spatial(wanted));
@@ -136,6 +150,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
 template <class Chain, class Tools, class Rotation, class Position>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                         const locked_joint& joint) {
+  detail::refuse_by_type(arm);
   if (!(joint.value - joint.value == 0)) detail::raise<bad_argument>("kte: the value of a locked joint must be finite");
   const auto s = detail::structure_locked(arm, joint.coordinate);
   const auto x = detail::checked_pose(detail::spatial(wanted));

@@ -65,11 +65,16 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
  private:
   template <class Numbers>
   static constexpr limits_type checked(const Chain& c, const joint_limits<Numbers>& limits) {
-    static_assert(std::is_same_v<joint_limits<Numbers>, limits_type>,
+    constexpr bool sized = std::is_same_v<joint_limits<Numbers>, limits_type>;
+    static_assert(sized,
                   "kte: limits of a static chain are those of as many numbers as it has degrees of freedom: begin with "
                   "kte::unlimited(chain)");
-    check_limits(c, limits);
-    return limits;
+    if constexpr (sized) {
+      check_limits(c, limits);
+      return limits;
+    } else {
+      return {};  // one mistake, one error
+    }
   }
 
   limits_type limits_{};

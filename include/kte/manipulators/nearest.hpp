@@ -106,6 +106,7 @@ template <class Chain, class Tools, class Rotation, class Position, class Q>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                         const nearest_to<Q>& to) {
   using namespace detail;
+  refuse_by_type(arm);
   check_closed_form(arm);
   const auto x = checked_pose(spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
