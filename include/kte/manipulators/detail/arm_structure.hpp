@@ -126,6 +126,11 @@ constexpr bool fits_six(arm_structure& s, double most_rad, double most_m) {
       align(s, 2, 1);
       s.form = closed_form::wrist_parallel;
     } else {
+      // Where two of the first axes meet, one angle is alone in an equation (quartic_subproblems.hpp).
+      if (const auto first = a.meet(0, 1); first.miss <= most_m)
+        put_points(s, 0, 1, first.at);
+      else if (const auto second = a.meet(1, 2); second.miss <= most_m)
+        put_points(s, 1, 2, second.at);
       s.form = closed_form::wrist_general;
     }
     return true;
