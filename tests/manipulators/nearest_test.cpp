@@ -184,6 +184,23 @@ TEST_CASE("what cannot be reached says why") {
   CHECK_THROWS_MATCHES(inverse_kinematics(arm, x, arm_angle(0)), bad_argument, says("no arm angle"));
 }
 
+TEST_CASE("what has no answer at all has no best one") {
+  const manipulator arm(bent(), "tool");
+  const numbers q = numbers::Constant(6, 0.3);
+  auto x = arm.getDependentPoses(q)[0];
+  x.position.x += 100;
+  CHECK(inverse_kinematics(arm, x).empty());
+  try {
+    inverse_kinematics(arm, x, nearest(q));
+    FAIL("reached");
+  } catch (const unreachable& e) {
+    CHECK(e.reason == unreachable_reason::distance);
+    CHECK(e.q.empty());
+    CHECK(std::isinf(e.position));
+    CHECK(std::string_view(e.what()) == "kte: this pose cannot be reached");
+  }
+}
+
 TEST_CASE("joints of two turns have all their answers") {
   const auto c = ur5();
   auto limits = unlimited(c);

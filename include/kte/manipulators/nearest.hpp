@@ -101,7 +101,8 @@ best_answer<Q> best_near(const Arm& arm, const plain_pose_of<S>& x, const Q& now
 /// where limits let them be. Angles that are free stay as they are. An arm of seven axes keeps its arm angle (or the
 /// joint that is held); where nothing is within limits there, it takes the nearest angle at which something is.
 ///
-/// Throws `unreachable` where there is none, with the best that there is.
+/// Throws `unreachable` where there is none, with the best that there is; without one, and infinitely far, where the
+/// formulas have no answer at all.
 template <class Chain, class Tools, class Rotation, class Position, class Q>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                         const nearest_to<Q>& to) {
@@ -116,6 +117,9 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   for (Eigen::Index i = 0; i < now.size(); ++i)
     if (!(now[i] - now[i] == S(0))) raise<bad_argument>("kte: inverse kinematics: q_now is not finite");
   const auto best = best_near(arm, x, now);
+  if (best.is == best.none)  // equations of degree four may have no answer, not even one of least squares
+    raise<unreachable>("kte: this pose cannot be reached", unreachable_reason::distance, std::vector<double>{},
+                       std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
   if (best.is != best.good) {
     std::vector<double> q;
     for (Eigen::Index i = 0; i < best.answer.q.size(); ++i) q.push_back(double_of(best.answer.q[i]));
