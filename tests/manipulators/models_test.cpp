@@ -184,5 +184,5 @@ TEST_CASE("Bodies that move freely, with tools") {
   const std::array<double, 6> none{};
   CHECK(forward_dynamics(c, s, std::array<double, 7>{0, 0, 0, 1, 0, 0, 0}, none, none)[2] == within(-9.81, 2e-15));
   CHECK(record_of(free_floater_2D_chain(along_x(0.3), 2.0, 0.1)).elements.size() == 3);
-  CHECK(free_floater().tools() == 1);
+  CHECK(free_floater().tools().size() == 1);
 }

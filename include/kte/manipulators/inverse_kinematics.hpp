@@ -32,9 +32,9 @@ constexpr void refuse_by_type(const Arm&) {}
 /// Throws unless this arm has a closed form.
 template <class Arm>
 void check_closed_form(const Arm& arm) {
-  if (arm.tools() != 1)
+  if (arm.tools().size() != 1)
     raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
-                        std::to_string(arm.tools()));
+                        std::to_string(arm.tools().size()));
   if (arm.structure().form == closed_form::none) raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()));
 }
 

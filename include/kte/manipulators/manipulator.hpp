@@ -56,7 +56,6 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
 
   /// Infinite, where none were given.
   constexpr const limits_type& limits() const { return limits_; }
-  static constexpr std::size_t tools() { return sizeof...(Tools); }
   /// What makes its inverse kinematics closed form, if it is: found from the axes of the joints that move the first
   /// tool, while compiling where the arm is `constexpr`.
   constexpr arm_family family() const { return structure_.family; }
