@@ -190,6 +190,64 @@ TEST_CASE("arms that are singular in every posture say so") {
   }
 }
 
+TEST_CASE("axes that almost lie as formulas have them, within a tolerance") {
+  const auto off = [](const vec3<>& axis, double x, double y) {
+    const vec3<> v = axis + vec3<>{x, y, -x};
+    return vec3<>{(1 / std::sqrt(dot(v, v))) * v};
+  };
+  // An industrial arm, a UR5, an iiwa14 and a Panda as calibrated.
+  const auto industrial = chain(none, {{e_z, {1e-4, 0, 1}},
+                                       {off(minus_y, 3e-5, 0), {0, -7e-5, 1}},
+                                       {minus_y, {5e-5, 1e-4, .5}},
+                                       {off(e_z, 2e-5, -1e-5), {1e-4, -6e-5, .5}},
+                                       {minus_y, {-8e-5, 0, .2}},
+                                       {e_z, none}});
+  const auto universal = chain({0, 0, .089159}, {{e_z, {0, .13585, 0}},
+                                                 {e_y, {.425, -.1197, 1e-4}},
+                                                 {off(e_y, 4e-5, 1e-5), {.39225, 0, 0}},
+                                                 {e_y, {0, .093, 0}},
+                                                 {off(minus_z, 1e-4, 0), {5e-5, 0, -.09465}},
+                                                 {e_y, {0, .0823, 0}}});
+  const auto kuka = chain(none, {{e_z, {0, 1e-4, .36}},
+                                 {e_y, {5e-5, 0, 0}},
+                                 {e_z, {0, 0, .42}},
+                                 {minus_y, none},
+                                 {e_z, {0, 1e-4, .4}},
+                                 {off(e_y, 0, 3e-5), none},
+                                 {e_z, {0, 0, .126}}});
+  const auto franka = chain({0, 0, .333}, {{e_z, {1e-4, 0, 0}},
+                                           {e_y, {0, 0, .316}},
+                                           {off(e_z, 1e-5, 1e-5), {.0825, 0, 0}},
+                                           {minus_y, {-.0825, 0, .384}},
+                                           {e_z, none},
+                                           {minus_y, {.088, 0, 0}},
+                                           {minus_z, {0, 0, -.107}}});
+  for (const auto& c : {industrial, universal, kuka, franka}) {
+    const model strict(c, "tool");
+    CHECK(strict.family() == arm_family::none);
+    const auto arm = strict.with_axes_within(1e-3);
+    REQUIRE(arm.family() != arm_family::none);
+    random_numbers random(12);
+    int exact = 0, found = 0;
+    for (int k = 0; k < 100; ++k) {
+      const auto q = random_posture(random, arm.dofs());
+      const auto r =
+          arm.family() == arm_family::srs ? check_answers(arm, q, arm_angle(arm_angle_of(arm, q))) : answers_at(arm, q);
+      CHECK(r.position <= 1e-14);
+      CHECK(r.rotation <= 1e-14);
+      CHECK(r.finite);
+      exact += r.exact, found += r.found < 1e-9;
+    }
+    CHECK(exact >= 500);
+    // Of arms with an arm angle this is as near to what was asked for as axes are to each other.
+    if (arm.family() != arm_family::srs) CHECK(found >= 97);
+  }
+  const model arm(industrial, "tool");
+  CHECK(arm.with_axes_within(1e-6).family() == arm_family::none);
+  CHECK_THROWS_MATCHES(arm.with_axes_within(0), bad_parameter, says("between 0 and 0.1, got 0"));
+  CHECK_THROWS_AS(arm.with_axes_within(NAN), bad_parameter);
+}
+
 TEST_CASE("derivatives of the answers of every family are those of the Jacobian") {
   using number = dual<double, 1>;
   const vec3<> u{0.2, -0.4, 0.7}, w{-0.5, 0.3, 0.1};

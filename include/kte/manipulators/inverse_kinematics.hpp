@@ -47,12 +47,24 @@ free_angles<S> raw_angles(const arm_geometry& arm, const Q& q) {
   return x;
 }
 
+/// By Newton's method, of arms whose axes do not quite lie as the formulas have them.
+template <class S>
+void sharpen(const arm_structure& s, const plain_pose_of<S>& x, std::array<S, arm_geometry::most>& t) {
+  const double enough = 8 * double_of(std::numeric_limits<S>::epsilon());
+  for (int k = 0; k < 8; ++k) {
+    const auto gap = gap_between(tool_pose(s.original, t), x);
+    if (double_of(gap.position) <= enough * s.reach && double_of(gap.rotation) <= enough) return;
+    newton_step(s.original, s.held == 0 ? 1u : 0u, x, t, 0.1);
+  }
+}
+
 /// One of the raw answers as users get it: limits, then residual.
 template <class Arm, class S, class Q>
 ik_answer<Q> finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
                       const raw_answer<S>& raw) {
   ik_answer<Q> a{start};
   auto t = raw.t;
+  if (s.tolerance > arm_structure::strict && s.original.n >= 6) sharpen(s, x, t);
   a.branch = raw.branch, a.within_limits = true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
     const auto v = static_cast<std::size_t>(s.original.in_v[i]);
@@ -104,7 +116,7 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
     if (std::string_view(e.name) != coordinate) continue;
     for (const int i : {0, last})
       if (last == 6 && s.original.in_q[static_cast<std::size_t>(i)] == e.q) {
-        const auto held = with_held(s.original, i);
+        const auto held = with_held(s.original, i, s.tolerance);
         if (held.form != closed_form::none) return held;
       }
     raise<no_closed_form>("kte: no closed form of inverse kinematics with '" + std::string(coordinate) +

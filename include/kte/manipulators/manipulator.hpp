@@ -60,6 +60,15 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
   /// tool, while compiling where the arm is `constexpr`.
   constexpr arm_family family() const { return structure_.family; }
   constexpr const detail::arm_structure& structure() const { return structure_; }
+  /// The same arm whose axes count as parallel within `tolerance`, rad, and as meeting within that part of its reach,
+  /// instead of 1e-9: for arms as calibrated, and for files that have 1.5708 for a quarter turn. Formulas of six and
+  /// seven axes then give where Newton's method begins, whose answers are exact again; next to singular postures they
+  /// may not be.
+  constexpr manipulator with_axes_within(double tolerance) const {
+    auto arm = *this;
+    arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
+    return arm;
+  }
 
  private:
   template <class Numbers>

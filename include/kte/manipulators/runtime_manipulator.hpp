@@ -39,6 +39,11 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
   const joint_limits<>& limits() const { return limits_; }
   arm_family family() const { return structure_.family; }
   const detail::arm_structure& structure() const { return structure_; }
+  manipulator with_axes_within(double tolerance) const {
+    auto arm = *this;
+    arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
+    return arm;
+  }
 
  private:
   joint_limits<> limits_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/errors.hpp>
 #include <kte/manipulators/detail/singular_axes.hpp>
 #include <kte/math/principal_moments.hpp>
 
@@ -84,6 +85,16 @@ struct axes_of {
   }
 };
 
+/// `tolerance` of arms, if it makes sense.
+constexpr double checked_tolerance(double tolerance) {
+  if (!(tolerance > 0 && tolerance < 0.1))
+    raise<bad_parameter>(
+        "kte: the tolerance within which axes count as parallel and as meeting must be between 0 and "
+        "0.1, got " +
+        number(tolerance));
+  return tolerance;
+}
+
 /// An arm with what the formulas need of it. Joints i of `arm` turn by t_i = sign_i q_i about its axes, origins of
 /// joints that meet moved to where they do.
 struct arm_structure {
@@ -94,6 +105,9 @@ struct arm_structure {
   arm_geometry original, arm;
   std::array<double, arm_geometry::most> sign{1, 1, 1, 1, 1, 1, 1, 1};
   double reach = 0;
+  /// Within which axes count as parallel, rad, and as meeting, of the reach.
+  static constexpr double strict = 1e-9;
+  double tolerance = strict;
 
   constexpr const vec3<>& h(int i) const { return arm.axis[static_cast<std::size_t>(i)]; }
   constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
@@ -213,9 +227,9 @@ constexpr bool fits_planar(arm_structure& s, double most_rad) {
 }
 
 /// Seven axes of which one is held.
-constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tolerance = 1e-9) {
+constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tolerance) {
   arm_structure s;
-  s.original = arm, s.reach = reach_of(arm);
+  s.original = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   const auto six = joint == 0 ? part_of(arm, 1, arm.n - 1) : part_of(arm, 0, arm.n - 2);
   if (fits_six_either_way(s, six, tolerance, tolerance * s.reach)) {
     s.held = joint, s.family = arm_family::offset_7R;
@@ -223,10 +237,9 @@ constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tol
   return s;
 }
 
-/// Axes count as parallel and as meeting within `tolerance`: rad, and of the reach.
-constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance = 1e-9) {
+constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance = arm_structure::strict) {
   arm_structure s;
-  s.original = arm, s.arm = arm, s.reach = reach_of(arm);
+  s.original = arm, s.arm = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   if (arm.refused != nullptr || !(s.reach > 0)) return s;
   const double most_m = tolerance * s.reach;
   const bool turns = arm.turning() == arm.n;
