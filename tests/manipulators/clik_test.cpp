@@ -200,6 +200,18 @@ TEST_CASE("Runtime arms, arms in the plane, free bodies") {
   CHECK(slid.q[2] == within(1, 1e-8));
 }
 
+TEST_CASE("clik in float") {
+  const auto arm = three_r();
+  const Eigen::Vector3f q(0.4f, 0.7f, -0.3f);
+  const auto wanted = forward_kinematics(arm, q, tool);
+  const auto r =
+      clik(arm, reach_position(tool, wanted.position), Eigen::Vector3f(0.1f, 0.2f, 0.1f), {.tolerance = 1e-6});
+  CHECK(r.status == clik_status::reached);
+  const auto p = forward_kinematics(arm, r.q, tool).position;
+  CHECK(p.x == within(wanted.position.x, 4e-6));
+  CHECK(p.y == within(wanted.position.y, 4e-6));
+}
+
 TEST_CASE("What makes no sense is refused") {
   const seven q = seven::Zero();
   const double nan = std::nan("");

@@ -285,3 +285,35 @@ TEST_CASE("derivatives of the answers of every family are those of the Jacobian"
     CHECK(exact >= 2);
   }
 }
+
+TEST_CASE("answers in float and in long double") {
+  const auto ask = [](auto scalar, double margin, double same) {
+    using S = decltype(scalar);
+    random_numbers random(13);
+    for (const auto& c : {plain_3R3R(), ur5(), ur5_with_offset(), iiwa14()}) {
+      const model arm(c, "tool");
+      for (int k = 0; k < 20; ++k) {
+        const auto q = random_posture(random, arm.dofs());
+        const auto x = arm.getDependentPoses(q)[0];
+        double nearest = 10;
+        const auto look = [&](const auto& all) {
+          for (const auto& a : all) {
+            if (!a.exact) continue;
+            CHECK(double(a.position) <= margin * arm.structure().reach);
+            CHECK(double(a.rotation) <= margin);
+            nearest = std::min(nearest, distance(a.q.template cast<double>(), q));
+          }
+        };
+        const pose wanted{as<S>(x.rotation), as<S>(x.position)};
+        if (arm.family() == arm_family::srs)
+          look(inverse_kinematics(arm, wanted, arm_angle(arm_angle_of(arm, q))));
+        else
+          look(inverse_kinematics(arm, wanted));
+        CHECK(nearest <= same);
+      }
+    }
+  };
+  // Poses are given to rounding of the scalar, or of double; next to singular postures angles are known less well.
+  ask(float{}, 5e-6, 1e-2);
+  ask(0.0L, 5e-18, 1e-9);
+}
