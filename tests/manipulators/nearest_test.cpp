@@ -45,6 +45,40 @@ TEST_CASE("seven axes by arm angle: eight answers, and the posture at its own an
   }
 }
 
+TEST_CASE("arm angles from the first axis: at 0 the elbow is above the line from shoulder to wrist") {
+  const auto c = iiwa14();
+  const manipulator arm(c, "tool", iiwa_limits(c));
+  constexpr auto from = arm_angle_from::first_axis;
+  // With q3 = 0 the elbow is in the plane of axis 1.
+  numbers up(7);
+  up << 0.3, 0.5, 0, 1.2, 0.4, 0.6, -0.2;  // axis 4 is -y: the forearm goes down in front
+  CHECK(std::abs(std::cos(arm_angle_of(arm, up, from))) == within(1, 1e-14));
+  random_numbers random(12);
+  for (int k = 0; k < 50; ++k) {
+    const auto q = within_limits(random, arm.limits());
+    const auto x = arm.getDependentPoses(q)[0];
+    const double psi = arm_angle_of(arm, q, from), here = arm_angle_of(arm, q);
+    double nearest = 10;
+    for (const auto& a : inverse_kinematics(arm, x, arm_angle(psi, from)))
+      nearest = std::min(nearest, distance(a.q, q));
+    CHECK(nearest < 1e-9);
+    // The elbow of psi = 0 is above the line, in the plane of axis 1 and the line.
+    const vec3<> shoulder = .36 * e_z, wrist = x.position - .126 * (x.rotation * e_z), w = wrist - shoulder;
+    for (const auto& a : inverse_kinematics(arm, x, arm_angle(0, from))) {
+      const vec3<> elbow = turned(e_z, angle_of(a.q[0]), turned(e_y, angle_of(a.q[1]), .42 * e_z));
+      CHECK(dot(elbow, cross(w, e_z)) == within(0, 1e-14));
+      CHECK(dot(elbow, cross(cross(w, e_z), w)) > 0);
+    }
+    const auto these = arm_angle_intervals(arm, x, from), those = arm_angle_intervals(arm, x);
+    REQUIRE(these.size() == those.size());
+    for (std::size_t i = 0; i < these.size(); ++i) {
+      CHECK(turn_between(these[i].lower - psi, those[i].lower - here) < 1e-12);
+      CHECK(turn_between(these[i].upper - psi, those[i].upper - here) < 1e-12);
+      CHECK(std::abs(these[i].lower) <= M_PI);
+    }
+  }
+}
+
 TEST_CASE("seven axes next to singular postures") {
   const manipulator arm(iiwa14(), "tool");
   for (const double step : steps())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
+#include <kte/manipulators/detail/arm_angle_reference.hpp>
 #include <kte/manipulators/detail/feasible_angles.hpp>
 #include <kte/manipulators/detail/wanted_pose.hpp>
 #include <kte/manipulators/detail/why_no_closed_form.hpp>
@@ -155,7 +156,9 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   if (!(angle.psi - angle.psi == 0)) detail::raise<bad_argument>("kte: an arm angle must be finite");
   const auto x = detail::checked_pose(detail::spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
-  return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), S(angle.psi));
+  const S psi = S(angle.psi) + detail::to_stereographic(arm.structure(), detail::goal_of(arm.structure(), x).position,
+                                                        angle.reference);
+  return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), psi);
 }
 
 /// The same of an arm of seven axes whose first or last joint stands still.
@@ -174,22 +177,32 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
 /// their ends to rounding (next to singular postures of shoulder or wrist, to its square root). Between them there is
 /// no answer within limits, however narrow they are. Of shoulders and wrists with right angles.
 template <class Chain, class Tools, class Rotation, class Position>
-detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
-                                           const pose<Rotation, Position>& wanted) {
+detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                                           arm_angle_from reference = arm_angle_from::stereographic) {
   detail::check_arm_angle(arm);
   const auto x = detail::checked_pose(detail::spatial(wanted));
   const auto [R, p] = detail::goal_of(arm.structure(), x);
-  return detail::feasible_angles(arm.structure(), R, p, detail::limits_of_joints(arm));
+  auto all = detail::feasible_angles(arm.structure(), R, p, detail::limits_of_joints(arm));
+  if (const double offset = detail::to_stereographic(arm.structure(), p, reference); offset != 0)
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      auto& way = all.item[i];
+      const double size = way.upper - way.lower;
+      way.lower = std::remainder(way.lower - offset, 2 * std::numbers::pi), way.upper = way.lower + size;
+    }
+  return all;
 }
 
 /// The arm angle of a posture.
 template <class Chain, class Tools, indexable Q>
-auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q) {
+auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q,
+                  arm_angle_from reference = arm_angle_from::stereographic) {
   detail::check_arm_angle(arm);
   using S = value_of<Q>;
   const auto& s = arm.structure();
   const auto joints = detail::raw_angles<S>(s.original, q).t;
-  return detail::arm_angle_at<S>(s, detail::goal_of(s, detail::tool_pose(s.original, joints)).position, joints);
+  const auto position = detail::goal_of(s, detail::tool_pose(s.original, joints)).position;
+  return detail::wrapped(
+      S(detail::arm_angle_at<S>(s, position, joints) - detail::to_stereographic<S>(s, position, reference)));
 }
 
 }  // namespace kte
