@@ -25,7 +25,10 @@ constexpr bool singular_everywhere(const arm_geometry& arm, double reach) {
     const vec3<> h = x.rotation * arm.axis[i], o = x.rotation * arm.point[i] + x.position, none{0, 0, 0};
     const vec3<> v = arm.slides[i] ? h : vec3<>((1 / reach) * cross(o, h)), w = arm.slides[i] ? none : h;
     column[i] = {v.x, v.y, v.z, w.x, w.y, w.z};
-    if (!arm.slides[i]) x = compose(x, joint_pose<double>(arm, i, posture[i]));
+    if (!arm.slides[i]) {
+      const auto r = as<double>(rotation_about(h, posture[i].cos, posture[i].sin));
+      x = {as<double>(r * x.rotation), vec3<>(o + r * vec3<>(x.position - o))};
+    }
   }
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t best = k, row = 0;
