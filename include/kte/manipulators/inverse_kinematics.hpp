@@ -26,44 +26,38 @@ void check_closed_form(const Arm& arm) {
   if (arm.structure().form == closed_form::none) raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()));
 }
 
-/// What is free in a configuration, by joint.
+/// A configuration, by joint.
 template <class S, class Q>
-free_angles<S> raw_angles(const arm_geometry& arm, const Q& q) {
-  free_angles<S> x;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i)
-    x.t[i] = S(q[static_cast<Eigen::Index>(arm.in_q[i])]);
-  return x;
+by_joint<S> raw_angles(const arm_geometry& arm, const Q& q) {
+  by_joint<S> t{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i) t[i] = S(q[static_cast<Eigen::Index>(arm.in_q[i])]);
+  return t;
 }
 
-/// One of the raw answers as users get it: limits, then residual.
-template <class Arm, class S, class Q>
-ik_answer<Q> finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
-                      const raw_answer<S>& raw) {
-  ik_answer<Q> a{start};
-  auto t = raw.t;
-  a.branch = raw.branch, a.within_limits = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
-    const auto v = static_cast<std::size_t>(s.original.in_v[i]);
-    const Eigen::Index q = s.original.in_q[i];
-    a.within_limits &= bring_within(arm.limits().lower[v], arm.limits().upper[v], s.original.slides[i], start[q], t[i]);
-    a.q[q] = t[i];
-    if (raw.free >> i & 1u) a.free |= 1u << v;
-  }
-  const auto gap = gap_between(tool_pose(s.original, t), x);
-  a.position = gap.position, a.rotation = gap.rotation;
-  const S least = S(64 * std::numeric_limits<S>::epsilon());
-  const auto within = [&least](const S& e, double tolerance, double unit) {
-    return e <= S(unit) * (least > S(tolerance) ? least : S(tolerance));
-  };
-  a.exact = within(a.position, ik_tolerance{}.position, s.reach) && within(a.rotation, ik_tolerance{}.rotation, 1);
-  return a;
-}
+/// All answers as users get them: with limits, in the order of q.
 template <class Arm, class S, class Q>
 ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
                            const S& extra) {
-  const auto raw = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
+  const auto solved = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
+  const S least = S(64 * std::numeric_limits<S>::epsilon());
+  const auto larger = [&least](double tolerance) { return least > S(tolerance) ? least : S(tolerance); };
+  const S most_m = S(s.reach) * larger(ik_tolerance{}.position), most_rad = larger(ik_tolerance{}.rotation);
   ik_answers<Q> all;
-  for (std::size_t i = 0; i < raw.size; ++i) all.push_back(finished(arm, s, x, start, raw.all[i]));
+  for (std::size_t k = 0; k < solved.size; ++k) {
+    const auto& y = solved.all[k];
+    auto& a = all.add(start);
+    a.branch = y.branch, a.within_limits = true;
+    a.position = y.gap.position, a.rotation = y.gap.rotation;
+    a.exact = a.position <= most_m && a.rotation <= most_rad;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
+      const auto v = static_cast<std::size_t>(s.original.in_v[i]);
+      const Eigen::Index q = s.original.in_q[i];
+      S t = y.t[i];
+      a.within_limits &= bring_within(arm.limits().lower[v], arm.limits().upper[v], s.original.slides[i], start[q], t);
+      a.q[q] = t;
+      if (y.free >> i & 1u) a.free |= 1u << v;
+    }
+  }
   return all;
 }
 template <class Arm>
@@ -161,7 +155,7 @@ auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q) {
   detail::check_arm_angle(arm);
   using S = value_of<Q>;
   const auto& s = arm.structure();
-  const auto joints = detail::raw_angles<S>(s.original, q).t;
+  const auto joints = detail::raw_angles<S>(s.original, q);
   return detail::arm_angle_at<S>(s, detail::goal_of(s, detail::tool_pose(s.original, joints)).position, joints);
 }
 
