@@ -115,8 +115,12 @@ solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<
       for (int k = 0; k < 2; ++k) {
         const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
         if (!(double_of(y.gap.position) > least * s.reach || double_of(y.gap.rotation) > least)) break;
-        newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, y.t);
-        y.gap = gap_between(tool_pose(s.original, y.t), wanted);
+        auto t = y.t;
+        newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, t);
+        const auto gap_then = gap_between(tool_pose(s.original, t), wanted);
+        const auto size = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
+        if (!(size(gap_then) < size(y.gap))) break;
+        y.t = t, y.gap = gap_then;
       }
   }
   return out;
