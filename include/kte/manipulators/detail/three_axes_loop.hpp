@@ -3,6 +3,8 @@
 #include <kte/manipulators/subproblems.hpp>
 #include <kte/tree/short_list.hpp>
 
+#include <algorithm>
+
 namespace kte {
 
 /// What subproblem 5 asks for.
@@ -36,11 +38,12 @@ struct three_axes_loop {
       out.push_back(found.t);
       return;
     }
+    const double enough = std::max(1e-20, 1e6 * eps * eps) * size;
     auto over = start;
     over.t.second = {-start.t.second.cos, -start.t.second.sin};
     over.d = gap(over);
     for (const auto& x : {found, closed(over, least)})
-      if (double_of(S(dot(x.d, x.d))) < 1e-20 * size && !knows(out, x.t) && out.size() < 8) out.push_back(x.t);
+      if (double_of(S(dot(x.d, x.d))) < enough && !knows(out, x.t) && out.size() < 8) out.push_back(x.t);
   }
 
  private:
@@ -64,8 +67,8 @@ struct three_axes_loop {
   }
   place closed(place x, double least) const {
     using std::sqrt;
-    S part(1);
-    for (int k = 0; k < 30 && double_of(S(dot(x.d, x.d))) > least; ++k) {
+    double part = 1;
+    for (int k = 0; k < 30 && part > 1e-4 && double_of(S(dot(x.d, x.d))) > least; ++k) {
       const vec3<S> side = x.d - dot(k2, x.d) * k2, c1 = cross(k1, vec3<S>(x.b - p0)),
                     c3 = turned(k2, x.t.second, cross(k3, vec3<S>(x.a - p2)));
       const S l = sqrt(dot(side, side));
@@ -75,9 +78,10 @@ struct three_axes_loop {
       const S d0 = dot(k2, x.d), d1 = dot(r, x.d);
       const S step1 = (m01 * d1 - m11 * d0) / det, step3 = (m10 * d0 - m00 * d1) / det;
       if (!(step1 * step1 + step3 * step3 < S(1e-4))) break;
-      const auto next = closed_by_second(x.t.first + angle_of(S(part * step1)), x.t.third + angle_of(S(part * step3)));
+      const auto next =
+          closed_by_second(x.t.first + angle_of(S(S(part) * step1)), x.t.third + angle_of(S(S(part) * step3)));
       const bool nearer = dot(next.d, next.d) < dot(x.d, x.d);
-      part = nearer ? S(1) : S(part / S(2));
+      part = nearer ? 1 : part / 2;
       if (nearer) x = next;
     }
     return x;
