@@ -23,7 +23,8 @@ void check_closed_form(const Arm& arm) {
   if (arm.tools() != 1)
     raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
                         std::to_string(arm.tools()));
-  if (arm.structure().form == closed_form::none) raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()));
+  if (arm.structure().form == closed_form::none)
+    raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) + "; kte::clik needs none");
 }
 
 /// A configuration, by joint.
@@ -76,7 +77,7 @@ limits_by_joint limits_of_joints(const Arm& arm) {
   }
   return limits;
 }
-/// The structure of an arm of seven axes of which one is held.
+/// The structure of an arm of seven joints of which one is held.
 template <class Arm>
 arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
   check_closed_form(arm);
@@ -89,8 +90,9 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
         const auto held = with_held(s.original, i);
         if (held.form != closed_form::none) return held;
       }
-    raise<no_closed_form>("kte: no closed form of inverse kinematics with '" + std::string(coordinate) +
-                          "' locked: it is for the first or the last of seven joints, if the other six have one");
+    raise<no_closed_form>(
+        "kte: no closed form of inverse kinematics with '" + std::string(coordinate) +
+        "' locked: it is for the first or the last of seven joints, if the other six turn and have one");
   }
   raise<unknown_name>("kte: this chain has no coordinate '" + std::string(coordinate) + "'");
 }
@@ -101,7 +103,7 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
 ///
 ///   for (const auto& a : kte::inverse_kinematics(arm, pose)) if (a.exact && a.within_limits) use(a.q);
 ///
-/// An arm of seven axes has infinitely many: these are those of arm angle 0, or with the held joint at 0 (`arm_angle`,
+/// An arm of seven joints has infinitely many: these are those of arm angle 0, or with the held joint at 0 (`arm_angle`,
 /// `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi takes them there. Coordinates
 /// that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers of least squares,
 /// which are not `exact`.
@@ -126,7 +128,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), S(angle.psi));
 }
 
-/// The same of an arm of seven axes whose first or last joint stands still.
+/// The same of an arm of seven joints whose first or last stands still.
 template <class Chain, class Tools, class Rotation, class Position>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                         const locked_joint& joint) {

@@ -37,7 +37,7 @@ void newton_step(const arm_geometry& arm, std::size_t first, const pose<rotation
   for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i) {
     axis[i] = x.rotation * as<S>(arm.axis[i]);
     at[i] = x.position + x.rotation * as<S>(arm.point[i]);
-    x = compose(x, joint_pose<S>(arm, i, turn.at(i)));
+    x = compose(x, joint_pose<S>(arm, i, t[i], turn.at(i)));
   }
   const rotation_matrix<S> R = x.rotation * as<S>(arm.tool.rotation);
   const vec3<S> p = x.position + x.rotation * as<S>(arm.tool.position), d = wanted.position - p;

@@ -23,10 +23,11 @@ arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
 
 /// What is wanted of `arm_structure::arm` when the joint that is held stands at `value`.
 template <class S>
-plain_pose_of<S> pose_for_formulas(const arm_structure& s, plain_pose_of<S> x, const solved_angle<S>& value) {
+plain_pose_of<S> pose_for_formulas(const arm_structure& s, plain_pose_of<S> x, const S& value,
+                                   const solved_angle<S>& turn) {
   if (s.held >= 0) {
     const auto i = static_cast<std::size_t>(s.held);
-    const auto back = inverse(joint_pose<S>(s.original, i, value));
+    const auto back = inverse(joint_pose<S>(s.original, i, value, turn));
     const plain_pose_of<S> tool{as<S>(s.original.tool.rotation), as<S>(s.original.tool.position)};
     x = i == 0 ? compose(back, x) : compose(x, compose(inverse(tool), compose(back, tool)));
   }
@@ -79,7 +80,7 @@ solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<
   by_joint<S> start{};
   for (std::size_t k = 0; k <= last; ++k) start[k] = S(s.sign[k]) * seed[joint(k)];
   const auto turn = angle_of(extra);
-  const auto raw = answers_by_formulas(s, pose_for_formulas(s, wanted, turn), turns_of(start), turn);
+  const auto raw = answers_by_formulas(s, pose_for_formulas(s, wanted, extra, turn), turns_of(start), turn);
 
   postures<S> found;
   found.size = raw.size;

@@ -68,7 +68,7 @@ struct three_axes_loop {
   place closed(place x, double least) const {
     using std::sqrt;
     double part = 1;
-    for (int k = 0; k < 30 && part > 1e-4 && double_of(S(dot(x.d, x.d))) > least; ++k) {
+    for (int k = 0; k < 40 && part > 1e-7 && double_of(S(dot(x.d, x.d))) > least; ++k) {
       const vec3<S> side = x.d - dot(k2, x.d) * k2, c1 = cross(k1, vec3<S>(x.b - p0)),
                     c3 = turned(k2, x.t.second, cross(k3, vec3<S>(x.a - p2)));
       const S l = sqrt(dot(side, side));
