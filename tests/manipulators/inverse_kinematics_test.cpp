@@ -290,9 +290,9 @@ TEST_CASE("the formulas of degree four agree with those of parallel axes on arms
   mixed.form = detail::closed_form::parallel_general;
   random_numbers random(10);
   const auto compare = [&](const detail::arm_structure& a, const detail::arm_structure& b) {
-    detail::free_angles<double> q{};
-    for (std::size_t i = 0; i < 6; ++i) q.t[i] = random(M_PI);
-    const auto x = detail::tool_pose(a.original, q.t);
+    detail::by_joint<double> q{};
+    for (std::size_t i = 0; i < 6; ++i) q[i] = random(M_PI);
+    const auto x = detail::tool_pose(a.original, q);
     const auto one = detail::solve_closed_form<double>(a, x, {}, 0.0),
                two = detail::solve_closed_form<double>(b, x, {}, 0.0);
     for (std::size_t i = 0; i < one.size; ++i) {

@@ -255,3 +255,45 @@ TEST_CASE("joints of two turns have all their answers") {
     CHECK(between(arm.getDependentPoses(a.q)[0], x).position < 1e-14);
   }
 }
+
+TEST_CASE("an arm on a track, or with a slide at its tool") {
+  const auto arm_of = [](const vec3<>& along, bool first) {
+    const std::initializer_list<joint> on{
+        {along, {.1, 0, 0}, true}, {e_z, {0, 0, 1}},      {minus_y, {0, 0, 1}}, {minus_y, {0, 0, .5}},
+        {e_z, {0, 0, .5}},         {minus_y, {0, 0, .2}}, {e_z, none}};
+    const std::initializer_list<joint> behind{{e_z, {0, 0, 1}},         {minus_y, {0, 0, 1}},  {minus_y, {0, 0, .5}},
+                                              {e_z, {0, 0, .5}},        {minus_y, {0, 0, .2}}, {e_z, none},
+                                              {along, {.1, 0, 0}, true}};
+    const auto c = chain(none, first ? on : behind);
+    auto limits = unlimited(c);
+    const std::size_t slide = first ? 0 : 6;
+    limits.lower[slide] = 1, limits.upper[slide] = 19;
+    return manipulator(c, "tool", limits);
+  };
+  random_numbers random(21);
+  for (const bool first : {true, false}) {
+    const auto arm = arm_of(vec3<>{.6, 0, .8}, first);
+    CHECK(arm.family() == arm_family::on_track);
+    const Eigen::Index slide = first ? 0 : 6;
+    const std::string name = first ? "q1" : "q7";
+    for (int k = 0; k < 200; ++k) {
+      numbers q = random_posture(random, 7);
+      q[slide] = 10 + random(9);
+      const auto r = check_answers(arm, q, locked(name, q[slide]));
+      CHECK(r.exact == 8);
+      CHECK(r.position <= 1e-14);
+      CHECK(r.rotation <= 1e-14);
+      CHECK(r.found <= 1e-9);
+      const auto x = arm.getDependentPoses(q)[0];
+      CHECK(distance(inverse_kinematics(arm, x, nearest(q)).q, q) < 1e-9);
+      numbers far = q;
+      far[slide] = k % 2 == 0 ? 19 : 0.5;  // 0.5 is beyond the limits
+      const auto near_far = inverse_kinematics(arm, x, nearest(far));
+      CHECK((near_far.exact && near_far.within_limits));
+      CHECK(std::abs(near_far.q[slide] - far[slide]) <= std::abs(q[slide] - far[slide]) + arm.structure().reach / 32);
+    }
+  }
+  CHECK_THROWS_MATCHES(
+      inverse_kinematics(arm_of(e_x, true), arm_of(e_x, true).getDependentPoses(numbers::Zero(7))[0], locked("q7", 0)),
+      no_closed_form, says("with 'q7' locked"));
+}

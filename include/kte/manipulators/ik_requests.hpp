@@ -24,7 +24,7 @@ struct arm_angle {
       : psi(angle), reference(from) {}
 };
 
-/// Those in which a joint of an arm of seven axes, the first or the last, stands at a value, rad.
+/// Those in which a joint of an arm of seven, the first or the last, stands at a value, rad, of a slide m.
 struct locked_joint {
   std::string_view coordinate;
   double value;

@@ -36,59 +36,42 @@ void check_closed_form(const Arm& arm) {
   if (arm.tools().size() != 1)
     raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
                         std::to_string(arm.tools().size()));
-  if (arm.structure().form == closed_form::none) raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()));
+  if (arm.structure().form == closed_form::none)
+    raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) + "; kte::clik needs none");
 }
 
-/// What is free in a configuration, by joint.
+/// A configuration, by joint.
 template <class S, class Q>
-free_angles<S> raw_angles(const arm_geometry& arm, const Q& q) {
-  free_angles<S> x;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i)
-    x.t[i] = S(q[static_cast<Eigen::Index>(arm.in_q[i])]);
-  return x;
+by_joint<S> raw_angles(const arm_geometry& arm, const Q& q) {
+  by_joint<S> t{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i) t[i] = S(q[static_cast<Eigen::Index>(arm.in_q[i])]);
+  return t;
 }
 
-/// By Newton's method, of arms whose axes do not quite lie as the formulas have them.
-template <class S>
-void sharpen(const arm_structure& s, const plain_pose_of<S>& x, std::array<S, arm_geometry::most>& t) {
-  const double enough = 8 * double_of(std::numeric_limits<S>::epsilon());
-  for (int k = 0; k < 8; ++k) {
-    const auto gap = gap_between(tool_pose(s.original, t), x);
-    if (double_of(gap.position) <= enough * s.reach && double_of(gap.rotation) <= enough) return;
-    newton_step(s.original, s.held == 0 ? 1u : 0u, x, t, 0.1);
-  }
-}
-
-/// One of the raw answers as users get it: limits, then residual.
-template <class Arm, class S, class Q>
-ik_answer<Q> finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
-                      const raw_answer<S>& raw) {
-  ik_answer<Q> a{start};
-  auto t = raw.t;
-  if (s.tolerance > arm_structure::strict && s.original.n >= 6) sharpen(s, x, t);
-  a.branch = raw.branch, a.within_limits = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
-    const auto v = static_cast<std::size_t>(s.original.in_v[i]);
-    const Eigen::Index q = s.original.in_q[i];
-    a.within_limits &= bring_within(arm.limits().lower[v], arm.limits().upper[v], s.original.slides[i], start[q], t[i]);
-    a.q[q] = t[i];
-    if (raw.free >> i & 1u) a.free |= 1u << v;
-  }
-  const auto gap = gap_between(tool_pose(s.original, t), x);
-  a.position = gap.position, a.rotation = gap.rotation;
-  const S least = S(64 * std::numeric_limits<S>::epsilon());
-  const auto within = [&least](const S& e, double tolerance, double unit) {
-    return e <= S(unit) * (least > S(tolerance) ? least : S(tolerance));
-  };
-  a.exact = within(a.position, ik_tolerance{}.position, s.reach) && within(a.rotation, ik_tolerance{}.rotation, 1);
-  return a;
-}
+/// All answers as users get them: with limits, in the order of q.
 template <class Arm, class S, class Q>
 ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
                            const S& extra) {
-  const auto raw = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
+  const auto solved = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
+  const S least = S(64 * std::numeric_limits<S>::epsilon());
+  const auto larger = [&least](double tolerance) { return least > S(tolerance) ? least : S(tolerance); };
+  const S most_m = S(s.reach) * larger(ik_tolerance{}.position), most_rad = larger(ik_tolerance{}.rotation);
   ik_answers<Q> all;
-  for (std::size_t i = 0; i < raw.size; ++i) all.push_back(finished(arm, s, x, start, raw.all[i]));
+  for (std::size_t k = 0; k < solved.size; ++k) {
+    const auto& y = solved.all[k];
+    auto& a = all.add(start);
+    a.branch = y.branch, a.within_limits = true;
+    a.position = y.gap.position, a.rotation = y.gap.rotation;
+    a.exact = a.position <= most_m && a.rotation <= most_rad;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
+      const auto v = static_cast<std::size_t>(s.original.in_v[i]);
+      const Eigen::Index q = s.original.in_q[i];
+      S t = y.t[i];
+      a.within_limits &= bring_within(arm.limits().lower[v], arm.limits().upper[v], s.original.slides[i], start[q], t);
+      a.q[q] = t;
+      if (y.free >> i & 1u) a.free |= 1u << v;
+    }
+  }
   return all;
 }
 template <class Arm>
@@ -107,7 +90,7 @@ limits_by_joint limits_of_joints(const Arm& arm) {
   }
   return limits;
 }
-/// The structure of an arm of seven axes of which one is held.
+/// The structure of an arm of seven joints of which one is held.
 template <class Arm>
 arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
   check_closed_form(arm);
@@ -120,8 +103,9 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
         const auto held = with_held(s.original, i, s.tolerance);
         if (held.form != closed_form::none) return held;
       }
-    raise<no_closed_form>("kte: no closed form of inverse kinematics with '" + std::string(coordinate) +
-                          "' locked: it is for the first or the last of seven joints, if the other six have one");
+    raise<no_closed_form>(
+        "kte: no closed form of inverse kinematics with '" + std::string(coordinate) +
+        "' locked: it is for the first or the last of seven joints, if the other six turn and have one");
   }
   raise<unknown_name>("kte: this chain has no coordinate '" + std::string(coordinate) + "'");
 }
@@ -132,10 +116,10 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
 ///
 ///   for (const auto& a : kte::inverse_kinematics(arm, pose)) if (a.exact && a.within_limits) use(a.q);
 ///
-/// An arm of seven axes has infinitely many: these are those of arm angle 0, or with the held joint at 0 (`arm_angle`,
-/// `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi takes them there. Coordinates
-/// that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers of least squares,
-/// which are not `exact`.
+/// An arm of seven joints has infinitely many: these are those of arm angle 0, or with the held joint at 0
+/// (`arm_angle`, `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi takes them
+/// there. Coordinates that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers
+/// of least squares, which are not `exact`.
 ///
 /// Generic in the scalar of the pose, so also derivatives by dual numbers. Throws `no_closed_form`, and `bad_argument`
 /// for a pose that is none; where the type of a static arm says that it has no closed form, it does not compile.
@@ -161,7 +145,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   return detail::all_finished(arm, arm.structure(), x, detail::starting_configuration<S>(arm), psi);
 }
 
-/// The same of an arm of seven axes whose first or last joint stands still.
+/// The same of an arm of seven joints whose first or last stands still.
 template <class Chain, class Tools, class Rotation, class Position>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                         const locked_joint& joint) {
@@ -199,7 +183,7 @@ auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q,
   detail::check_arm_angle(arm);
   using S = value_of<Q>;
   const auto& s = arm.structure();
-  const auto joints = detail::raw_angles<S>(s.original, q).t;
+  const auto joints = detail::raw_angles<S>(s.original, q);
   const auto position = detail::goal_of(s, detail::tool_pose(s.original, joints)).position;
   return detail::wrapped(
       S(detail::arm_angle_at<S>(s, position, joints) - detail::to_stereographic<S>(s, position, reference)));

@@ -17,7 +17,8 @@ enum class arm_family : std::uint8_t {
   spherical_shoulder,  ///< axes 1, 2, 3 do
   three_parallel,      ///< three axes in a row, with 5 and 6 (or 1 and 2) beyond them
   srs,                 ///< seven axes, of which the first and the last three meet
-  offset_7R            ///< seven axes that are one of these when the first or the last is held
+  offset_7R,           ///< seven axes that are one of these when the first or the last is held
+  on_track             ///< six that are, on a slide or with one at the tool
 };
 
 }  // namespace kte
@@ -113,10 +114,12 @@ struct arm_structure {
   constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
 };
 
+/// From the first joint that turns to the tool, from one to the next.
 constexpr double reach_of(const arm_geometry& a) {
   double sum = 0;
-  for (int i = 0; i + 1 < a.n; ++i) sum += length_of(a.point[std::size_t(i + 1)] - a.point[std::size_t(i)]);
-  if (a.n > 0) sum += length_of(a.tool.position - a.point[std::size_t(a.n - 1)]);
+  vec3<> to = a.tool.position;
+  for (int i = a.n; i-- > 0;)
+    if (const auto k = static_cast<std::size_t>(i); !a.slides[k]) sum += length_of(to - a.point[k]), to = a.point[k];
   return sum;
 }
 
@@ -226,13 +229,14 @@ constexpr bool fits_planar(arm_structure& s, double most_rad) {
   return false;
 }
 
-/// Seven axes of which one is held.
+/// Seven joints of which one is held, and the others turn.
 constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tolerance) {
   arm_structure s;
   s.original = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   const auto six = joint == 0 ? part_of(arm, 1, arm.n - 1) : part_of(arm, 0, arm.n - 2);
-  if (fits_six_either_way(s, six, tolerance, tolerance * s.reach)) {
-    s.held = joint, s.family = arm_family::offset_7R;
+  if (six.turning() == six.n && fits_six_either_way(s, six, tolerance, tolerance * s.reach)) {
+    s.held = joint;
+    s.family = arm.slides[static_cast<std::size_t>(joint)] ? arm_family::on_track : arm_family::offset_7R;
   }
   return s;
 }
@@ -247,7 +251,7 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
     fits_planar(s, tolerance);
   } else if (arm.n == 6 && turns) {
     fits_six_either_way(s, arm, tolerance, most_m);
-  } else if (arm.n == 7 && turns && !fits_srs(s, most_m)) {
+  } else if (arm.n == 7 && !(turns && fits_srs(s, most_m))) {
     const auto first = with_held(arm, 0, tolerance), last = with_held(arm, arm.n - 1, tolerance);
     const bool by_last =
         last.form != closed_form::none && (first.form == closed_form::none || last.form != closed_form::wrist_general);

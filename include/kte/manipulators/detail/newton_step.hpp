@@ -31,13 +31,14 @@ bool solve_six(std::array<std::array<S, 7>, 6>& m, std::array<S, 6>& x) {
 /// answer that is there but for rounding.
 template <class S>
 void newton_step(const arm_geometry& arm, std::size_t first, const pose<rotation_matrix<S>, vec3<S>>& wanted,
-                 std::array<S, arm_geometry::most>& t, double most = 1e-3) {
-  std::array<vec3<S>, arm_geometry::most> axis, at;
+                 by_joint<S>& t, double most = 1e-3) {
+  const auto turn = turns_of(t);
+  by_joint<vec3<S>> axis, at;
   pose<rotation_matrix<S>, vec3<S>> x{as<S>(mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), {S(0), S(0), S(0)}};
   for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i) {
     axis[i] = x.rotation * as<S>(arm.axis[i]);
     at[i] = x.position + x.rotation * as<S>(arm.point[i]);
-    x = compose(x, joint_pose<S>(arm, i, angle_of(t[i])));
+    x = compose(x, joint_pose<S>(arm, i, t[i], turn.at(i)));
   }
   const rotation_matrix<S> R = x.rotation * as<S>(arm.tool.rotation);
   const vec3<S> p = x.position + x.rotation * as<S>(arm.tool.position), d = wanted.position - p;
