@@ -103,10 +103,10 @@ arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
 ///
 ///   for (const auto& a : kte::inverse_kinematics(arm, pose)) if (a.exact && a.within_limits) use(a.q);
 ///
-/// An arm of seven joints has infinitely many: these are those of arm angle 0, or with the held joint at 0 (`arm_angle`,
-/// `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi takes them there. Coordinates
-/// that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers of least squares,
-/// which are not `exact`.
+/// An arm of seven joints has infinitely many: these are those of arm angle 0, or with the held joint at 0
+/// (`arm_angle`, `locked`). Angles are between -pi and pi, or within their limits if a multiple of 2 pi takes them
+/// there. Coordinates that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers
+/// of least squares, which are not `exact`.
 ///
 /// Generic in the scalar of the pose, so also derivatives by dual numbers. Throws `no_closed_form`, and `bad_argument`
 /// for a pose that is none.
