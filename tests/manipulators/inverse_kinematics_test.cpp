@@ -348,3 +348,35 @@ TEST_CASE("branches go on along a path, and derivatives are those of the Jacobia
     for (Eigen::Index i = 0; i < 6; ++i) CHECK(twist[i] == within(wanted[i], 1e-12));
   }
 }
+
+TEST_CASE(
+    "equations of degree four: the sign of the determinant, and what is behind them, name branches along a path") {
+  for (const std::size_t which : {3u, 4u}) {
+    const auto& arm = six_axes()[which].arm;
+    const unsigned lasting = which == 3 ? 1 | 4 : 1 | 2;  // not which of those of one sign
+    random_numbers random(11);
+    int compared = 0;
+    for (int path = 0; path < 20; ++path) {
+      numbers q = random_posture(random, 6);
+      const numbers v = random_posture(random, 6) / 3;
+      auto last = inverse_kinematics(arm, arm.getDependentPoses(q)[0]);
+      for (int k = 0; k < 50; ++k) {
+        q += 1e-3 * v;
+        const auto all = inverse_kinematics(arm, arm.getDependentPoses(q)[0]);
+        for (const auto& a : all) {
+          CHECK((a.branch < 8 || !a.exact));  // two of each sign
+          for (const auto& b : all)
+            if (&a != &b && a.exact && b.exact) CHECK((a.branch != b.branch || distance(a.q, b.q) < 1e-6));
+          const ik_answer<numbers>* same = nullptr;
+          for (const auto& b : last)
+            if (a.exact && b.exact && distance(a.q, b.q) < 0.01) same = same == nullptr ? &b : &a;  // of two none
+          if (same == nullptr || same == &a) continue;
+          CHECK((a.branch & lasting) == (same->branch & lasting));
+          ++compared;
+        }
+        last = all;
+      }
+    }
+    CHECK(compared > 3000);
+  }
+}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/manipulators/detail/angle_pairs.hpp>
 #include <kte/manipulators/detail/three_axes_loop.hpp>
 #include <kte/manipulators/detail/two_harmonics.hpp>
 
@@ -18,21 +19,14 @@ constexpr linear_part<S> linear_part_of(const N& normal, const K& axis, const ve
   return {along, dot(n, p) - along, dot(n, cross(k, p))};
 }
 
-/// Pairs of angles, at most four where the equations say so, and double ones.
-template <class S>
-struct angle_pair {
-  solved_angle<S> first, second;
-};
-template <class S>
-using angle_pairs = detail::short_list<angle_pair<S>, 8>;
-
 /// A x1 + B x2 = e with x_i = (cos t_i, sin t_i), A, B by rows. With the one of A and B that is farther from singular,
 /// say A, x1 = g + G x2, of which the length 1 is
 ///
 ///   al cos 2t + be sin 2t + ga cos t + de sin t + ep = 0          (1)
 ///
 /// in t = t2; roots that touch within rounding count. Then Newton's steps on the two equations themselves, as long as
-/// they bring these nearer to zero: next to a double root they may not. (And within rounding, for derivatives.)
+/// they bring these nearer to zero: next to a double root they may not. (And within rounding, for derivatives.) `slot`
+/// is a name of a pair: 0, 2 and 1, 3.
 template <class S>
 angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::array<std::array<S, 2>, 2>& B,
                            const std::array<S, 2>& e) {
@@ -74,12 +68,14 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
       };
       return std::array<S, 2>{row(0), row(1)};
     };
+    const auto slope = [](const auto& row, const solved_angle<S>& x) -> S { return row[1] * x.cos - row[0] * x.sin; };
     auto miss = missed(x1, x2);
+    bool negative = false;
     for (int k = 0; k < 3; ++k) {
       const auto& [r0, r1] = miss;
-      const auto slope = [](const auto& row, const solved_angle<S>& x) -> S { return row[1] * x.cos - row[0] * x.sin; };
       const S j00 = slope(A[0], x1), j01 = slope(B[0], x2), j10 = slope(A[1], x1), j11 = slope(B[1], x2);
       const S j = j00 * j11 - j01 * j10;
+      negative = j < S(0);
       const S d1 = (j11 * r0 - j01 * r1) / j, d2 = (j00 * r1 - j10 * r0) / j;
       const S s1 = t1 - d1, s2 = t2 - d2;
       const auto y1 = angle_of(s1), y2 = angle_of(s2);
@@ -89,14 +85,10 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
       t1 = s1, t2 = s2, x1 = y1, x2 = y2, miss = left;
     }
     bool known = false;
-    for (const auto& y : out) {
-      const auto same = [](const solved_angle<S>& p, const solved_angle<S>& q) {
-        return std::abs(detail::double_of(p.cos - q.cos)) + std::abs(detail::double_of(p.sin - q.sin)) < 1e-9;
-      };
-      known |= same(y.first, x1) && same(y.second, x2);
-    }
-    if (!known && out.size() < 8) out.push_back({x1, x2});
+    for (const auto& y : out) known |= detail::same_angle(y.first, x1) && detail::same_angle(y.second, x2);
+    if (!known && out.size() < 8) out.push_back({x1, x2, negative ? 1u : 0u});
   }
+  detail::name_slots(out);
   return out;
 }
 
@@ -120,31 +112,35 @@ detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, con
   const S squares = (dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) * unit;
   detail::short_list<three_solved_angles<S>, 8> out;
   const detail::three_axes_loop<S> loop{p0, p1, p2, p3, as<S>(k1), k, as<S>(k3)};
-  const auto add = [&](const solved_angle<S>& t1, const solved_angle<S>& t3) { loop.add_closed(t1, t3, out); };
+  const auto add = [&](const solved_angle<S>& t1, const solved_angle<S>& t3, unsigned slot) {
+    loop.add_closed(t1, t3, slot, out);
+  };
   // Where axes 1 and 2 meet, or 2 and 3, one angle is alone in the second equation.
   const auto nothing = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
   if (nothing(p0) && !nothing(p2)) {
     const auto t3 = linear_in_angle(q3.cos, q3.sin,
                                     S((dot(p0, p0) + dot(p1, p1) - dot(p2, p2) - dot(p3, p3)) / S(2) - q3.constant));
-    for (const auto& t : {t3.plus, t3.minus}) {
+    for (const unsigned far : {0u, 2u}) {
+      const auto& t = far == 0 ? t3.plus : t3.minus;
       const auto t1 = subproblem4(k1, p1, k2, S(dot(k, vec3<S>(p2 + turned(k3, t, p3) - p0))));
-      add(t1.plus, t), add(t1.minus, t);
+      add(t1.plus, t, far), add(t1.minus, t, far + 1);
     }
     return out;
   }
   if (nothing(p2) && !nothing(p0)) {
     const auto t1 = linear_in_angle(q1.cos, q1.sin,
                                     S((dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) / S(2) - q1.constant));
-    for (const auto& t : {t1.plus, t1.minus}) {
+    for (const unsigned far : {0u, 2u}) {
+      const auto& t = far == 0 ? t1.plus : t1.minus;
       const auto t3 = subproblem4(k3, p3, k2, S(dot(k, vec3<S>(p0 + turned(k1, t, p1) - p2))));
-      add(t, t3.plus), add(t, t3.minus);
+      add(t, t3.plus, far), add(t, t3.minus, far + 1);
     }
     return out;
   }
   for (const auto& t : subproblem6<S>(
            {{{l1.cos, l1.sin}, {u * q1.cos, u * q1.sin}}}, {{{-l3.cos, -l3.sin}, {-u * q3.cos, -u * q3.sin}}},
            {S(dot(k, p2) - dot(k, p0) + l3.constant - l1.constant), S(squares + u * (q3.constant - q1.constant))}))
-    add(t.first, t.second);
+    add(t.first, t.second, t.slot);
   return out;
 }
 

@@ -13,15 +13,13 @@ raw_answers<S> wrist_and_three_axes(const arm_structure& s, const rotation_matri
                                     const joint_turns<S>& seed) {
   const vec3<>&h1 = s.h(0), &h2 = s.h(1), &h3 = s.h(2);
   raw_answers<S> out;
-  unsigned branch = 0;
   for (const auto& t : subproblem5(as<S>(s.p(0) - s.p(1)), vec3<S>(position - as<S>(s.p(0))), as<S>(s.p(2) - s.p(1)),
                                    as<S>(s.p(3) - s.p(2)), vec3<>(-h1), h2, h3)) {
     raw_answer<S> x{};
     x.turn.put(0, t.first), x.turn.put(1, t.second), x.turn.put(2, t.third);
-    x.branch = (branch & 3u) | (branch & 4u) << 1;
+    x.branch = (t.slot & 3u) | (t.slot & 4u) << 1;
     const auto R36 = turned_matrix(h3, -t.third, turned_matrix(h2, -t.second, turned_matrix(h1, -t.first, R06)));
     with_meeting_axes(s, 3, R36, x, seed, wrist_bit, [&out](const raw_answer<S>& y) { out.add(y); });
-    ++branch;
   }
   return out;
 }
@@ -42,7 +40,6 @@ raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matr
   const auto a1 = linear_part_of(h, vec3<>(-h1), vec3<S>(R06 * axis6)), a5 = linear_part_of(h, h5, axis6);
   const S unit = S(1 / s.reach);
   raw_answers<S> out;
-  unsigned branch = 0;
   for (const auto& t : subproblem6<S>(
            {{{unit * l1.cos, unit * l1.sin}, {a1.cos, a1.sin}}},
            {{{-unit * l5.cos, -unit * l5.sin}, {-a5.cos, -a5.sin}}},
@@ -52,11 +49,10 @@ raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matr
     const auto t6 = subproblem1(h6, vec3<S>(transpose(R16) * as<S>(h)), turned(h5, -t.second, as<S>(h)));
     const auto t14 = subproblem1(h, normal, vec3<S>(R16 * turned(h6, -t6, turned(h5, -t.second, normal))));
     x.turn.put(0, t.first), x.turn.put(4, t.second), x.turn.put(5, t6);
-    x.branch = (branch & 1u) | (branch & 2u) << 1 | (branch & 4u) << 1;
+    x.branch = (t.slot & 1u) | (t.slot & 2u) << 1 | (t.slot & 4u) << 1;
     const vec3<S> p45 = as<S>(s.p(4) - s.p(3)) + turned(h5, t.second, p56);
     with_parallel_axes(s, vec3<S>(turned(h1, -t.first, w) - p12), t14, x, p45, seed,
                        [&out](const raw_answer<S>& y) { out.add(y); });
-    ++branch;
   }
   return out;
 }

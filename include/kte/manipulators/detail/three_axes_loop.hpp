@@ -1,9 +1,6 @@
 #pragma once
 
-#include <kte/manipulators/subproblems.hpp>
-#include <kte/tree/short_list.hpp>
-
-#include <algorithm>
+#include <kte/manipulators/detail/angle_pairs.hpp>
 
 namespace kte {
 
@@ -11,6 +8,7 @@ namespace kte {
 template <class S>
 struct three_solved_angles {
   solved_angle<S> first, second, third;
+  unsigned slot;  ///< a name: of two that differ in bit 0 alone, one becomes the other where they meet
 };
 
 namespace detail {
@@ -28,22 +26,22 @@ struct three_axes_loop {
 
   using list = short_list<three_solved_angles<S>, 8>;
 
-  void add_closed(const solved_angle<S>& t1, const solved_angle<S>& t3, list& out) const {
+  void add_closed(const solved_angle<S>& t1, const solved_angle<S>& t3, unsigned slot, list& out) const {
     const double size = double_of(S(dot(p0, p0) + dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));
     const double eps = double_of(std::numeric_limits<S>::epsilon()), least = size * 16 * eps * eps;
-    const auto start = closed_by_second(t1, t3);
+    const auto start = closed_by_second({t1, {}, t3, slot});
     const auto found = closed(start, least);
     const vec3<S> side = cross(k2, start.a);
-    if (double_of(S(dot(side, side))) > 1e-10 * size) {
-      out.push_back(found.t);
-      return;
-    }
+    const auto add = [&](const place& x) {
+      if (!knows(out, x.t) && out.size() < 8) out.push_back(x.t);
+    };
+    if (!(double_of(S(dot(side, side))) <= 1e-10 * size)) return add(found);
     const double enough = std::max(1e-20, 1e6 * eps * eps) * size;
     auto over = start;
     over.t.second = {-start.t.second.cos, -start.t.second.sin};
-    over.d = gap(over);
+    over.t.slot ^= 1u, over.d = gap(over);
     for (const auto& x : {found, closed(over, least)})
-      if (double_of(S(dot(x.d, x.d))) < enough && !knows(out, x.t) && out.size() < 8) out.push_back(x.t);
+      if (double_of(S(dot(x.d, x.d))) < enough) add(x);
   }
 
  private:
@@ -53,15 +51,12 @@ struct three_axes_loop {
   };
   vec3<S> gap(const place& x) const { return x.b - turned(k2, x.t.second, x.a); }
   static bool knows(const list& all, const three_solved_angles<S>& t) {
-    const auto same = [](const solved_angle<S>& p, const solved_angle<S>& q) {
-      return std::abs(double_of(S(p.cos - q.cos))) + std::abs(double_of(S(p.sin - q.sin))) < 1e-9;
-    };
     for (const auto& x : all)
-      if (same(x.first, t.first) && same(x.second, t.second) && same(x.third, t.third)) return true;
+      if (same_angle(x.first, t.first) && same_angle(x.second, t.second) && same_angle(x.third, t.third)) return true;
     return false;
   }
-  place closed_by_second(const solved_angle<S>& t1, const solved_angle<S>& t3) const {
-    place x{{t1, {}, t3}, p2 + turned(k3, t3, p3), p0 + turned(k1, t1, p1), {}};
+  place closed_by_second(const three_solved_angles<S>& t) const {
+    place x{t, p2 + turned(k3, t.third, p3), p0 + turned(k1, t.first, p1), {}};
     x.t.second = subproblem1(k2, x.a, x.b), x.d = gap(x);
     return x;
   }
@@ -78,8 +73,9 @@ struct three_axes_loop {
       const S d0 = dot(k2, x.d), d1 = dot(r, x.d);
       const S step1 = (m01 * d1 - m11 * d0) / det, step3 = (m10 * d0 - m00 * d1) / det;
       if (!(step1 * step1 + step3 * step3 < S(1e-4))) break;
-      const auto next =
-          closed_by_second(x.t.first + angle_of(S(S(part) * step1)), x.t.third + angle_of(S(S(part) * step3)));
+      auto t = x.t;
+      t.first = t.first + angle_of(S(S(part) * step1)), t.third = t.third + angle_of(S(S(part) * step3));
+      const auto next = closed_by_second(t);
       const bool nearer = dot(next.d, next.d) < dot(x.d, x.d);
       part = nearer ? 1 : part / 2;
       if (nearer) x = next;
