@@ -68,7 +68,7 @@ END
   awk -f $here/targets.awk "$work/numbers" $here/targets.txt
   cat $here/notes.md
   printf '\n## Models\n\n![time against error](performance/error.svg)\n\n![ways to evaluate](performance/ways.svg)\n'
-  for name in iiwa14 ur5 panda solo12 hyq pendulum; do model $name; done
+  for name in iiwa14 ur5 3R3R panda solo12 hyq pendulum; do model $name; done
   printf '\n## Growth with the number of bodies\n\n![growth](performance/growth.svg)\n\nNanoseconds by bodies:\n\n'
   awk -v column=4 -f $here/growth.awk "$work/numbers"
   printf '\nErrors of the same:\n\n'

@@ -3,7 +3,7 @@ BEGIN {
   print "| operation | how | ns | times straight-line | error |"
   print "|-|-|-|-|-|"
   split("inverse_dynamics nonlinear_effects mass_matrix forward_dynamics forward_kinematics jacobian passes " \
-        "mass_matrix_inverse id_derivatives fd_derivatives regressor", operations, " ")
+        "mass_matrix_inverse id_derivatives fd_derivatives regressor inverse_kinematics", operations, " ")
 }
 $3 == model {
   ++rows[$1]

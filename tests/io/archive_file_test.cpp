@@ -1,6 +1,9 @@
 #include <kte/dynamics/mass_matrix_calc.hpp>
 #include <kte/dynamics/runtime.hpp>
 #include <kte/io/archive_file.hpp>
+#include <kte/io/model_file.hpp>
+#include <kte/manipulators/saved_manipulator.hpp>
+#include <kte/manipulators/three_r_three_r.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/models/runtime_models.hpp>
 
@@ -174,6 +177,31 @@ TEST_CASE("states of float and long double, bit for bit") {
     b.restore("narrow", n);
     CHECK((n[q].q == 0.1f && n[q].q_dot == 1e-45f));
   });
+}
+
+TEST_CASE("manipulators come back from files with their tools and limits") {
+  constexpr auto arm = kte::three_r_three_r();
+  kte::kte_map_chain c;
+  c << kte::three_r_three_r_chain();
+  auto limits = kte::unlimited(c);
+  limits.lower[1] = -1, limits.jerk[5] = 100;
+  const kte::manipulator runtime(c, {"link3", "tool"}, limits);
+  in_all_formats(kte::archive().add("static", arm).add("runtime", runtime), [&](const kte::archive& b) {
+    const auto one = kte::to_manipulator(b.model("static"));
+    CHECK(one.tools() == std::vector<std::string>{"tool"});
+    CHECK(one.limits().upper[2] == arm.limits().upper[2]);
+    CHECK(one.family() == arm.family());
+    const auto two = kte::to_manipulator(b.model("runtime"), models::registry());
+    CHECK(two.tools() == runtime.tools());
+    CHECK(two.limits() == limits);
+    CHECK(kte::from_record(arm, b.model("static")).limits() == arm.limits());
+    CHECK_THROWS_WITH(kte::from_record(arm, b.model("runtime")), contains_text("the first is 'tool'"));
+  });
+  const scratch file(".xml");
+  kte::save_model(file.path, arm);
+  CHECK(kte::to_manipulator(kte::load_model(file.path)).limits().lower[0] == arm.limits().lower[0]);
+  kte::save_model(file.path, c);
+  CHECK_THROWS_WITH(kte::to_manipulator(kte::load_model(file.path)), contains_text("a chain without tools"));
 }
 
 TEST_CASE("models of manipulators: tools, limits and inputs") {

@@ -1,6 +1,6 @@
+#include <kte/manipulators/accelerations_towards.hpp>
 #include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/nearest.hpp>
-#include <kte/manipulators/rates_towards.hpp>
 #include <kte/manipulators/three_r_three_r.hpp>
 
 #include "allocations.hpp"
@@ -16,6 +16,7 @@ TEST_CASE("Rates and poses of static arms take no memory from the heap") {
   bool reached = true;
   CHECK(allocations::during([&] {
           reached &= rates_towards(arm, q, still, twist, 0.01).v.norm() > 0;
+          reached &= accelerations_towards(arm, q, still, twist, 0.01).a.norm() > 0;
           for (const bool numeric : {true, false})
             reached &=
                 clik(arm, reach(arm_names::tool, wanted), still, {.numeric = numeric}).status == clik_status::reached;

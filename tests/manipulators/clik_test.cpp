@@ -6,8 +6,7 @@
 
 #include <Eigen/LU>
 
-#include "catch.hpp"
-#include "random.hpp"
+#include "arms.hpp"
 
 // Numerical inverse kinematics: goals attained, limits kept, what cannot be attained.
 
@@ -201,6 +200,18 @@ TEST_CASE("Runtime arms, arms in the plane, free bodies") {
   CHECK(slid.q[2] == within(1, 1e-8));
 }
 
+TEST_CASE("clik in float") {
+  const auto arm = three_r();
+  const Eigen::Vector3f q(0.4f, 0.7f, -0.3f);
+  const auto wanted = forward_kinematics(arm, q, tool);
+  const auto r =
+      clik(arm, reach_position(tool, wanted.position), Eigen::Vector3f(0.1f, 0.2f, 0.1f), {.tolerance = 1e-6});
+  CHECK(r.status == clik_status::reached);
+  const auto p = forward_kinematics(arm, r.q, tool).position;
+  CHECK(p.x == within(wanted.position.x, 4e-6));
+  CHECK(p.y == within(wanted.position.y, 4e-6));
+}
+
 TEST_CASE("What makes no sense is refused") {
   const seven q = seven::Zero();
   const double nan = std::nan("");
@@ -217,4 +228,35 @@ TEST_CASE("What makes no sense is refused") {
   CHECK_THROWS_AS(clik(kuka, away_from_limits(), std::vector{1.0}), bad_argument);
   CHECK_THROWS_AS(clik(kuka, away_from_limits(), seven(seven::Constant(nan))), bad_argument);
   CHECK_THROWS_AS(clik(kuka, away_from_limits(), q, {.iterations = 0}), bad_argument);
+}
+
+TEST_CASE("An arm as calibrated, whose axes almost meet: from the answers of the arm as drawn") {
+  const manipulator nominal(arms::plain_3R3R(), "tool");
+  const auto off = [](double x, double y) { return vec3<>{x, y, .5}; };
+  const manipulator real(arms::chain(arms::none, {{arms::e_z, {1e-4, 0, 1}},
+                                                  {arms::minus_y, {0, -7e-5, 1}},
+                                                  {arms::minus_y, off(5e-5, 1e-4)},
+                                                  {arms::e_z, off(1e-4, -6e-5)},
+                                                  {arms::minus_y, {-8e-5, 0, .2}},
+                                                  {arms::e_z, arms::none}}),
+                         "tool");
+  CHECK_THROWS_MATCHES(inverse_kinematics(real, real.getDependentPoses(std::vector(6, 0.1))[0]), no_closed_form,
+                       says("axes 4, 5, 6 pass within 9.99"));
+  random_numbers random(6);
+  for (int k = 0; k < 20; ++k) {
+    arms::numbers q = arms::random_posture(random, 6);
+    q[2] = 1 + random(0.5), q[4] = 1 + random(0.5);  // not next to singular
+    const auto wanted = real.getDependentPoses(q)[0];
+    double nearest = 10;
+    for (const auto& start : inverse_kinematics(nominal, wanted)) {
+      if (!start.exact) continue;
+      const auto r = clik(real, reach("tool", wanted), start.q);
+      CHECK(r.status == clik_status::reached);
+      CHECK(r.restarts == 0);
+      CHECK(r.iterations <= 6);
+      nearest = std::min(nearest, arms::distance(r.q, q));
+      if (arms::distance(start.q, q) < 0.01) CHECK(arms::distance(r.q, q) < 1e-8);
+    }
+    CHECK(nearest < 1e-8);
+  }
 }

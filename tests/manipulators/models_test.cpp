@@ -153,6 +153,8 @@ TEST_CASE("Arms of the catalogue") {
     return z(q[0]) * by(0.1, 0, 0.615) * y(q[1]) * by(0, 0, 0.705) * y(q[2]) * by(-0.135, 0, 0.755) * z(q[3]) *
            y(q[4]) * z(q[5]) * by(0, 0, 0.085);
   });
+  constexpr auto on_track = p3r3r();
+  static_assert(on_track.family() == arm_family::on_track);
   check_between(p3r3r_limits(), 0, 0, 1);
   check_between(three_r_three_r_limits(), 5, -half, half);
   check_between(opw_limits(), 2, half / 6, 155 * half / 180);
@@ -184,5 +186,5 @@ TEST_CASE("Bodies that move freely, with tools") {
   const std::array<double, 6> none{};
   CHECK(forward_dynamics(c, s, std::array<double, 7>{0, 0, 0, 1, 0, 0, 0}, none, none)[2] == within(-9.81, 2e-15));
   CHECK(record_of(free_floater_2D_chain(along_x(0.3), 2.0, 0.1)).elements.size() == 3);
-  CHECK(free_floater().tools() == 1);
+  CHECK(free_floater().tools().size() == 1);
 }

@@ -45,6 +45,40 @@ TEST_CASE("seven axes by arm angle: eight answers, and the posture at its own an
   }
 }
 
+TEST_CASE("arm angles from the first axis: at 0 the elbow is above the line from shoulder to wrist") {
+  const auto c = iiwa14();
+  const manipulator arm(c, "tool", iiwa_limits(c));
+  constexpr auto from = arm_angle_from::first_axis;
+  // With q3 = 0 the elbow is in the plane of axis 1.
+  numbers up(7);
+  up << 0.3, 0.5, 0, 1.2, 0.4, 0.6, -0.2;  // axis 4 is -y: the forearm goes down in front
+  CHECK(std::abs(std::cos(arm_angle_of(arm, up, from))) == within(1, 1e-14));
+  random_numbers random(12);
+  for (int k = 0; k < 50; ++k) {
+    const auto q = within_limits(random, arm.limits());
+    const auto x = arm.getDependentPoses(q)[0];
+    const double psi = arm_angle_of(arm, q, from), here = arm_angle_of(arm, q);
+    double nearest = 10;
+    for (const auto& a : inverse_kinematics(arm, x, arm_angle(psi, from)))
+      nearest = std::min(nearest, distance(a.q, q));
+    CHECK(nearest < 1e-9);
+    // The elbow of psi = 0 is above the line, in the plane of axis 1 and the line.
+    const vec3<> shoulder = .36 * e_z, wrist = x.position - .126 * (x.rotation * e_z), w = wrist - shoulder;
+    for (const auto& a : inverse_kinematics(arm, x, arm_angle(0, from))) {
+      const vec3<> elbow = turned(e_z, angle_of(a.q[0]), turned(e_y, angle_of(a.q[1]), .42 * e_z));
+      CHECK(dot(elbow, cross(w, e_z)) == within(0, 1e-14));
+      CHECK(dot(elbow, cross(cross(w, e_z), w)) > 0);
+    }
+    const auto these = arm_angle_intervals(arm, x, from), those = arm_angle_intervals(arm, x);
+    REQUIRE(these.size() == those.size());
+    for (std::size_t i = 0; i < these.size(); ++i) {
+      CHECK(turn_between(these[i].lower - psi, those[i].lower - here) < 1e-12);
+      CHECK(turn_between(these[i].upper - psi, those[i].upper - here) < 1e-12);
+      CHECK(std::abs(these[i].lower) <= M_PI);
+    }
+  }
+}
+
 TEST_CASE("seven axes next to singular postures") {
   const manipulator arm(iiwa14(), "tool");
   for (const double step : steps())
@@ -184,6 +218,23 @@ TEST_CASE("what cannot be reached says why") {
   CHECK_THROWS_MATCHES(inverse_kinematics(arm, x, arm_angle(0)), bad_argument, says("no arm angle"));
 }
 
+TEST_CASE("what has no answer at all has no best one") {
+  const manipulator arm(bent(), "tool");
+  const numbers q = numbers::Constant(6, 0.3);
+  auto x = arm.getDependentPoses(q)[0];
+  x.position.x += 100;
+  CHECK(inverse_kinematics(arm, x).empty());
+  try {
+    inverse_kinematics(arm, x, nearest(q));
+    FAIL("reached");
+  } catch (const unreachable& e) {
+    CHECK(e.reason == unreachable_reason::distance);
+    CHECK(e.q.empty());
+    CHECK(std::isinf(e.position));
+    CHECK(std::string_view(e.what()) == "kte: this pose cannot be reached");
+  }
+}
+
 TEST_CASE("joints of two turns have all their answers") {
   const auto c = ur5();
   auto limits = unlimited(c);
@@ -203,4 +254,46 @@ TEST_CASE("joints of two turns have all their answers") {
     CHECK(inside(a.q, limits));
     CHECK(between(arm.getDependentPoses(a.q)[0], x).position < 1e-14);
   }
+}
+
+TEST_CASE("an arm on a track, or with a slide at its tool") {
+  const auto arm_of = [](const vec3<>& along, bool first) {
+    const std::initializer_list<joint> on{
+        {along, {.1, 0, 0}, true}, {e_z, {0, 0, 1}},      {minus_y, {0, 0, 1}}, {minus_y, {0, 0, .5}},
+        {e_z, {0, 0, .5}},         {minus_y, {0, 0, .2}}, {e_z, none}};
+    const std::initializer_list<joint> behind{{e_z, {0, 0, 1}},         {minus_y, {0, 0, 1}},  {minus_y, {0, 0, .5}},
+                                              {e_z, {0, 0, .5}},        {minus_y, {0, 0, .2}}, {e_z, none},
+                                              {along, {.1, 0, 0}, true}};
+    const auto c = chain(none, first ? on : behind);
+    auto limits = unlimited(c);
+    const std::size_t slide = first ? 0 : 6;
+    limits.lower[slide] = 1, limits.upper[slide] = 19;
+    return manipulator(c, "tool", limits);
+  };
+  random_numbers random(21);
+  for (const bool first : {true, false}) {
+    const auto arm = arm_of(vec3<>{.6, 0, .8}, first);
+    CHECK(arm.family() == arm_family::on_track);
+    const Eigen::Index slide = first ? 0 : 6;
+    const std::string name = first ? "q1" : "q7";
+    for (int k = 0; k < 200; ++k) {
+      numbers q = random_posture(random, 7);
+      q[slide] = 10 + random(9);
+      const auto r = check_answers(arm, q, locked(name, q[slide]));
+      CHECK(r.exact == 8);
+      CHECK(r.position <= 1e-14);
+      CHECK(r.rotation <= 1e-14);
+      CHECK(r.found <= 1e-9);
+      const auto x = arm.getDependentPoses(q)[0];
+      CHECK(distance(inverse_kinematics(arm, x, nearest(q)).q, q) < 1e-9);
+      numbers far = q;
+      far[slide] = k % 2 == 0 ? 19 : 0.5;  // 0.5 is beyond the limits
+      const auto near_far = inverse_kinematics(arm, x, nearest(far));
+      CHECK((near_far.exact && near_far.within_limits));
+      CHECK(std::abs(near_far.q[slide] - far[slide]) <= std::abs(q[slide] - far[slide]) + arm.structure().reach / 32);
+    }
+  }
+  CHECK_THROWS_MATCHES(
+      inverse_kinematics(arm_of(e_x, true), arm_of(e_x, true).getDependentPoses(numbers::Zero(7))[0], locked("q7", 0)),
+      no_closed_form, says("with 'q7' locked"));
 }

@@ -82,3 +82,29 @@ TEST_CASE("subproblem 5: also where axes meet") {
     CHECK(nearest < 1e-7);
   }
 }
+
+TEST_CASE("subproblem 5 next to axis 2: both answers, to rounding") {
+  random_numbers random(4);
+  const auto draw = [&random] { return vec3<>{random(), random(), random()}; };
+  const auto length = [](const vec3<>& v) { return std::sqrt(dot(v, v)); };
+  const auto unit = [&] {
+    const auto v = draw();
+    return vec3<>{(1 / length(v)) * v};
+  };
+  for (const double away : {1e-4, 1e-6, 1e-7, 1e-8, 1e-10, 0.0})
+    for (int k = 0; k < 200; ++k) {
+      const auto k1 = unit(), k2 = unit(), k3 = unit(), p1 = draw(), p3 = draw();
+      const auto t1 = angle_of(random(3.1)), t2 = angle_of(random(3.1)), t3 = angle_of(random(3.1));
+      const vec3<> a = random(1) * k2 + away * unit(), p2 = a - turned(k3, t3, p3);
+      const vec3<> p0 = turned(k2, t2, a) - turned(k1, t1, p1);
+      double nearest = 10, open = 0;
+      for (const auto& x : subproblem5(p0, p1, p2, p3, k1, k2, k3)) {
+        nearest = std::min(nearest, gap(x.first, t1) + gap(x.third, t3) + away * gap(x.second, t2));
+        open = test::worse(
+            open, length(turned(k2, x.second, vec3<>(p2 + turned(k3, x.third, p3))) - p0 - turned(k1, x.first, p1)));
+      }
+      INFO(away << " " << k);
+      CHECK(nearest < 1e-9);
+      CHECK(open < 1e-14);
+    }
+}

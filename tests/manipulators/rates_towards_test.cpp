@@ -1,7 +1,7 @@
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
-#include <kte/manipulators/rates_towards.hpp>
+#include <kte/manipulators/accelerations_towards.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
 
 #include "catch.hpp"
@@ -153,6 +153,53 @@ TEST_CASE("Runtime arms have the rates of static ones; poses have limits of rate
                        says("coordinate 'pose', number 2 of v"));
 }
 
+TEST_CASE("Accelerations of tools, and joints that give them within limits") {
+  kte_map_chain c;
+  c << revolute_joint_3D("q1", "ground", "upper") << revolute_joint_3D("q2", "upper", "lower", axis::y).at(along_x(0.5))
+    << revolute_joint_3D("q3", "lower", "hand", axis::y).at(along_x(0.4)) << rigid_link_3D("hand", "tip", along_x(0.3));
+  const manipulator runtime(c, "tip");
+  const manipulator free_arm(three, tip);
+  const three_rates q(0.3, 0.4, 0.7), v(0.5, -0.8, 0.6), a(2, -1, 3);
+  const double h = 1e-5;
+  const auto velocity = [&](double t) -> twist {
+    return arm.getDependentVelocities(three_rates(q + t * v + t * t / 2 * a), three_rates(v + t * a));
+  };
+  const twist wanted = arm.getDependentAccelerations(q, v, a);
+  CHECK((wanted - (velocity(h) - velocity(-h)) / (2 * h)).norm() < 1e-8);
+  CHECK((wanted - runtime.getDependentAccelerations(q, v, a)).norm() < 1e-13);
+
+  const auto free_step = accelerations_towards(free_arm, q, v, wanted, 1e-3, {.damping = 1e-12});
+  CHECK((free_step.a - a).norm() < 1e-8);
+  CHECK((free_step.v - (v + 1e-3 * a)).norm() < 1e-11);
+  CHECK(free_step.linear < 1e-8);
+  CHECK(free_step.status == rate_status::free);
+  CHECK((accelerations_towards(runtime, q, v, wanted, 1e-3, {.damping = 1e-12}).a - a).norm() < 1e-8);
+  // Nothing wanted of a tool at the first joint's axis: the other two do as they are told.
+  const manipulator shoulder(three, upper);
+  const three_rates aim(0, 4, -5);
+  CHECK((accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, aim).a - aim).norm() < 1e-9);
+
+  three_rates at(0, 0, 0.5), rate = three_rates::Zero();
+  random_numbers random(4);
+  twist pull = twist::Zero();
+  int at_bounds = 0;
+  const auto& limits = arm.limits();
+  for (int i = 0; i < 2000; ++i) {
+    if (i % 40 == 0) pull = random_twist(random, 20);
+    const auto step = accelerations_towards(arm, at, rate, pull, 0.01);
+    REQUIRE(step.status != rate_status::recovering);
+    at_bounds += step.status == rate_status::limited;
+    rate = step.v, at = integrate(arm, at, rate, 0.01);
+    for (int k = 0; k < 3; ++k) {
+      const auto u = static_cast<std::size_t>(k);
+      REQUIRE(std::abs(step.a[k]) <= limits.acceleration[u] * (1 + 1e-12));
+      REQUIRE(std::abs(rate[k]) <= limits.rate[u]);
+      REQUIRE((limits.lower[u] <= at[k] && at[k] <= limits.upper[u]));
+    }
+  }
+  CHECK(at_bounds > 100);
+}
+
 TEST_CASE("Arguments that are none are refused") {
   const three_rates q(0.3, 0.4, 0.7), v = three_rates::Zero();
   twist t = twist::Zero();
@@ -162,4 +209,7 @@ TEST_CASE("Arguments that are none are refused") {
   t[3] = std::nan("");
   CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.1), bad_argument, says("twist"));
   CHECK_THROWS_AS(rates_towards(arm, three_rates(0, std::nan(""), 0), v, twist::Zero(), 0.1), bad_argument);
+  CHECK_THROWS_AS(accelerations_towards(arm, q, v, t, 0.1), bad_argument);
+  CHECK_THROWS_MATCHES(accelerations_towards(arm, q, v, Eigen::VectorXd::Zero(3), 0.1), bad_argument,
+                       says("wanted has 3"));
 }

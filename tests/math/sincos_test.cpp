@@ -1,4 +1,4 @@
-#include <kte/math/sincos.hpp>
+#include <kte/math/atan2.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -179,5 +179,26 @@ TEST_CASE("other scalars use their own functions", "[math][sincos]") {
     CHECK(r.cos[i] == cos(digits50(i) / 3));
     CHECK(f.sin[i] == std::sin(static_cast<float>(i) / 3));
     CHECK(f.cos[i] == std::cos(static_cast<float>(i) / 3));
+  }
+}
+
+TEST_CASE("angles of directions: each of n to rounding, signs as in atan2", "[math][sincos]") {
+  test::draw draw(43);
+  for (int k = 0; k < 20000; ++k) {
+    const std::size_t n = static_cast<std::size_t>(k) % 10;
+    std::array<double, 10> x, y, t;
+    t.fill(7);
+    for (std::size_t i = 0; i < n; ++i) {
+      x[i] = draw.number() * std::pow(10.0, k % 3 == 0 ? 20 * draw.number() : 0), y[i] = draw.number();
+      if (k % 7 == 0) (k % 2 == 0 ? x : y)[i] *= 0;  // along an axis, and at the origin, zeros of both signs
+      if (k % 49 == 0) x[i] *= 0, y[i] *= 0;
+    }
+    atan2_each(y.data(), x.data(), t.data(), n);
+    for (std::size_t i = 0; i < n; ++i) {
+      CHECK(off(t[i], std::atan2(static_cast<long double>(y[i]), static_cast<long double>(x[i]))) <=
+            1.7e-16 + four_at_once);
+      CHECK(std::signbit(t[i]) == std::signbit(y[i]));
+    }
+    CHECK((n == 10 || t[n] == 7));
   }
 }

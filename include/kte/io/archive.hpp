@@ -38,7 +38,8 @@ class archive {
   }
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
-  /// Adds a chain of either kind; a kinematics or dynamics model, with its tools and inputs; a state of either kind; a
+  /// Adds a chain of either kind; a kinematics or dynamics model, with its tools and inputs; a
+  /// manipulator, with its limits; a state of either kind; a
   /// `mass_matrix_calc`, whose chain must be there; numbers, as q and v. Throws `bad_argument` for a name that is
   /// there.
   template <class T>

@@ -17,9 +17,9 @@
 /// Numbers are written as texts of the shortest digits that read back to the same double (docs/file_format.md).
 namespace kte {
 
-/// Writes a chain of either kind, or a model with its tools and inputs, to a file, by its ending: .xml, .json or .kte.
-/// The file is replaced only when all is written; a link stays one. Throws `bad_file`, or `bad_argument` for a chain
-/// that no file can hold.
+/// Writes a chain of either kind, or a model with its tools, limits and inputs, to a file, by its ending: .xml, .json
+/// or .kte. The file is replaced only when all is written; a link stays one. Throws `bad_file`, or `bad_argument` for a
+/// chain that no file can hold.
 template <class Chain>
 void save_model(const std::filesystem::path& path, const Chain& chain) {
   const auto format = detail::model_format_of(path);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <kte/io/limit_records.hpp>
 #include <kte/io/state_records.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
-/// Models of manipulators as plain data: of dynamics models the inputs by their names, and back.
+/// Models of manipulators as plain data: their tools and limits, of dynamics models the inputs by their names, and
+/// back.
 namespace kte::detail {
 
 /// visit(name, where it begins in u, count) for all inputs of a model from outside.
@@ -35,6 +37,7 @@ model_record record_of_model(const T& x) {
   model_record m = record_of(x);
   if constexpr (requires { x.tools(); })
     for (const auto& t : x.tools()) m.tools.emplace_back(t);
+  if constexpr (requires { x.limits(); }) m.limits = limit_records(x, x.limits());
   if constexpr (requires { x.has_output(); }) {
     if (x.has_output())
       throw bad_argument("kte: the output of this model is a function of its program, which no file can hold");

@@ -31,10 +31,14 @@ class ik_answers {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const ik_answer<Q>& operator[](std::size_t i) const { return all_[i]; }
-  void push_back(const ik_answer<Q>& x) { all_[size_++] = x; }
+  /// One more, at `q` so far.
+  ik_answer<Q>& add(const Q& q) {
+    all_[size_].q = q;
+    return all_[size_++];
+  }
 
  private:
-  std::array<ik_answer<Q>, most> all_{};
+  std::array<ik_answer<Q>, most> all_;
   std::size_t size_ = 0;
 };
 

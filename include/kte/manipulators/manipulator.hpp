@@ -56,20 +56,33 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
 
   /// Infinite, where none were given.
   constexpr const limits_type& limits() const { return limits_; }
-  static constexpr std::size_t tools() { return sizeof...(Tools); }
   /// What makes its inverse kinematics closed form, if it is: found from the axes of the joints that move the first
   /// tool, while compiling where the arm is `constexpr`.
   constexpr arm_family family() const { return structure_.family; }
   constexpr const detail::arm_structure& structure() const { return structure_; }
+  /// The same arm whose axes count as parallel within `tolerance`, rad, and as meeting within that part of its reach,
+  /// instead of 1e-9: for arms as calibrated, and for files that have 1.5708 for a quarter turn. Formulas of six and
+  /// seven axes then give where Newton's method begins, whose answers are exact again; next to singular postures they
+  /// may not be.
+  constexpr manipulator with_axes_within(double tolerance) const {
+    auto arm = *this;
+    arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
+    return arm;
+  }
 
  private:
   template <class Numbers>
   static constexpr limits_type checked(const Chain& c, const joint_limits<Numbers>& limits) {
-    static_assert(std::is_same_v<joint_limits<Numbers>, limits_type>,
+    constexpr bool sized = std::is_same_v<joint_limits<Numbers>, limits_type>;
+    static_assert(sized,
                   "kte: limits of a static chain are those of as many numbers as it has degrees of freedom: begin with "
                   "kte::unlimited(chain)");
-    check_limits(c, limits);
-    return limits;
+    if constexpr (sized) {
+      check_limits(c, limits);
+      return limits;
+    } else {
+      return {};  // one mistake, one error
+    }
   }
 
   limits_type limits_{};

@@ -54,8 +54,33 @@ void look_for_arm_angle(const Arm& arm, const plain_pose_of<S>& x, const Q& now,
   }
 }
 
-/// Seven axes of which one is held: where it is, or as near to that as there is something within limits. Looked for in
-/// steps of 0.05 rad, then by halves.
+/// Where to look for a joint that is held, and in which steps: one that turns in steps of 0.05 rad around where it is;
+/// a slide where the arm on it reaches from its first joint to the tool,
+///
+///   |p - p_1 - t h| <= reach,  h along the slide, p the place of the tool,          (1)
+///
+/// from what of that is nearest to where it is, in steps of 1/32 of the reach. A slide at the tool is as one at the
+/// base, of the arm from the tool to the base.
+struct held_joint_search {
+  double from, step;
+};
+template <class S>
+held_joint_search search_of(const arm_structure& s, const plain_pose_of<S>& x, double here) {
+  const auto joint = static_cast<std::size_t>(s.held);
+  if (!s.original.slides[joint]) return {here, 0.05};
+  using std::sqrt;
+  const bool first = joint == 0;
+  const auto arm = first ? s.original : reversed(s.original);
+  const auto pose = first ? x : plain_pose_of<S>(inverse(x));
+  const vec3<S> way = pose.position - as<S>(arm.point[1]);
+  const double along = double_of(S(dot(as<S>(arm.axis[0]), way)));
+  const double room = s.reach * s.reach + along * along - double_of(S(dot(way, way)));
+  const double half = room > 0 ? sqrt(room) : 0;
+  return {std::min(std::max(here, along - half), along + half), s.reach / 32};
+}
+
+/// A joint is held: where it is, or as near to that as there is something within limits. Looked for in steps, then by
+/// halves.
 template <class S, class Arm, class Q>
 void look_for_held_joint(const Arm& arm, const plain_pose_of<S>& x, const Q& now, best_answer<Q>& best) {
   const auto& s = arm.structure();
@@ -71,14 +96,16 @@ void look_for_held_joint(const Arm& arm, const plain_pose_of<S>& x, const Q& now
     return one.is == best_answer<Q>::good;
   };
   if (good_at(here)) return;
-  constexpr double step = 0.05;
-  for (int k = 1; k <= 63; ++k)
+  const auto [there, step] = search_of(s, x, here);
+  const double from = std::min(std::max(there, lower), upper);
+  if (from != here && good_at(from)) return;
+  for (int k = 1; k <= 64; ++k)
     for (const double side : {step, -step}) {
-      if (!good_at(here + k * side)) continue;
+      if (!good_at(from + k * side)) continue;
       double good = k, bad = k - 1;
       for (int half = 0; half < 30; ++half) {
         const double middle = (good + bad) / 2;
-        (good_at(here + middle * side) ? good : bad) = middle;
+        (good_at(from + middle * side) ? good : bad) = middle;
       }
       return;
     }
@@ -89,7 +116,7 @@ best_answer<Q> best_near(const Arm& arm, const plain_pose_of<S>& x, const Q& now
   best_answer<Q> best;
   if (arm.family() == arm_family::srs)
     look_for_arm_angle(arm, x, now, best);
-  else if (arm.family() == arm_family::offset_7R)
+  else if (arm.structure().held >= 0)
     look_for_held_joint(arm, x, now, best);
   else
     look_at_all(arm, x, now, 0.0, best);
@@ -98,14 +125,17 @@ best_answer<Q> best_near(const Arm& arm, const plain_pose_of<S>& x, const Q& now
 }  // namespace detail
 
 /// The answer that is exact, within limits and nearest to a posture: the least |q - q_now|, multiples of 2 pi taken
-/// where limits let them be. Angles that are free stay as they are. An arm of seven axes keeps its arm angle (or the
-/// joint that is held); where nothing is within limits there, it takes the nearest angle at which something is.
+/// where limits let them be. Angles that are free stay as they are. An arm of seven joints keeps its arm angle (or the
+/// joint that is held); where nothing is within limits there, it takes the nearest value at which something is; of a
+/// joint that is held that is looked for in steps of 0.05 rad, of a track in 1/32 of the reach.
 ///
-/// Throws `unreachable` where there is none, with the best that there is.
+/// Throws `unreachable` where there is none, with the best that there is; without one, and infinitely far, where the
+/// formulas have no answer at all.
 template <class Chain, class Tools, class Rotation, class Position, class Q>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
                         const nearest_to<Q>& to) {
   using namespace detail;
+  refuse_by_type(arm);
   check_closed_form(arm);
   const auto x = checked_pose(spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
@@ -115,6 +145,9 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   for (Eigen::Index i = 0; i < now.size(); ++i)
     if (!(now[i] - now[i] == S(0))) raise<bad_argument>("kte: inverse kinematics: q_now is not finite");
   const auto best = best_near(arm, x, now);
+  if (best.is == best.none)  // equations of degree four may have no answer, not even one of least squares
+    raise<unreachable>("kte: this pose cannot be reached", unreachable_reason::distance, std::vector<double>{},
+                       std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
   if (best.is != best.good) {
     std::vector<double> q;
     for (Eigen::Index i = 0; i < best.answer.q.size(); ++i) q.push_back(double_of(best.answer.q[i]));

@@ -24,7 +24,8 @@ constexpr auto p3r3r_limits() {
   return limits;
 }
 
-/// The arm with its limits.
+/// The arm with its limits. `inverse_kinematics` gives the answers for one place of the track (`locked`; without it,
+/// 0), or with `nearest` that for the nearest place.
 constexpr auto p3r3r(const three_r_three_r_lengths& lengths = crs_a465) {
   return manipulator(p3r3r_chain(lengths), arm_names::tool, p3r3r_limits());
 }

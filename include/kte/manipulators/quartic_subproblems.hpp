@@ -1,7 +1,8 @@
 #pragma once
 
+#include <kte/manipulators/detail/angle_pairs.hpp>
+#include <kte/manipulators/detail/three_axes_loop.hpp>
 #include <kte/manipulators/detail/two_harmonics.hpp>
-#include <kte/manipulators/subproblems.hpp>
 
 /// The subproblems of two and three angles that lead to equations of degree four (Elias and Wen, IK-Geo, 2025).
 namespace kte {
@@ -18,20 +19,14 @@ constexpr linear_part<S> linear_part_of(const N& normal, const K& axis, const ve
   return {along, dot(n, p) - along, dot(n, cross(k, p))};
 }
 
-/// Pairs of angles, at most four where the equations say so, and double ones.
-template <class S>
-struct angle_pair {
-  solved_angle<S> first, second;
-};
-template <class S>
-using angle_pairs = detail::short_list<angle_pair<S>, 8>;
-
 /// A x1 + B x2 = e with x_i = (cos t_i, sin t_i), A, B by rows. With the one of A and B that is farther from singular,
 /// say A, x1 = g + G x2, of which the length 1 is
 ///
 ///   al cos 2t + be sin 2t + ga cos t + de sin t + ep = 0          (1)
 ///
-/// in t = t2; roots that touch within rounding count. Then Newton's steps on the two equations themselves.
+/// in t = t2; roots that touch within rounding count. Then Newton's steps on the two equations themselves, as long as
+/// they bring these nearer to zero: next to a double root they may not. (And within rounding, for derivatives.) `slot`
+/// is a name of a pair: 0, 2 and 1, 3.
 template <class S>
 angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::array<std::array<S, 2>, 2>& B,
                            const std::array<S, 2>& e) {
@@ -58,34 +53,42 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
   const detail::two_harmonics f{(P - Q) / 2, times(G1, G2), 2 * times(g, G1), 2 * times(g, G2), gg + (P + Q) / 2 - 1};
   const double size = std::abs(f.al) + std::abs(f.be) + std::abs(f.ga) + std::abs(f.de) + gg + (P + Q) / 2 + 1;
 
+  S noise(0);
+  for (const auto& m : {A, B})
+    for (const auto& row : m)
+      for (const S& x : row) noise += S(4 * std::numeric_limits<S>::epsilon()) * (x < S(0) ? S(-x) : x);
   for (const double t : f.zeros(1e-11 * size)) {
     const double c = std::cos(t), s = std::sin(t);
     const auto other = direction(g[0] + G1[0] * c + G2[0] * s, g[1] + G1[1] * c + G2[1] * s);
     S t1 = exchanged ? S(t) : S(other.value()), t2 = exchanged ? S(other.value()) : S(t);
     auto x1 = angle_of(t1), x2 = angle_of(t2);
-    const auto miss = [&](std::size_t i) -> S {
-      return A[i][0] * x1.cos + A[i][1] * x1.sin + B[i][0] * x2.cos + B[i][1] * x2.sin - e[i];
+    const auto missed = [&](const solved_angle<S>& y1, const solved_angle<S>& y2) {
+      const auto row = [&](std::size_t i) -> S {
+        return A[i][0] * y1.cos + A[i][1] * y1.sin + B[i][0] * y2.cos + B[i][1] * y2.sin - e[i];
+      };
+      return std::array<S, 2>{row(0), row(1)};
     };
+    const auto slope = [](const auto& row, const solved_angle<S>& x) -> S { return row[1] * x.cos - row[0] * x.sin; };
+    auto miss = missed(x1, x2);
+    bool negative = false;
     for (int k = 0; k < 3; ++k) {
-      const S r0 = miss(0), r1 = miss(1);
-      const auto slope = [](const auto& row, const solved_angle<S>& x) -> S { return row[1] * x.cos - row[0] * x.sin; };
+      const auto& [r0, r1] = miss;
       const S j00 = slope(A[0], x1), j01 = slope(B[0], x2), j10 = slope(A[1], x1), j11 = slope(B[1], x2);
       const S j = j00 * j11 - j01 * j10;
+      negative = j < S(0);
       const S d1 = (j11 * r0 - j01 * r1) / j, d2 = (j00 * r1 - j10 * r0) / j;
-      const double way = std::abs(detail::double_of(d1)) + std::abs(detail::double_of(d2));
-      if (!(way < 1e-2)) break;  // next to a double root
-      t1 -= d1, t2 -= d2;
-      x1 = angle_of(t1), x2 = angle_of(t2);
+      const S s1 = t1 - d1, s2 = t2 - d2;
+      const auto y1 = angle_of(s1), y2 = angle_of(s2);
+      const auto left = missed(y1, y2);
+      const S now = r0 * r0 + r1 * r1, then = left[0] * left[0] + left[1] * left[1];
+      if (std::is_floating_point_v<S> ? !(then < now) : !(then < now) && !(then <= noise * noise)) break;
+      t1 = s1, t2 = s2, x1 = y1, x2 = y2, miss = left;
     }
     bool known = false;
-    for (const auto& y : out) {
-      const auto same = [](const solved_angle<S>& p, const solved_angle<S>& q) {
-        return std::abs(detail::double_of(p.cos - q.cos)) + std::abs(detail::double_of(p.sin - q.sin)) < 1e-9;
-      };
-      known |= same(y.first, x1) && same(y.second, x2);
-    }
-    if (!known && out.size() < 8) out.push_back({x1, x2});
+    for (const auto& y : out) known |= detail::same_angle(y.first, x1) && detail::same_angle(y.second, x2);
+    if (!known && out.size() < 8) out.push_back({x1, x2, negative ? 1u : 0u});
   }
+  detail::name_slots(out);
   return out;
 }
 
@@ -95,11 +98,8 @@ angle_pairs<S> subproblem6(const std::array<std::array<S, 2>, 2>& A, const std::
 ///   k2.p0 + k2.R(k1, t1) p1 = k2.p2 + k2.R(k3, t3) p3
 ///   |p0|^2 + |p1|^2 + 2 p0.R(k1, t1) p1 = |p2|^2 + |p3|^2 + 2 p2.R(k3, t3) p3          (2)
 ///
-/// which is subproblem 6; then t2 by subproblem 1.
-template <class S>
-struct three_solved_angles {
-  solved_angle<S> first, second, third;
-};
+/// which is subproblem 6; then t2 by subproblem 1, and Newton's steps where the squares have lost digits
+/// (detail/three_axes_loop.hpp).
 template <class S, class K1, class K2, class K3>
 detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, const vec3<S>& p1, const vec3<S>& p2,
                                                           const vec3<S>& p3, const K1& k1, const K2& k2, const K3& k3) {
@@ -111,34 +111,36 @@ detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, con
   const S u = S(2) * unit;
   const S squares = (dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) * unit;
   detail::short_list<three_solved_angles<S>, 8> out;
-  const auto add = [&](const solved_angle<S>& t1, const solved_angle<S>& t3) {
-    const vec3<S> a = p2 + turned(k3, t3, p3), b = p0 + turned(k1, t1, p1);
-    out.push_back({t1, subproblem1(k2, a, b), t3});
+  const detail::three_axes_loop<S> loop{p0, p1, p2, p3, as<S>(k1), k, as<S>(k3)};
+  const auto add = [&](const solved_angle<S>& t1, const solved_angle<S>& t3, unsigned slot) {
+    loop.add_closed(t1, t3, slot, out);
   };
   // Where axes 1 and 2 meet, or 2 and 3, one angle is alone in the second equation.
   const auto nothing = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
   if (nothing(p0) && !nothing(p2)) {
     const auto t3 = linear_in_angle(q3.cos, q3.sin,
                                     S((dot(p0, p0) + dot(p1, p1) - dot(p2, p2) - dot(p3, p3)) / S(2) - q3.constant));
-    for (const auto& t : {t3.plus, t3.minus}) {
+    for (const unsigned far : {0u, 2u}) {
+      const auto& t = far == 0 ? t3.plus : t3.minus;
       const auto t1 = subproblem4(k1, p1, k2, S(dot(k, vec3<S>(p2 + turned(k3, t, p3) - p0))));
-      add(t1.plus, t), add(t1.minus, t);
+      add(t1.plus, t, far), add(t1.minus, t, far + 1);
     }
     return out;
   }
   if (nothing(p2) && !nothing(p0)) {
     const auto t1 = linear_in_angle(q1.cos, q1.sin,
                                     S((dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) / S(2) - q1.constant));
-    for (const auto& t : {t1.plus, t1.minus}) {
+    for (const unsigned far : {0u, 2u}) {
+      const auto& t = far == 0 ? t1.plus : t1.minus;
       const auto t3 = subproblem4(k3, p3, k2, S(dot(k, vec3<S>(p0 + turned(k1, t, p1) - p2))));
-      add(t, t3.plus), add(t, t3.minus);
+      add(t, t3.plus, far), add(t, t3.minus, far + 1);
     }
     return out;
   }
   for (const auto& t : subproblem6<S>(
            {{{l1.cos, l1.sin}, {u * q1.cos, u * q1.sin}}}, {{{-l3.cos, -l3.sin}, {-u * q3.cos, -u * q3.sin}}},
            {S(dot(k, p2) - dot(k, p0) + l3.constant - l1.constant), S(squares + u * (q3.constant - q1.constant))}))
-    add(t.first, t.second);
+    add(t.first, t.second, t.slot);
   return out;
 }
 

@@ -66,7 +66,7 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
   const Eigen::Index m = static_cast<Eigen::Index>(size);
-  const auto rows = 6 * arm.tools();
+  const auto rows = 6 * arm.tools().size();
   check_size(rows, twist, "twist", "numbers of twists of its tools");
   check_size(size, v_now, "v_now"), check_size(size, v_wanted, "v_wanted");
   detail::check_finite(twist, rows, "kte: a twist is no finite number");

@@ -21,10 +21,10 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
 
   /// Throws `unknown_name` for a frame that the chain does not have, `bad_parameter` for limits that make no sense.
   manipulator(const kte_map_chain& c, std::vector<std::string> tools, const joint_limits<>& limits)
-      : model(c, tools), limits_(limits), tools_(std::move(tools)) {
+      : model(c, std::move(tools)), limits_(limits) {
     check_limits(*this, limits_);
     auto s = make_state();
-    structure_ = detail::structure_of(detail::geometry_of(*this, s, tools_[0]));
+    structure_ = detail::structure_of(detail::geometry_of(*this, s, this->tools()[0]));
   }
   manipulator(const kte_map_chain& c, std::vector<std::string> tools)
       : manipulator(c, std::move(tools), unlimited(c)) {}
@@ -37,14 +37,16 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
       : manipulator(c, std::vector<std::string>{name_of_tool}, limits) {}
 
   const joint_limits<>& limits() const { return limits_; }
-  std::size_t tools() const { return tools_.size(); }
-  const std::vector<std::string>& tool_names() const { return tools_; }
   arm_family family() const { return structure_.family; }
   const detail::arm_structure& structure() const { return structure_; }
+  manipulator with_axes_within(double tolerance) const {
+    auto arm = *this;
+    arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
+    return arm;
+  }
 
  private:
   joint_limits<> limits_;
-  std::vector<std::string> tools_;
   detail::arm_structure structure_;
 };
 template <class... Rest>

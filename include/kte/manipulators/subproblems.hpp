@@ -98,13 +98,14 @@ constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, cons
 
 /// R(k, t) p1 = p2:
 ///
-///   t = atan2(k.(p1 x p2), p1.p2 - (k.p1)(k.p2))          (2)
+///   t = atan2(k.(n1 x n2), n1.n2),  n1, n2 the parts of p1, p2 normal to k          (2)
 ///
-/// of least squares always; 0 where any t is as good.
+/// of least squares always; 0 where any t is as good. (p1.p2 - (k.p1)(k.p2) and k.(p1 x p2) are the same, but where
+/// the vectors are nearly along k they are differences of large numbers.)
 template <class S, class K>
 constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const vec3<S>& p2) {
-  const vec3<S> k = as<S>(axis);
-  return direction(S(dot(p1, p2) - dot(k, p1) * dot(k, p2)), S(dot(k, cross(p1, p2))));
+  const vec3<S> k = as<S>(axis), n1 = p1 - dot(k, p1) * k, n2 = p2 - dot(k, p2) * k;
+  return direction(S(dot(n1, n2)), S(dot(k, cross(n1, n2))));
 }
 
 /// n.R(k, t) p = d: by (1) with

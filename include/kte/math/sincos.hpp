@@ -79,7 +79,7 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
 inline void sincos_each(const double* angle, double* sine, double* cosine, std::size_t n) {
   std::size_t i = 0;
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
-  for (; i + 3 < n; i += 4) {
+  for (const std::size_t fours = n / 4 * 4; i < fours; i += 4) {
     const double* x = angle + i;
     bool small = true;
     for (std::size_t k = 0; k < 4; ++k) small &= std::fabs(x[k]) <= detail::largest_reduced_angle;

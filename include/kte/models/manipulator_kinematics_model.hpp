@@ -54,6 +54,21 @@ class manipulator_kinematics_model : public Chain {
     for (std::size_t i = 0; i < std::size_t{n}; ++i) rates[static_cast<Eigen::Index>(i)] = v[i];
     return Eigen::Matrix<value_of<Q>, rows, 1>(getJacobianMatrix(q) * rates);
   }
+  /// Accelerations of the frames, classical, without gravity: J a + dJ/dt v.
+  template <indexable Q, indexable V, indexable A>
+  auto getDependentAccelerations(const Q& q, const V& v, const A& a) const {
+    using S = value_of<Q>;
+    Eigen::Matrix<S, rows, 1> all;
+    int row = 0;
+    const auto add = [&](const auto& frame) {
+      const auto x = frame_acceleration(chain(), q, v, a, frame);
+      const auto R = as<S>(matrix(forward_kinematics(chain(), q, frame).rotation));
+      const vec3<S> linear = R * x.linear, angular = R * x.angular;
+      for (const S& number : {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z}) all[row++] = number;
+    };
+    (add(Frames{}), ...);
+    return all;
+  }
 
   constexpr const Chain& chain() const { return *this; }
 };

@@ -69,6 +69,20 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
     detail::take(*this, s_, q, v);
     return getJacobianMatrix(q) * velocities(s_);
   }
+  /// Accelerations of the frames, classical, without gravity: J a + dJ/dt v.
+  template <indexable Q, indexable V, indexable A>
+  Eigen::VectorXd getDependentAccelerations(const Q& q, const V& v, const A& a) const {
+    detail::take(*this, s_, q, v, a);
+    Eigen::VectorXd all(6 * static_cast<Eigen::Index>(frames_.size()));
+    Eigen::Index row = 0;
+    for (const auto& f : frames_) {
+      const auto x = frame_acceleration(*this, s_, f);
+      const auto R = forward_kinematics(*this, s_, f).rotation;
+      const vec3<> linear = R * x.linear, angular = R * x.angular;
+      for (const double number : {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z}) all[row++] = number;
+    }
+    return all;
+  }
 
  private:
   std::vector<std::string> frames_;

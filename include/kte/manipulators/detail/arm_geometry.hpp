@@ -63,11 +63,12 @@ constexpr arm_geometry part_of(const arm_geometry& a, int first, int last) {
   return r;
 }
 
-/// exp(joint i, t): x -> R x + p
+/// exp(joint i, t): x -> R x + p. `turn` has the cosine and sine of t.
 template <class S, class Angle>
-constexpr pose<mat3<vec3<S>>, vec3<S>> joint_pose(const arm_geometry& a, std::size_t i, const Angle& t) {
+constexpr pose<mat3<vec3<S>>, vec3<S>> joint_pose(const arm_geometry& a, std::size_t i, const S& t, const Angle& turn) {
   const vec3<S> h = as<S>(a.axis[i]), o = as<S>(a.point[i]);
-  const mat3<vec3<S>> r = as<S>(rotation_about(h, t.cos, t.sin));
+  if (a.slides[i]) return {as<S>(mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), t * h};
+  const mat3<vec3<S>> r = as<S>(rotation_about(h, turn.cos, turn.sin));
   return {r, vec3<S>(o - r * o)};
 }
 

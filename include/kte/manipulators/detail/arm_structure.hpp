@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/manipulators/detail/arm_geometry.hpp>
+#include <kte/errors.hpp>
+#include <kte/manipulators/detail/singular_axes.hpp>
 #include <kte/math/principal_moments.hpp>
 
 #include <cstdint>
@@ -16,7 +17,8 @@ enum class arm_family : std::uint8_t {
   spherical_shoulder,  ///< axes 1, 2, 3 do
   three_parallel,      ///< three axes in a row, with 5 and 6 (or 1 and 2) beyond them
   srs,                 ///< seven axes, of which the first and the last three meet
-  offset_7R            ///< seven axes that are one of these when the first or the last is held
+  offset_7R,           ///< seven axes that are one of these when the first or the last is held
+  on_track             ///< six that are, on a slide or with one at the tool
 };
 
 }  // namespace kte
@@ -84,6 +86,16 @@ struct axes_of {
   }
 };
 
+/// `tolerance` of arms, if it makes sense.
+constexpr double checked_tolerance(double tolerance) {
+  if (!(tolerance > 0 && tolerance < 0.1))
+    raise<bad_parameter>(
+        "kte: the tolerance within which axes count as parallel and as meeting must be between 0 and "
+        "0.1, got " +
+        number(tolerance));
+  return tolerance;
+}
+
 /// An arm with what the formulas need of it. Joints i of `arm` turn by t_i = sign_i q_i about its axes, origins of
 /// joints that meet moved to where they do.
 struct arm_structure {
@@ -94,15 +106,20 @@ struct arm_structure {
   arm_geometry original, arm;
   std::array<double, arm_geometry::most> sign{1, 1, 1, 1, 1, 1, 1, 1};
   double reach = 0;
+  /// Within which axes count as parallel, rad, and as meeting, of the reach.
+  static constexpr double strict = 1e-9;
+  double tolerance = strict;
 
   constexpr const vec3<>& h(int i) const { return arm.axis[static_cast<std::size_t>(i)]; }
   constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
 };
 
+/// From the first joint that turns to the tool, from one to the next.
 constexpr double reach_of(const arm_geometry& a) {
   double sum = 0;
-  for (int i = 0; i + 1 < a.n; ++i) sum += length_of(a.point[std::size_t(i + 1)] - a.point[std::size_t(i)]);
-  if (a.n > 0) sum += length_of(a.tool.position - a.point[std::size_t(a.n - 1)]);
+  vec3<> to = a.tool.position;
+  for (int i = a.n; i-- > 0;)
+    if (const auto k = static_cast<std::size_t>(i); !a.slides[k]) sum += length_of(to - a.point[k]), to = a.point[k];
   return sum;
 }
 
@@ -126,6 +143,11 @@ constexpr bool fits_six(arm_structure& s, double most_rad, double most_m) {
       align(s, 2, 1);
       s.form = closed_form::wrist_parallel;
     } else {
+      // Where two of the first axes meet, one angle is alone in an equation (quartic_subproblems.hpp).
+      if (const auto first = a.meet(0, 1); first.miss <= most_m)
+        put_points(s, 0, 1, first.at);
+      else if (const auto second = a.meet(1, 2); second.miss <= most_m)
+        put_points(s, 1, 2, second.at);
       s.form = closed_form::wrist_general;
     }
     return true;
@@ -163,7 +185,7 @@ constexpr bool fits_six_either_way(arm_structure& s, const arm_geometry& arm, do
   arm_structure there = s, back = s;
   there.arm = arm, back.arm = reversed(arm), back.backwards = true;
   const bool ahead = fits_six(there, most_rad, most_m), behind = fits_six(back, most_rad, most_m);
-  if (!ahead && !behind) return false;
+  if ((!ahead && !behind) || singular_everywhere(arm, s.reach)) return false;
   const auto simple = [](const arm_structure& x) {
     return x.form == closed_form::wrist_parallel || x.form == closed_form::parallel_meeting;
   };
@@ -192,6 +214,7 @@ constexpr bool fits_planar(arm_structure& s, double most_rad) {
   const axes_of a{s.original};
   for (int i = 1; i < s.original.n; ++i)
     if (a.sine(0, i) > most_rad) return false;
+  if (singular_everywhere(s.original, s.reach)) return false;
   s.arm = s.original;
   for (int i = 1; i < s.original.n; ++i) align(s, i, 0);
   const int n = s.original.n, turning = s.original.turning();
@@ -206,21 +229,21 @@ constexpr bool fits_planar(arm_structure& s, double most_rad) {
   return false;
 }
 
-/// Seven axes of which one is held.
-constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tolerance = 1e-9) {
+/// Seven joints of which one is held, and the others turn.
+constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tolerance) {
   arm_structure s;
-  s.original = arm, s.reach = reach_of(arm);
+  s.original = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   const auto six = joint == 0 ? part_of(arm, 1, arm.n - 1) : part_of(arm, 0, arm.n - 2);
-  if (fits_six_either_way(s, six, tolerance, tolerance * s.reach)) {
-    s.held = joint, s.family = arm_family::offset_7R;
+  if (six.turning() == six.n && fits_six_either_way(s, six, tolerance, tolerance * s.reach)) {
+    s.held = joint;
+    s.family = arm.slides[static_cast<std::size_t>(joint)] ? arm_family::on_track : arm_family::offset_7R;
   }
   return s;
 }
 
-/// Axes count as parallel and as meeting within `tolerance`: rad, and of the reach.
-constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance = 1e-9) {
+constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance = arm_structure::strict) {
   arm_structure s;
-  s.original = arm, s.arm = arm, s.reach = reach_of(arm);
+  s.original = arm, s.arm = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   if (arm.refused != nullptr || !(s.reach > 0)) return s;
   const double most_m = tolerance * s.reach;
   const bool turns = arm.turning() == arm.n;
@@ -228,7 +251,7 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
     fits_planar(s, tolerance);
   } else if (arm.n == 6 && turns) {
     fits_six_either_way(s, arm, tolerance, most_m);
-  } else if (arm.n == 7 && turns && !fits_srs(s, most_m)) {
+  } else if (arm.n == 7 && !(turns && fits_srs(s, most_m))) {
     const auto first = with_held(arm, 0, tolerance), last = with_held(arm, arm.n - 1, tolerance);
     const bool by_last =
         last.form != closed_form::none && (first.form == closed_form::none || last.form != closed_form::wrist_general);

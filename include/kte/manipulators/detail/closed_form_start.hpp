@@ -17,7 +17,7 @@ bool start_at_closed_form(const Arm&, const Goals&, Q&) {
 template <class Arm, class Tool, class Q>
 bool start_at_closed_form(const Arm& arm, const std::tuple<reach_goal<Tool>>& goals, Q& q) {
   const auto& goal = std::get<0>(goals);
-  if (arm.tools() != 1 || arm.structure().form == closed_form::none || !(goal.weights.position > 0) ||
+  if (arm.tools().size() != 1 || arm.structure().form == closed_form::none || !(goal.weights.position > 0) ||
       !(goal.weights.rotation > 0))
     return false;
   using S = typename Q::Scalar;

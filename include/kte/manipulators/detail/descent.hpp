@@ -87,7 +87,7 @@ template <class At, class Goals, class Done>
 descent descend(At& at, const Goals& goals, int most, int patience, double stall, const Done& done) {
   using S = typename At::scalar;
   descent out{0, done(), false};
-  S half = half_squares<S>(goals, at), lambda(0.01), nu(2);
+  S half = half_squares<S>(goals, at), lambda(S(0.01)), nu(2);
   S before = half;
   int next = patience;
   typename At::configuration from = at.q;

@@ -2,6 +2,7 @@
 
 #include <kte/manipulators/detail/in_limits.hpp>
 #include <kte/manipulators/detail/srs_axes.hpp>
+#include <kte/math/atan2.hpp>
 #include <kte/tree/short_list.hpp>
 
 #include <algorithm>
@@ -84,9 +85,12 @@ inline arm_angle_list feasible_angles(const arm_structure& s, const rotation_mat
   constexpr double pi = std::numbers::pi;
   arm_angle_list out;
   const auto sides = elbow_sides(s, position);
+  const auto still = turns_of<double>({});
   const auto ok = [&](const raw_answer<double>& x) {
+    by_joint<double> t;
+    atan2_each(x.turn.sine.data(), x.turn.cosine.data(), t.data(), t.size());
     for (std::size_t i = 0; i < 7; ++i) {
-      double q = s.sign[i] * x.t[i];
+      double q = s.sign[i] * t[i];
       if (!bring_within(limits.lower[i], limits.upper[i], false, 0.0, q)) return false;
     }
     return true;
@@ -104,7 +108,7 @@ inline arm_angle_list feasible_angles(const arm_structure& s, const rotation_mat
       for (std::size_t i = 0; i + 1 < at.size(); ++i) {
         const double lower = at[i], upper = at[i + 1];
         if (!(upper > lower)) continue;
-        const auto answers = shoulder_and_wrist(s, R07, position, (lower + upper) / 2, {});
+        const auto answers = shoulder_and_wrist(s, R07, position, angle_of((lower + upper) / 2), still);
         for (std::size_t a = 0; a < answers.size; ++a)
           if (answers.all[a].branch == branch && ok(answers.all[a])) {
             if (!own.empty() && own[own.size() - 1].upper == lower)
@@ -123,7 +127,7 @@ inline arm_angle_list feasible_angles(const arm_structure& s, const rotation_mat
 
 /// The arm angle of a posture, by joint.
 template <class S>
-S arm_angle_at(const arm_structure& s, const vec3<S>& position, const std::array<S, arm_geometry::most>& q) {
+S arm_angle_at(const arm_structure& s, const vec3<S>& position, const by_joint<S>& q) {
   const auto sides = elbow_sides(s, position);
   auto R03 = as<S>(mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   for (const int i : {2, 1, 0}) R03 = turned_matrix(s.h(i), angle_of(q[static_cast<std::size_t>(i)]), R03);

@@ -55,7 +55,7 @@ class arm_at {
   using configuration = joint_vector<S, arm_numbers<Arm>>;
 
   arm_at(const Arm& a, const configuration& at, const S& l) : arm(a), length(l), q(at) {
-    if constexpr (arm_tools<Arm> < 0) poses.resize(a.tools());
+    if constexpr (arm_tools<Arm> < 0) poses.resize(a.tools().size());
     move(at);
   }
   void move(const configuration& to) {
@@ -70,7 +70,7 @@ class arm_at {
     if constexpr (arm_tools<Arm> >= 0) {
       return tool_place<Arm, Tool>::value;
     } else {
-      const auto& names = arm.tool_names();
+      const auto& names = arm.tools();
       const auto found = std::find(names.begin(), names.end(), tool);
       if (found == names.end()) throw unknown_name("kte: the manipulator has no tool '" + tool + "'");
       return static_cast<std::size_t>(found - names.begin());

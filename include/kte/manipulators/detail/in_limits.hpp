@@ -8,6 +8,8 @@ namespace kte::detail {
 /// is beyond a limit by rounding alone is put on it. A slide does not turn.
 template <class S, class Start>
 bool bring_within(double lower, double upper, bool slides, const Start& start, S& t) {
+  const S pi = half_turn<S>(), away = t - S(start);
+  if (t >= S(lower) && t <= S(upper) && (slides || (away >= -pi && away <= pi))) return true;
   const auto reaches = [](const S& limit) {
     const S size = limit < S(0) ? S(-limit) : limit;
     return S(32 * std::numeric_limits<S>::epsilon()) * (size > S(1) ? size : S(1));
@@ -16,7 +18,7 @@ bool bring_within(double lower, double upper, bool slides, const Start& start, S
   const S least = S(lower) - (lower > -1e300 ? reaches(S(lower)) : S(0));
   const S most = S(upper) + (upper < 1e300 ? reaches(S(upper)) : S(0));
   if (!slides) {
-    const S turn = S(2) * half_turn<S>();
+    const S turn = S(2) * pi;
     const auto turns = [&turn](const S& way) { return double_of(S(way / turn)); };
     const double nearest = std::floor(turns(S(S(start) - x)) + 0.5);
     if (nearest != 0) x += S(nearest) * turn;

@@ -27,16 +27,18 @@ bool solve_six(std::array<std::array<S, 7>, 6>& m, std::array<S, 6>& x) {
 }
 
 /// One of Newton's steps towards a pose for six joints, from the one after the first `held` on: J d = (p_d - p, the
-/// vector of the antisymmetric part of R_d R^T). Only a short one, of an answer that is there but for rounding.
+/// vector of the antisymmetric part of R_d R^T). Only one of no angle above `most`, rad: of an
+/// answer that is there but for rounding.
 template <class S>
 void newton_step(const arm_geometry& arm, std::size_t first, const pose<rotation_matrix<S>, vec3<S>>& wanted,
-                 std::array<S, arm_geometry::most>& t) {
-  std::array<vec3<S>, arm_geometry::most> axis, at;
+                 by_joint<S>& t, double most = 1e-3) {
+  const auto turn = turns_of(t);
+  by_joint<vec3<S>> axis, at;
   pose<rotation_matrix<S>, vec3<S>> x{as<S>(mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), {S(0), S(0), S(0)}};
   for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i) {
     axis[i] = x.rotation * as<S>(arm.axis[i]);
     at[i] = x.position + x.rotation * as<S>(arm.point[i]);
-    x = compose(x, joint_pose<S>(arm, i, angle_of(t[i])));
+    x = compose(x, joint_pose<S>(arm, i, t[i], turn.at(i)));
   }
   const rotation_matrix<S> R = x.rotation * as<S>(arm.tool.rotation);
   const vec3<S> p = x.position + x.rotation * as<S>(arm.tool.position), d = wanted.position - p;
@@ -53,7 +55,7 @@ void newton_step(const arm_geometry& arm, std::size_t first, const pose<rotation
   if (!solve_six(m, step)) return;
   double longest = 0;
   for (const auto& s : step) longest = std::max(longest, std::abs(double_of(s)));
-  if (!(longest < 1e-3)) return;
+  if (!(longest < most)) return;
   for (std::size_t k = 0; k < 6; ++k) t[first + k] += step[k];
 }
 

@@ -11,7 +11,7 @@ namespace kte::detail {
 ///   d = h.(position - that at d = 0);   q3 = angle of the tool about h - q1 - q2          (1)
 template <class S>
 raw_answers<S> planar_and_slide(const arm_structure& s, const rotation_matrix<S>& R, const vec3<S>& position,
-                                const free_angles<S>& seed) {
+                                const joint_turns<S>& seed) {
   std::array<std::size_t, 3> turn{};
   std::size_t turning = 0, slide = arm_geometry::most;
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.arm.n); ++i) {
@@ -24,17 +24,17 @@ raw_answers<S> planar_and_slide(const arm_structure& s, const rotation_matrix<S>
   const vec3<>&h = s.arm.axis[0], tip = turning == 3 ? point(2) : s.arm.tool.position;
   const vec3<S> w = position - R * as<S>(transpose(s.arm.tool.rotation) * (s.arm.tool.position - tip));
   const auto q12 = triangle(h, as<S>(normal_part(point(1) - point(0), h)), as<S>(normal_part(tip - point(1), h)),
-                            normal_to(h, vec3<S>(w - as<S>(point(0)))), seed.at(static_cast<int>(turn[0])));
+                            normal_to(h, vec3<S>(w - as<S>(point(0)))), seed.at(turn[0]));
   raw_answers<S> out;
   for (const bool down : {false, true}) {
-    raw_answer<S> x;
+    raw_answer<S> x{};
     const auto t1 = down ? q12.t2.minus : q12.t2.plus, t2 = down ? q12.t3.minus : q12.t3.plus;
-    x.t[turn[0]] = t1.value(), x.t[turn[1]] = t2.value();
-    if (slide < arm_geometry::most) x.t[slide] = dot(as<S>(h), vec3<S>(w - as<S>(tip)));
+    x.turn.put(turn[0], t1), x.turn.put(turn[1], t2);
+    if (slide < arm_geometry::most) x.slide = dot(as<S>(h), vec3<S>(w - as<S>(tip)));
     if (turning == 3) {
       const vec3<> v = any_normal(h);
       const auto whole = subproblem1(h, as<S>(v), vec3<S>(R * as<S>(transpose(s.arm.tool.rotation) * v)));
-      x.t[turn[2]] = (whole - t1 - t2).value();
+      x.turn.put(turn[2], whole - t1 - t2);
     }
     x.branch = down ? elbow_bit : 0u;
     if (q12.t2.free) x.free |= 1u << turn[0];

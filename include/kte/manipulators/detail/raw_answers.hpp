@@ -7,17 +7,37 @@
 
 namespace kte::detail {
 
-/// What the closed forms give: angles t of the joints of `arm_structure::arm`.
+/// A number for each joint.
+template <class S>
+using by_joint = std::array<S, arm_geometry::most>;
+
+/// Angles of joints by sine and cosine: their values are taken many at a time.
+template <class S>
+struct joint_turns {
+  by_joint<S> sine, cosine;
+
+  solved_angle<S> at(std::size_t i) const { return {cosine[i], sine[i]}; }
+  void put(std::size_t i, const solved_angle<S>& t) { sine[i] = t.sin, cosine[i] = t.cos; }
+};
+template <class S>
+joint_turns<S> turns_of(const by_joint<S>& t) {
+  joint_turns<S> x;
+  sincos_each(t.data(), x.sine.data(), x.cosine.data(), t.size());
+  return x;
+}
+
+/// What the closed forms give: turns of the joints of `arm_structure::arm`.
 template <class S>
 struct raw_answer {
-  std::array<S, arm_geometry::most> t{};
-  unsigned branch = 0;
-  unsigned free = 0;  ///< bit i: joint i could be anything
+  joint_turns<S> turn;
+  S slide;  ///< of the joint that slides, m
+  unsigned branch;
+  unsigned free;  ///< bit i: joint i could be anything
 };
 template <class S>
 struct raw_answers {
   static constexpr std::size_t most = 16;
-  std::array<raw_answer<S>, most> all{};
+  std::array<raw_answer<S>, most> all;
   std::size_t size = 0;
 
   constexpr void add(const raw_answer<S>& x) {
@@ -26,13 +46,6 @@ struct raw_answers {
 };
 /// Bits of `branch`: set for the second answer.
 enum branch_bit : unsigned { shoulder_bit = 1, elbow_bit = 2, wrist_bit = 4 };
-
-/// What free joints are put to, by their place in `arm_structure::arm`.
-template <class S>
-struct free_angles {
-  std::array<S, arm_geometry::most> t{};
-  solved_angle<S> at(int i) const { return angle_of(t[static_cast<std::size_t>(i)]); }
-};
 
 template <class S>
 using rotation_matrix = mat3<vec3<S>>;
@@ -72,16 +85,15 @@ three_angles<S> meeting_axes(const vec3<>& h4, const vec3<>& h5, const vec3<>& h
 /// The answers of joints i, i+1, i+2 to `x`, one for each value of `bit`, into `out`.
 template <class S, class Next>
 void with_meeting_axes(const arm_structure& s, int i, const rotation_matrix<S>& R, raw_answer<S> x,
-                       const free_angles<S>& seed, unsigned bit, const Next& next) {
-  const auto t = meeting_axes(s.h(i), s.h(i + 1), s.h(i + 2), R, seed.at(i));
+                       const joint_turns<S>& seed, unsigned bit, const Next& next) {
   const auto k = static_cast<std::size_t>(i);
+  const auto t = meeting_axes(s.h(i), s.h(i + 1), s.h(i + 2), R, seed.at(k));
   if (t.first.free) x.free |= 5u << k;
   for (const std::size_t b : {0u, 1u}) {
-    x.t[k] = (b == 0 ? t.first.plus : t.first.minus).value();
-    x.t[k + 1] = t.second[b].value(), x.t[k + 2] = t.third[b].value();
-    auto y = x;
-    if (b == 1) y.branch |= bit;
-    next(y);
+    x.turn.put(k, b == 0 ? t.first.plus : t.first.minus);
+    x.turn.put(k + 1, t.second[b]), x.turn.put(k + 2, t.third[b]);
+    if (b == 1) x.branch |= bit;
+    next(x);
   }
 }
 

@@ -20,21 +20,21 @@ vec3<S> normal_to(const vec3<>& unit, const vec3<S>& v) {
 ///   q4..q6:  those of axes that meet, R36 = R(h, -q2 - q3) R(h1, -q1) R06          (1)
 template <class S>
 raw_answers<S> wrist_and_parallel(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,
-                                  const free_angles<S>& seed) {
+                                  const joint_turns<S>& seed) {
   const vec3<>&h1 = s.h(0), &h = s.h(1);
   const vec3<S> w = position - as<S>(s.p(0)), p12 = as<S>(s.p(1) - s.p(0));
   const vec3<S> l1 = as<S>(normal_part(s.p(2) - s.p(1), h)), l2 = as<S>(normal_part(s.p(3) - s.p(2), h));
   const auto q1 = subproblem4(vec3<>(-h1), w, h, S(dot(h, s.p(3) - s.p(0))), seed.at(0));
   raw_answers<S> out;
-  raw_answer<S> x;
+  raw_answer<S> x{};
   for (const bool behind : {false, true}) {
     const auto t1 = behind ? q1.minus : q1.plus;
-    x.t[0] = t1.value();
+    x.turn.put(0, t1);
     const auto q23 = triangle(h, l1, l2, normal_to(h, vec3<S>(turned(h1, -t1, w) - p12)), seed.at(1));
     const auto R16 = turned_matrix(h1, -t1, R06);
     for (const bool down : {false, true}) {
       const auto t2 = down ? q23.t2.minus : q23.t2.plus, t3 = down ? q23.t3.minus : q23.t3.plus;
-      x.t[1] = t2.value(), x.t[2] = t3.value();
+      x.turn.put(1, t2), x.turn.put(2, t3);
       x.branch = (behind ? shoulder_bit : 0u) | (down ? elbow_bit : 0u);
       x.free = (q1.free ? 1u : 0u) | (q23.t2.free ? 2u : 0u);
       with_meeting_axes(s, 3, turned_matrix(h, -(t2 + t3), R16), x, seed, wrist_bit,
@@ -84,7 +84,7 @@ S way_into_reach(const arm_structure& s, const vec3<S>& a, const solved_angle<S>
 /// q2, q3, q4 of three parallel axes when the joints before and behind are known; answers to `next`.
 template <class S, class Next>
 void with_parallel_axes(const arm_structure& s, const vec3<S>& to_wrist, const solved_angle<S>& t14, raw_answer<S> x,
-                        const vec3<S>& p45, const free_angles<S>& seed, const Next& next) {
+                        const vec3<S>& p45, const joint_turns<S>& seed, const Next& next) {
   const vec3<>& h = s.h(1);
   const vec3<S> l1 = as<S>(normal_part(s.p(2) - s.p(1), h)), l2 = as<S>(normal_part(s.p(3) - s.p(2), h));
   const auto q23 = triangle(h, l1, l2, normal_to(h, vec3<S>(to_wrist - turned(h, t14, p45))), seed.at(1));
@@ -92,8 +92,8 @@ void with_parallel_axes(const arm_structure& s, const vec3<S>& to_wrist, const s
   const unsigned branch = x.branch;
   for (const bool down : {false, true}) {
     const auto t2 = down ? q23.t2.minus : q23.t2.plus, t3 = down ? q23.t3.minus : q23.t3.plus;
-    x.t[1] = t2.value(), x.t[2] = t3.value();
-    x.t[3] = (t14 - t2 - t3).value();
+    x.turn.put(1, t2), x.turn.put(2, t3);
+    x.turn.put(3, t14 - t2 - t3);
     x.branch = branch | (down ? elbow_bit : 0u);
     next(x);
   }
@@ -101,7 +101,7 @@ void with_parallel_axes(const arm_structure& s, const vec3<S>& to_wrist, const s
 
 template <class S>
 raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,
-                                    const free_angles<S>& seed) {
+                                    const joint_turns<S>& seed) {
   using std::sqrt;
   const vec3<>&h1 = s.h(0), &h = s.h(1), &h5 = s.h(4), &h6 = s.h(5);
   const vec3<S> w = position - as<S>(s.p(0)), p12 = as<S>(s.p(1) - s.p(0)), p45 = as<S>(s.p(4) - s.p(3));
@@ -109,9 +109,9 @@ raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matri
   const auto q1 = subproblem4(vec3<>(-h1), w, h, S(dot(h, s.p(4) - s.p(0))), seed.at(0));
   raw_answers<S> out;
   for (const bool behind : {false, true}) {
-    raw_answer<S> x;
+    raw_answer<S> x{};
     const auto t1 = behind ? q1.minus : q1.plus;
-    x.t[0] = t1.value();
+    x.turn.put(0, t1);
     const auto R16 = turned_matrix(h1, -t1, R06);
     const vec3<S> a = turned(h1, -t1, w) - p12, y = transpose(R16) * as<S>(h);
     const auto t14_of = [&](const solved_angle<S>& t6, const solved_angle<S>& t5) {
@@ -124,14 +124,12 @@ raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matri
     for (const bool flipped : {false, true}) {
       auto t6 = flipped ? q6.minus : q6.plus;
       auto t5 = t5_of(t6), t14 = t14_of(t6, t5);
-      x.t[5] = t6.value();
       const S way = way_into_reach(s, normal_to(h, a), t14);
       if (way != S(0) && (q6.free || (way < unknown && -way < unknown))) {
-        x.t[5] += dot(y, as<S>(h6)) > S(0) ? S(-way) : way;
-        t6 = angle_of(x.t[5]), t5 = t5_of(t6), t14 = t14_of(t6, t5);
+        t6 = t6 + angle_of(dot(y, as<S>(h6)) > S(0) ? S(-way) : way), t5 = t5_of(t6), t14 = t14_of(t6, t5);
       }
       x.free = (q1.free ? 1u : 0u) | (q6.free ? 46u : 0u);  // with q6 go q2, q3, q4
-      x.t[4] = t5.value();
+      x.turn.put(4, t5), x.turn.put(5, t6);
       x.branch = (behind ? shoulder_bit : 0u) | (flipped ? wrist_bit : 0u);
       with_parallel_axes(s, a, t14, x, p45, seed, [&out](const raw_answer<S>& z) { out.add(z); });
     }

@@ -4,46 +4,10 @@
 #include <kte/manipulators/detail/planar_axes.hpp>
 #include <kte/manipulators/detail/quartic_axes.hpp>
 #include <kte/manipulators/detail/srs_axes.hpp>
+#include <kte/manipulators/detail/tool_pose.hpp>
+#include <kte/math/atan2.hpp>
 
 namespace kte::detail {
-
-template <class S>
-using plain_pose_of = pose<rotation_matrix<S>, vec3<S>>;
-
-/// The pose of the tool at t, by joint of the arm: products of exponentials.
-template <class S>
-plain_pose_of<S> tool_pose(const arm_geometry& arm, const std::array<S, arm_geometry::most>& t) {
-  std::array<S, arm_geometry::most> sine, cosine;
-  const auto n = static_cast<std::size_t>(arm.n);
-  sincos_each(t.data(), sine.data(), cosine.data(), n);
-  plain_pose_of<S> x{as<S>(arm.tool.rotation), as<S>(arm.tool.position)};
-  for (std::size_t i = n; i-- > 0;) {
-    const vec3<S> h = as<S>(arm.axis[i]);
-    if (arm.slides[i]) {
-      x.position = x.position + t[i] * h;
-    } else {
-      const vec3<S> o = as<S>(arm.point[i]);
-      const auto r = as<S>(rotation_about(h, cosine[i], sine[i]));
-      x = {r * x.rotation, vec3<S>(o + r * vec3<S>(x.position - o))};
-    }
-  }
-  return x;
-}
-
-/// m and rad between two poses: with F the norm of Frobenius, the angle is 2 asin(F(R1 - R2) / sqrt 8).
-template <class S>
-struct pose_gap {
-  S position, rotation;
-};
-template <class S>
-pose_gap<S> gap_between(const plain_pose_of<S>& a, const plain_pose_of<S>& b) {
-  using std::asin;
-  using std::sqrt;
-  const vec3<S> d = a.position - b.position;
-  const auto m = as<S>(a.rotation - b.rotation);
-  const S half = sqrt(S((dot(m.x, m.x) + dot(m.y, m.y) + dot(m.z, m.z)) / S(8)));
-  return {sqrt(dot(d, d)), half < S(1) ? S(S(2) * asin(half)) : half_turn<S>()};
-}
 
 /// What the formulas work on: the turn of all joints of `arm` together, and where the origin of the last is.
 template <class S>
@@ -57,62 +21,108 @@ arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
   return {R, x.position - R * as<S>(s.arm.tool.position - s.p(s.arm.n - 1))};
 }
 
-/// All answers of an arm, by joint of `original`. `extra` is the arm angle, or the value of the joint that is held.
+/// What is wanted of `arm_structure::arm` when the joint that is held stands at `value`.
 template <class S>
-raw_answers<S> solve_closed_form(const arm_structure& s, plain_pose_of<S> x, const free_angles<S>& seed,
-                                 const S& extra) {
-  const auto wanted = x;
+plain_pose_of<S> pose_for_formulas(const arm_structure& s, plain_pose_of<S> x, const S& value,
+                                   const solved_angle<S>& turn) {
   if (s.held >= 0) {
     const auto i = static_cast<std::size_t>(s.held);
-    const auto back = inverse(joint_pose<S>(s.original, i, angle_of(extra)));
+    const auto back = inverse(joint_pose<S>(s.original, i, value, turn));
     const plain_pose_of<S> tool{as<S>(s.original.tool.rotation), as<S>(s.original.tool.position)};
     x = i == 0 ? compose(back, x) : compose(x, compose(inverse(tool), compose(back, tool)));
   }
-  if (s.backwards) x = inverse(x);
-  const int last = s.arm.n - 1;
-  const auto joint = [&](int k) {
-    return static_cast<std::size_t>((s.backwards ? last - k : k) + (s.held == 0 ? 1 : 0));
-  };
-  free_angles<S> start;
-  for (int k = 0; k <= last; ++k) start.t[std::size_t(k)] = S(s.sign[std::size_t(k)]) * seed.t[joint(k)];
+  return s.backwards ? plain_pose_of<S>(inverse(x)) : x;
+}
 
+template <class S>
+raw_answers<S> answers_by_formulas(const arm_structure& s, const plain_pose_of<S>& x, const joint_turns<S>& seed,
+                                   const solved_angle<S>& extra) {
   const auto [R, p] = goal_of(s, x);
-  auto out = [&s, &x, &start, &extra, &R = R, &p = p]() -> raw_answers<S> {
-    switch (s.form) {
-      case closed_form::wrist_parallel:
-        return wrist_and_parallel(s, R, p, start);
-      case closed_form::parallel_meeting:
-        return parallel_and_meeting(s, R, p, start);
-      case closed_form::wrist_general:
-        return wrist_and_three_axes(s, R, p, start);
-      case closed_form::parallel_general:
-        return parallel_and_two_axes(s, R, p, start);
-      case closed_form::srs:
-        return shoulder_and_wrist(s, R, p, extra, start);
-      case closed_form::planar:
-      case closed_form::scara:
-        return planar_and_slide(s, x.rotation, x.position, start);
-      default:
-        return {};
+  switch (s.form) {
+    case closed_form::wrist_parallel:
+      return wrist_and_parallel(s, R, p, seed);
+    case closed_form::parallel_meeting:
+      return parallel_and_meeting(s, R, p, seed);
+    case closed_form::wrist_general:
+      return wrist_and_three_axes(s, R, p, seed);
+    case closed_form::parallel_general:
+      return parallel_and_two_axes(s, R, p, seed);
+    case closed_form::srs:
+      return shoulder_and_wrist(s, R, p, extra, seed);
+    case closed_form::planar:
+    case closed_form::scara:
+      return planar_and_slide(s, x.rotation, x.position, seed);
+    default:
+      return {};
+  }
+}
+
+/// An answer by joint of `arm_structure::original`: rad in [-pi, pi], m.
+template <class S>
+struct solved_answer {
+  by_joint<S> t;
+  unsigned branch, free;
+  pose_gap<S> gap;  ///< by which the tool is away
+};
+template <class S>
+struct solved_answers {
+  std::array<solved_answer<S>, raw_answers<S>::most> all;
+  std::size_t size = 0;
+};
+
+/// All answers of an arm; angles that are free are as in `seed`. `extra` is the arm angle, or the value of the joint
+/// that is held.
+template <class S>
+solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<S>& wanted, const by_joint<S>& seed,
+                                    const S& extra) {
+  const auto last = static_cast<std::size_t>(s.arm.n - 1);
+  const auto joint = [&](std::size_t k) { return (s.backwards ? last - k : k) + (s.held == 0 ? 1 : 0); };
+  by_joint<S> start{};
+  for (std::size_t k = 0; k <= last; ++k) start[k] = S(s.sign[k]) * seed[joint(k)];
+  const auto turn = angle_of(extra);
+  const auto raw = answers_by_formulas(s, pose_for_formulas(s, wanted, extra, turn), turns_of(start), turn);
+
+  postures<S> found;
+  found.size = raw.size;
+  constexpr std::size_t lanes = tree::lanes_of<S>::count;
+  const std::size_t full = (raw.size + lanes - 1) / lanes * lanes;
+  for (std::size_t k = 0; k <= last; ++k) {
+    const auto j = joint(k);
+    for (std::size_t a = 0; a < full; ++a) {
+      const auto& x = raw.all[a < raw.size ? a : 0];
+      found.sine[j][a] = S(s.sign[k]) * x.turn.sine[k] + S(0), found.cosine[j][a] = x.turn.cosine[k];  // pi, never -pi
+      if (s.arm.slides[k]) found.t[j][a] = S(s.sign[k]) * x.slide;
     }
-  }();
-  for (std::size_t a = 0; a < out.size; ++a) {
-    const auto t = out.all[a];
+    if (!s.arm.slides[k]) atan2_each(found.sine[j].data(), found.cosine[j].data(), found.t[j].data(), full);
+  }
+  if (s.held >= 0) {
+    const auto j = static_cast<std::size_t>(s.held);
+    found.sine[j].fill(turn.sin), found.cosine[j].fill(turn.cos), found.t[j].fill(extra);
+  }
+  std::array<pose_gap<S>, raw_answers<S>::most> gap;
+  found.look_at_gaps(s.original, wanted, gap);
+
+  solved_answers<S> out;
+  out.size = raw.size;
+  for (std::size_t a = 0; a < raw.size; ++a) {
     auto& y = out.all[a];
-    y.t = {}, y.free = 0;
-    for (int k = 0; k <= last; ++k) {
-      const S q = S(s.sign[std::size_t(k)]) * t.t[std::size_t(k)];
-      y.t[joint(k)] = s.arm.slides[std::size_t(k)] ? q : wrapped(q);
-      if (t.free >> k & 1u) y.free |= 1u << joint(k);
-    }
-    if (s.held >= 0) y.t[static_cast<std::size_t>(s.held)] = extra;
-    // Roots of equations of degree four may be worse than rounding.
-    if (s.form == closed_form::wrist_general || s.form == closed_form::parallel_general)
-      for (int k = 0; k < 2; ++k) {
-        const auto gap = gap_between(tool_pose(s.original, y.t), wanted);
+    y.t = {}, y.branch = raw.all[a].branch, y.free = 0, y.gap = gap[a];
+    for (std::size_t j = 0; j < static_cast<std::size_t>(s.original.n); ++j) y.t[j] = found.t[j][a];
+    if (raw.all[a].free != 0)
+      for (std::size_t k = 0; k <= last; ++k)
+        if (raw.all[a].free >> k & 1u) y.free |= 1u << joint(k);
+    // Roots of equations of degree four may be worse than rounding; and axes may not quite lie as formulas have them.
+    const bool loose = s.tolerance > arm_structure::strict && s.original.n >= 6;
+    if (loose || s.form == closed_form::wrist_general || s.form == closed_form::parallel_general)
+      for (int k = 0; k < (loose ? 8 : 2); ++k) {
         const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
-        if (!(double_of(gap.position) > least * s.reach || double_of(gap.rotation) > least)) break;
-        newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, y.t);
+        if (!(double_of(y.gap.position) > least * s.reach || double_of(y.gap.rotation) > least)) break;
+        auto t = y.t;
+        newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, t, loose ? 0.1 : 1e-3);
+        const auto gap_then = gap_between(tool_pose(s.original, t), wanted);
+        const auto size = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
+        if (!loose && !(size(gap_then) < size(y.gap))) break;
+        y.t = t, y.gap = gap_then;
       }
   }
   return out;

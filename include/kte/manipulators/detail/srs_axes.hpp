@@ -70,16 +70,15 @@ std::array<elbow_side<S>, 2> elbow_sides(const arm_structure& s, const vec3<S>& 
 /// R07 and the place of the wrist for one arm angle psi: q1..q3 from R03, q5..q7 from R47 = (R03 R34)^T R07.
 template <class S>
 raw_answers<S> shoulder_and_wrist(const arm_structure& s, const rotation_matrix<S>& R07, const vec3<S>& position,
-                                  const S& psi, const free_angles<S>& seed) {
+                                  const solved_angle<S>& psi, const joint_turns<S>& seed) {
   const auto sides = elbow_sides(s, position);
-  const auto turn = angle_of(psi);
   raw_answers<S> out;
   for (const std::size_t b : {0u, 1u}) {
     const auto& side = sides[b];
-    const auto R03 = side.R03(turn);
+    const auto R03 = side.R03(psi);
     const auto R47 = turned_matrix(s.h(3), -side.q4, rotation_matrix<S>(transpose(R03) * R07));
-    raw_answer<S> x;
-    x.t[3] = side.q4.value();
+    raw_answer<S> x{};
+    x.turn.put(3, side.q4);
     x.branch = b == 0 ? 0u : elbow_bit;
     with_meeting_axes(s, 0, R03, x, seed, shoulder_bit, [&](const raw_answer<S>& y) {
       with_meeting_axes(s, 4, R47, y, seed, wrist_bit, [&out](const raw_answer<S>& z) { out.add(z); });

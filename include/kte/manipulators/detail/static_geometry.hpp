@@ -5,6 +5,23 @@
 
 namespace kte::detail {
 
+/// Why an element cannot be between the base and the tool, where its type alone says so; else nothing.
+template <std::size_t I, class Chain>
+constexpr const char* refused_by_type() {
+  using core_t = typename Chain::template core_type<I>;
+  using wiring = typename Chain::wiring;
+  if constexpr (!is_transmission<core_t>) {
+    return "has an element that is neither joint nor link between base and tool";
+  } else if constexpr (coordinates_of<core_t> == 0) {
+    return nullptr;
+  } else if constexpr (core_t::ports[0].what != kind::gen) {
+    return "has a joint of several degrees of freedom";
+  } else {
+    constexpr bool is_free = wiring::template is_free<kind::gen, wiring::slot(I, 0)>;
+    return is_free ? nullptr : "has a joint whose coordinate is given, or follows others";
+  }
+}
+
 /// Element I where its coordinate is zero: no sines are asked for, so that it is known while compiling.
 template <std::size_t I, class Chain>
 constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_geometry& arm) {
@@ -14,14 +31,10 @@ constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_ge
     x = {as<double>(x.rotation * as<double>(matrix(m.rotation))),
          as<double>(x.rotation * as<double>(m.position) + x.position)};
   };
-  if constexpr (!is_transmission<core_t>) {
-    arm.refused = "has an element that is neither joint nor link between base and tool";
+  if constexpr (refused_by_type<I, Chain>() != nullptr) {
+    arm.refused = refused_by_type<I, Chain>();
   } else if constexpr (coordinates_of<core_t> == 0) {
     step(c.template core<I>().relative());
-  } else if constexpr (core_t::ports[0].what != kind::gen) {
-    arm.refused = "has a joint of several degrees of freedom";
-  } else if constexpr (!wiring::template is_free<kind::gen, wiring::slot(I, 0)>) {
-    arm.refused = "has a joint whose coordinate is given, or follows others";
   } else {
     const auto m = c.template core<I>().relative(coordinate{0.0, 1.0, 0.0, 1.0, 0.0});
     step(m);
@@ -31,6 +44,22 @@ constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_ge
     arm.add(x.rotation * (slides ? v : w), x.position, slides, wiring::template at<kind::gen, wiring::slot(I, 0)>.q,
             wiring::template at<kind::gen, wiring::slot(I, 0)>.v);
   }
+}
+
+/// Whether the elements between the base and a frame are such that a closed form is there for some axes: three, four,
+/// six or seven joints of one degree of freedom, and links.
+template <class Frame, class Chain>
+constexpr bool may_have_closed_form() {
+  using path = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
+  int joints = 0;
+  bool refused = false;
+  const auto each = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    ((joints += coordinates_of<typename Chain::template core_type<path::elements[I]>> > 0,
+      refused |= refused_by_type<path::elements[I], Chain>() != nullptr),
+     ...);
+  };
+  each(std::make_index_sequence<path::length>{});
+  return !refused && (joints == 3 || joints == 4 || joints == 6 || joints == 7);
 }
 
 /// Of the joints between the base and a frame.

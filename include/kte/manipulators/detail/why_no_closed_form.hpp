@@ -3,6 +3,9 @@
 #include <kte/errors.hpp>
 #include <kte/manipulators/detail/arm_structure.hpp>
 
+#include <cmath>
+#include <numbers>
+
 namespace kte::detail {
 
 /// What the axes of an arm miss, for people.
@@ -10,6 +13,9 @@ inline std::string why_no_closed_form(const arm_structure& s) {
   const arm_geometry& arm = s.original;
   if (arm.refused != nullptr) return std::string("no closed form of inverse kinematics: the arm ") + arm.refused;
   const std::string few = "no closed form of inverse kinematics for an arm of ";
+  if (arm.n > 0 && arm.n <= 6 && s.reach > 0 && singular_everywhere(arm, s.reach))
+    return few + std::to_string(arm.n) +
+           " joints that is singular in every posture, as where four axes meet in a point";
   const auto turning = std::to_string(arm.turning()) + " joints that turn";
   const bool serial = arm.turning() == arm.n && (arm.n == 6 || arm.n == 7);
   if (!serial) {
@@ -29,7 +35,7 @@ inline std::string why_no_closed_form(const arm_structure& s) {
   for (int i = 1; i + 3 < arm.n; ++i) {
     const double off = a.sine(i, i + 1) > a.sine(i, i + 2) ? a.sine(i, i + 1) : a.sine(i, i + 2);
     parallel += ", axes " + std::to_string(i + 1) + ", " + std::to_string(i + 2) + ", " + std::to_string(i + 3) +
-                " are " + number(off) + " rad from parallel";
+                " are " + number(off < 1 ? std::asin(off) : std::numbers::pi / 2) + " rad from parallel";
   }
   return few + turning + ": " + meeting(0) + ", " + meeting(arm.n - 3) + parallel;
 }

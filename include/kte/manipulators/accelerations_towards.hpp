@@ -1,0 +1,57 @@
+#pragma once
+
+#include <kte/manipulators/rates_towards.hpp>
+
+namespace kte {
+
+/// What `accelerations_towards` gives.
+template <class S, int N>
+struct acceleration_step {
+  joint_vector<S, N> a;
+  joint_vector<S, N> v;                       ///< v + a dt, for q' = integrate(arm, q, v, dt)
+  Eigen::Matrix<signed char, N, 1> at_bound;  ///< as of `rate_step`
+  rate_status status;
+  S linear, angular;  ///< how far tools miss the wanted accelerations: the largest, m/s^2 and rad/s^2
+};
+
+/// One step of differential inverse kinematics by accelerations: those that move the tools as nearly with the wanted
+/// ones as the limits of positions, rates and accelerations let them. With v' = v + a dt they are the rates of
+/// `rates_towards`,
+///
+///   minimise  |J v' - (J v + dt (wanted - dJ/dt v))|_W^2 + eps |v' - v - dt a_wanted|^2,   a = (v' - v)/dt      (1)
+///
+/// `wanted` has the acceleration, classical, and the angular acceleration of each tool, at its origin in axes of the
+/// world, as `getDependentAccelerations`. To stay on a path, add gains times its errors of velocity and of pose
+/// (`pose_error`). `a_wanted`, 0 if left out, is what is done with freedoms that the tools leave: -k v lets motions
+/// there die. Throws as `rates_towards` does.
+template <class Arm, indexable Q, indexable V, indexable T, indexable W>
+auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
+                           const rate_options& options, const W& a_wanted) {
+  using S = value_of<Q>;
+  constexpr int n = detail::arm_dofs<Arm>;
+  const auto size = detail::dofs_of(arm);
+  const auto rows = 6 * arm.tools().size();
+  check_size(rows, wanted, "wanted", "numbers of accelerations of its tools");
+  check_size(size, v, "v"), check_size(size, a_wanted, "a_wanted");
+  const auto m = static_cast<Eigen::Index>(size);
+  joint_vector<S, n> now(m), aim(m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    now[i] = S(v[static_cast<std::size_t>(i)]);
+    aim[i] = now[i] + dt * S(a_wanted[static_cast<std::size_t>(i)]);
+  }
+  auto twist = arm.getDependentVelocities(q, now);
+  const auto bias = arm.getDependentAccelerations(q, now, joint_vector<S, n>(joint_vector<S, n>::Zero(m)));
+  for (Eigen::Index r = 0; r < twist.size(); ++r) twist[r] += dt * (S(wanted[static_cast<std::size_t>(r)]) - bias[r]);
+  const auto step = rates_towards(arm, q, now, twist, dt, options, aim);
+  return acceleration_step<S, n>{(step.v - now) / dt, step.v,           step.at_bound,
+                                 step.status,         step.linear / dt, step.angular / dt};
+}
+template <class Arm, indexable Q, indexable V, indexable T>
+auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
+                           const rate_options& options = {}) {
+  using vector = joint_vector<value_of<Q>, detail::arm_dofs<Arm>>;
+  return accelerations_towards(arm, q, v, wanted, dt, options,
+                               vector(vector::Zero(static_cast<Eigen::Index>(detail::dofs_of(arm)))));
+}
+
+}  // namespace kte

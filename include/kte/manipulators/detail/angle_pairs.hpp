@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kte/manipulators/subproblems.hpp>
+#include <kte/tree/short_list.hpp>
+
+#include <algorithm>
+
+namespace kte {
+
+/// Pairs of angles, at most four where the equations say so, and double ones.
+template <class S>
+struct angle_pair {
+  solved_angle<S> first, second;
+  unsigned slot;
+};
+template <class S>
+using angle_pairs = detail::short_list<angle_pair<S>, 8>;
+
+namespace detail {
+/// Equal but for what double roots leave.
+template <class S>
+bool same_angle(const solved_angle<S>& p, const solved_angle<S>& q) {
+  return std::abs(double_of(S(p.cos - q.cos))) + std::abs(double_of(S(p.sin - q.sin))) < 1e-9;
+}
+
+/// Puts pairs in order and names them. Bit 0 of a slot comes in: whether the determinant of the derivatives is
+/// negative, which does not change along a motion, but through a double root. The bits above count pairs of one sign by
+/// the first angle from -pi: these change where an angle passes half a turn. (No names could stay: there are arms that
+/// go from one answer to another of the same sign with no double root on the way; Wenger, Uniqueness Domains and
+/// Regions of Feasible Paths for Cuspidal Manipulators, IEEE Transactions on Robotics 20, 2004.)
+template <class S>
+void name_slots(angle_pairs<S>& all) {
+  const auto place = [](const solved_angle<S>& t) {  // grows with the angle
+    return t.sin < S(0) ? double_of(t.cos) - 1 : 1 - double_of(t.cos);
+  };
+  std::sort(all.item.begin(), all.item.begin() + static_cast<std::ptrdiff_t>(all.size()),
+            [&](const angle_pair<S>& x, const angle_pair<S>& y) {
+              return x.slot < y.slot || (x.slot == y.slot && place(x.first) < place(y.first));
+            });
+  unsigned next[]{0, 1};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto& n = next[all[i].slot];
+    all[i].slot = n, n += 2;
+  }
+}
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <kte/manipulators/detail/angle_pairs.hpp>
+
+namespace kte {
+
+/// What subproblem 5 asks for.
+template <class S>
+struct three_solved_angles {
+  solved_angle<S> first, second, third;
+  unsigned slot;  ///< a name: of two that differ in bit 0 alone, one becomes the other where they meet
+};
+
+namespace detail {
+
+/// p0 + R(k1, t1) p1 = R(k2, t2)(p2 + R(k3, t3) p3), of which t1 and t3 are known, but from squares: with n what the
+/// vectors have normal to k2, to rounding/n. Where they pass by axis 2 that is not enough, and two answers, of which t2
+/// is half a turn apart, have nearly the same t1 and t3, or were taken for one. From what the loop lacks,
+///
+///   d = p0 + R1 p1 - R2 (p2 + R3 p3),  r its direction normal to k2,  c1 = k1 x R1 p1,  c3 = R2 (k3 x R3 p3),
+///
+/// Newton's steps: u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; then t2 anew.          (1)
+template <class S>
+struct three_axes_loop {
+  vec3<S> p0, p1, p2, p3, k1, k2, k3;
+
+  using list = short_list<three_solved_angles<S>, 8>;
+
+  void add_closed(const solved_angle<S>& t1, const solved_angle<S>& t3, unsigned slot, list& out) const {
+    const double size = double_of(S(dot(p0, p0) + dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));
+    const double eps = double_of(std::numeric_limits<S>::epsilon()), least = size * 16 * eps * eps;
+    const auto start = closed_by_second({t1, {}, t3, slot});
+    const auto found = closed(start, least);
+    const vec3<S> side = cross(k2, start.a);
+    const auto add = [&](const place& x) {
+      if (!knows(out, x.t) && out.size() < 8) out.push_back(x.t);
+    };
+    if (!(double_of(S(dot(side, side))) <= 1e-10 * size)) return add(found);
+    const double enough = std::max(1e-20, 1e6 * eps * eps) * size;
+    auto over = start;
+    over.t.second = {-start.t.second.cos, -start.t.second.sin};
+    over.t.slot ^= 1u, over.d = gap(over);
+    for (const auto& x : {found, closed(over, least)})
+      if (double_of(S(dot(x.d, x.d))) < enough) add(x);
+  }
+
+ private:
+  struct place {
+    three_solved_angles<S> t;
+    vec3<S> a, b, d;  ///< p2 + R3 p3, p0 + R1 p1, and what they lack
+  };
+  vec3<S> gap(const place& x) const { return x.b - turned(k2, x.t.second, x.a); }
+  static bool knows(const list& all, const three_solved_angles<S>& t) {
+    for (const auto& x : all)
+      if (same_angle(x.first, t.first) && same_angle(x.second, t.second) && same_angle(x.third, t.third)) return true;
+    return false;
+  }
+  place closed_by_second(const three_solved_angles<S>& t) const {
+    place x{t, p2 + turned(k3, t.third, p3), p0 + turned(k1, t.first, p1), {}};
+    x.t.second = subproblem1(k2, x.a, x.b), x.d = gap(x);
+    return x;
+  }
+  place closed(place x, double least) const {
+    using std::sqrt;
+    double part = 1;
+    for (int k = 0; k < 40 && part > 1e-7 && double_of(S(dot(x.d, x.d))) > least; ++k) {
+      const vec3<S> side = x.d - dot(k2, x.d) * k2, c1 = cross(k1, vec3<S>(x.b - p0)),
+                    c3 = turned(k2, x.t.second, cross(k3, vec3<S>(x.a - p2)));
+      const S l = sqrt(dot(side, side));
+      if (!(l > S(0))) break;
+      const vec3<S> r = (S(1) / l) * side;
+      const S m00 = dot(k2, c1), m01 = -dot(k2, c3), m10 = dot(r, c1), m11 = -dot(r, c3), det = m00 * m11 - m01 * m10;
+      const S d0 = dot(k2, x.d), d1 = dot(r, x.d);
+      const S step1 = (m01 * d1 - m11 * d0) / det, step3 = (m10 * d0 - m00 * d1) / det;
+      if (!(step1 * step1 + step3 * step3 < S(1e-4))) break;
+      auto t = x.t;
+      t.first = t.first + angle_of(S(S(part) * step1)), t.third = t.third + angle_of(S(S(part) * step3));
+      const auto next = closed_by_second(t);
+      const bool nearer = dot(next.d, next.d) < dot(x.d, x.d);
+      part = nearer ? 1 : part / 2;
+      if (nearer) x = next;
+    }
+    return x;
+  }
+};
+
+}  // namespace detail
+}  // namespace kte

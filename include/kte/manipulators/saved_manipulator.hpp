@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kte/elements/registry.hpp>
+#include <kte/io/limit_records.hpp>
+#include <kte/manipulators/runtime_manipulator.hpp>
+#include <kte/runtime_chain/from_record.hpp>
+
+/// Manipulators out of files, with their tools and limits. They go into them as chains do, by `save_model` and
+/// `archive::add`.
+namespace kte {
+
+/// The manipulator that a file has:
+///
+///   auto arm = kte::to_manipulator(kte::load_model("arm.json"));
+///   auto arm = kte::to_manipulator(archive.model("arm"));
+///
+/// Infinite limits where the file has none. Throws as `to_chain` does, and `bad_file` for a chain without tools (of
+/// which `kte::manipulator(kte::to_chain(record), "hand")` is one).
+inline manipulator<kte_map_chain> to_manipulator(const model_record& m, const element_registry& registry) {
+  if (m.tools.empty()) throw bad_file("kte: a chain without tools is no manipulator");
+  const auto c = to_chain(m, registry);
+  return {c, m.tools, limits_of(c, m)};
+}
+template <class = void>
+manipulator<kte_map_chain> to_manipulator(const model_record& m) {
+  return to_manipulator(m, element_registry::standard());
+}
+
+/// A static manipulator of the type of `like`, with the numbers and limits of a file. Throws `bad_file` that says which
+/// element or tool differs, and how.
+template <class Chain, key_type... Tools>
+manipulator<Chain, detail::tool_keys<Tools...>> from_record(const manipulator<Chain, detail::tool_keys<Tools...>>& like,
+                                                            const model_record& m) {
+  const auto wanted = like.tools();
+  if (!std::equal(wanted.begin(), wanted.end(), m.tools.begin(), m.tools.end()))
+    detail::raise<bad_file>("kte: other tools than those of the static manipulator, of which the first is '" +
+                            std::string(wanted[0]) + "'");
+  const auto c = from_record(like.chain(), m);
+  return {c, Tools{}..., limits_of(c, m)};
+}
+
+}  // namespace kte
