@@ -11,7 +11,7 @@ namespace kte {
 template <class S>
 struct angle_pair {
   solved_angle<S> first, second;
-  unsigned slot;
+  unsigned slot;  ///< its name
 };
 template <class S>
 using angle_pairs = detail::short_list<angle_pair<S>, 8>;

@@ -112,6 +112,10 @@ struct arm_structure {
 
   constexpr const vec3<>& h(int i) const { return arm.axis[static_cast<std::size_t>(i)]; }
   constexpr const vec3<>& p(int i) const { return arm.point[static_cast<std::size_t>(i)]; }
+  /// Joint k of `arm` is this one of `original`.
+  constexpr std::size_t joint(std::size_t k) const {
+    return (backwards ? static_cast<std::size_t>(arm.n - 1) - k : k) + (held == 0 ? 1 : 0);
+  }
 };
 
 /// From the first joint that turns to the tool, from one to the next.

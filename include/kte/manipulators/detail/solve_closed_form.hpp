@@ -70,35 +70,59 @@ struct solved_answers {
   std::size_t size = 0;
 };
 
+/// What the formulas gave, by joint of `original`; the joint that is held stands at `value`, of which `turn` is the
+/// sine and cosine.
+template <class S>
+postures<S> postures_of(const arm_structure& s, const raw_answers<S>& raw, const S& value,
+                        const solved_angle<S>& turn) {
+  postures<S> all;
+  all.size = raw.size;
+  constexpr std::size_t lanes = tree::lanes_of<S>::count;
+  const std::size_t full = (raw.size + lanes - 1) / lanes * lanes;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(s.arm.n); ++k) {
+    const auto j = s.joint(k);
+    for (std::size_t a = 0; a < full; ++a) {
+      const auto& x = raw.all[a < raw.size ? a : 0];
+      all.sine[j][a] = S(s.sign[k]) * x.turn.sine[k] + S(0), all.cosine[j][a] = x.turn.cosine[k];  // pi, never -pi
+      if (s.arm.slides[k]) all.t[j][a] = S(s.sign[k]) * x.slide;
+    }
+    if (!s.arm.slides[k]) atan2_each(all.sine[j].data(), all.cosine[j].data(), all.t[j].data(), full);
+  }
+  if (s.held >= 0) {
+    const auto j = static_cast<std::size_t>(s.held);
+    all.sine[j].fill(turn.sin), all.cosine[j].fill(turn.cos), all.t[j].fill(value);
+  }
+  return all;
+}
+
+/// Newton's steps where roots of equations of degree four are worse than rounding, as long as they bring nearer; and
+/// where axes are not quite as formulas have them (a tolerance was given), more of them, and longer.
+template <class S>
+void polish(const arm_structure& s, const plain_pose_of<S>& wanted, solved_answer<S>& y) {
+  const bool loose = s.tolerance > arm_structure::strict && s.original.n >= 6;
+  if (!loose && s.form != closed_form::wrist_general && s.form != closed_form::parallel_general) return;
+  const auto far = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
+  const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
+  for (int k = 0; k < (loose ? 8 : 2) && far(y.gap) > least; ++k) {
+    auto t = y.t;
+    newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, t, loose ? 0.1 : 1e-3);
+    const auto gap = gap_between(tool_pose(s.original, t), wanted);
+    if (!loose && !(far(gap) < far(y.gap))) return;
+    y.t = t, y.gap = gap;
+  }
+}
+
 /// All answers of an arm; angles that are free are as in `seed`. `extra` is the arm angle, or the value of the joint
 /// that is held.
 template <class S>
 solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<S>& wanted, const by_joint<S>& seed,
                                     const S& extra) {
-  const auto last = static_cast<std::size_t>(s.arm.n - 1);
-  const auto joint = [&](std::size_t k) { return (s.backwards ? last - k : k) + (s.held == 0 ? 1 : 0); };
+  const auto n = static_cast<std::size_t>(s.arm.n);
   by_joint<S> start{};
-  for (std::size_t k = 0; k <= last; ++k) start[k] = S(s.sign[k]) * seed[joint(k)];
+  for (std::size_t k = 0; k < n; ++k) start[k] = S(s.sign[k]) * seed[s.joint(k)];
   const auto turn = angle_of(extra);
   const auto raw = answers_by_formulas(s, pose_for_formulas(s, wanted, extra, turn), turns_of(start), turn);
-
-  postures<S> found;
-  found.size = raw.size;
-  constexpr std::size_t lanes = tree::lanes_of<S>::count;
-  const std::size_t full = (raw.size + lanes - 1) / lanes * lanes;
-  for (std::size_t k = 0; k <= last; ++k) {
-    const auto j = joint(k);
-    for (std::size_t a = 0; a < full; ++a) {
-      const auto& x = raw.all[a < raw.size ? a : 0];
-      found.sine[j][a] = S(s.sign[k]) * x.turn.sine[k] + S(0), found.cosine[j][a] = x.turn.cosine[k];  // pi, never -pi
-      if (s.arm.slides[k]) found.t[j][a] = S(s.sign[k]) * x.slide;
-    }
-    if (!s.arm.slides[k]) atan2_each(found.sine[j].data(), found.cosine[j].data(), found.t[j].data(), full);
-  }
-  if (s.held >= 0) {
-    const auto j = static_cast<std::size_t>(s.held);
-    found.sine[j].fill(turn.sin), found.cosine[j].fill(turn.cos), found.t[j].fill(extra);
-  }
+  const auto found = postures_of(s, raw, extra, turn);
   std::array<pose_gap<S>, raw_answers<S>::most> gap;
   found.look_at_gaps(s.original, wanted, gap);
 
@@ -109,21 +133,9 @@ solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<
     y.t = {}, y.branch = raw.all[a].branch, y.free = 0, y.gap = gap[a];
     for (std::size_t j = 0; j < static_cast<std::size_t>(s.original.n); ++j) y.t[j] = found.t[j][a];
     if (raw.all[a].free != 0)
-      for (std::size_t k = 0; k <= last; ++k)
-        if (raw.all[a].free >> k & 1u) y.free |= 1u << joint(k);
-    // Roots of equations of degree four may be worse than rounding; and axes may not quite lie as formulas have them.
-    const bool loose = s.tolerance > arm_structure::strict && s.original.n >= 6;
-    if (loose || s.form == closed_form::wrist_general || s.form == closed_form::parallel_general)
-      for (int k = 0; k < (loose ? 8 : 2); ++k) {
-        const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
-        if (!(double_of(y.gap.position) > least * s.reach || double_of(y.gap.rotation) > least)) break;
-        auto t = y.t;
-        newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, t, loose ? 0.1 : 1e-3);
-        const auto gap_then = gap_between(tool_pose(s.original, t), wanted);
-        const auto size = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
-        if (!loose && !(size(gap_then) < size(y.gap))) break;
-        y.t = t, y.gap = gap_then;
-      }
+      for (std::size_t k = 0; k < n; ++k)
+        if (raw.all[a].free >> k & 1u) y.free |= 1u << s.joint(k);
+    polish(s, wanted, y);
   }
   return out;
 }
