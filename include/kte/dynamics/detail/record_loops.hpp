@@ -321,13 +321,15 @@ void for_each_friction(const Elements& c, State& s, const F& f) {
 }
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
-/// of the state; of bodies alone, with bases that are accelerated or not.
+/// of the state; of bodies alone, with bases that are accelerated or not. `placed`: all bodies are where the positions
+/// of the state have them.
 template <class Elements, class State>
-void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true) {
+void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true,
+                           bool placed = false) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
-  place_bodies(c, s);
+  if (!placed || !t.only_bodies) place_bodies(c, s);  // followers have accelerations too
   take_rates(s), take_bases(s);
   if (!accelerated_bases)
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
