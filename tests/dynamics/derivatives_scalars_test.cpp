@@ -1,8 +1,8 @@
 #include <kte/dynamics/derivatives.hpp>
 
-#include "digits50.hpp"
 #include "catch.hpp"
 #include "chain/models.hpp"
+#include "digits50.hpp"
 
 // Derivatives of the dynamics in scalars other than double, dual numbers among them.
 

@@ -1,7 +1,7 @@
 #include <kte/dynamics/hybrid_dynamics.hpp>
 
-#include "digits50.hpp"
 #include "data/solo12.hpp"
+#include "digits50.hpp"
 #include "dynamics/trees.hpp"
 #include "robots/solo12.hpp"
 

@@ -1,8 +1,8 @@
 #include <Eigen/Eigenvalues>
 
-#include "digits50.hpp"
 #include "catch.hpp"
 #include "chain/models.hpp"
+#include "digits50.hpp"
 #include "random.hpp"
 #include "robots/iiwa14.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <kte/dynamics/runtime_bodies.hpp>
 
-#include "digits50.hpp"
 #include "catch.hpp"
 #include "chain/gear.hpp"
 #include "chain/models.hpp"
+#include "digits50.hpp"
 #include "random.hpp"
 
 /// Small mechanisms with axes that are exact, so that laws hold to all digits of any scalar; and motions of them.

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "random.hpp"
 
 /// The first variations of inverse dynamics, one kernel at a time, against central differences at 50 digits of the

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "math/draw.hpp"
 
 // Articulated inertias against dense matrices of six, [linear; angular].

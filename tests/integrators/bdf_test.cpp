@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 
 using namespace kte;
 using kte::test::contains_text;

@@ -6,8 +6,8 @@
 
 #include <limits>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 
 // How one-step methods for stiff systems are used, and how they fail.
 

@@ -11,8 +11,8 @@
 
 #include <algorithm>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "integrators/order_conditions.hpp"
 
 using namespace kte;

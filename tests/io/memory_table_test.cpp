@@ -6,8 +6,8 @@
 
 #include <array>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "scratch.hpp"
 
 using namespace kte;

@@ -1,7 +1,7 @@
 #include <kte/manipulators/quartic_subproblems.hpp>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "random.hpp"
 
 using namespace kte;

@@ -1,7 +1,7 @@
 #include <kte/manipulators/subproblems.hpp>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "random.hpp"
 
 using namespace kte;
@@ -94,7 +94,8 @@ TEST_CASE("next to its border an angle has all the digits that 50 digits give it
   for (int k = 1; k <= 15; ++k) {
     const double c = 1 - std::pow(10.0, -k);
     const auto t = linear_in_angle(1.0, 0.0, c);
-    const double exact = static_cast<double>(linear_in_angle(kte::test::digits50(1), kte::test::digits50(0), kte::test::digits50(c)).plus.value());
+    const double exact = static_cast<double>(
+        linear_in_angle(kte::test::digits50(1), kte::test::digits50(0), kte::test::digits50(c)).plus.value());
     CHECK(t.plus.value() == within_relative(exact, 4e-16));
   }
 }

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "digits50.hpp"
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "math/draw.hpp"
 #include "math/gap.hpp"
 
@@ -96,8 +96,11 @@ TEST_CASE("conversions keep fifty digits", "[math][rotation][long]") {
   check_round_trips<kte::test::digits50>(1000, kte::test::digits50(1e-48) / 12);
   using std::sqrt;
   const kte::test::digits50 pi50 = boost::math::constants::pi<kte::test::digits50>();
-  const vec3<kte::test::digits50> n{kte::test::digits50(2) / 7, kte::test::digits50(-3) / 7, kte::test::digits50(6) / 7};
-  for (const kte::test::digits50& t : {kte::test::digits50("1e-300"), kte::test::digits50("1e-40"), kte::test::digits50("1e-8"), kte::test::digits50(1), kte::test::digits50(pi50 / 2)}) {
+  const vec3<kte::test::digits50> n{kte::test::digits50(2) / 7, kte::test::digits50(-3) / 7,
+                                    kte::test::digits50(6) / 7};
+  for (const kte::test::digits50& t :
+       {kte::test::digits50("1e-300"), kte::test::digits50("1e-40"), kte::test::digits50("1e-8"),
+        kte::test::digits50(1), kte::test::digits50(pi50 / 2)}) {
     const axis_angle<kte::test::digits50> a{t, n};
     const auto r = t * n;
     CHECK(gap(to_rotation_vector(matrix(a)), r) <= kte::test::digits50("1e-48") * t);
@@ -105,7 +108,8 @@ TEST_CASE("conversions keep fifty digits", "[math][rotation][long]") {
     CHECK(gap(to_axis_angle(to_quaternion(r)).axis, n) <= kte::test::digits50("1e-48"));
     CHECK(test::size(kte::test::digits50(to_axis_angle(r).angle - t)) <= kte::test::digits50("1e-48") * t);
   }
-  CHECK(gap(matrix(axis_angle<kte::test::digits50>{pi50, n}), matrix(axis_angle<kte::test::digits50>{pi50, -n})) <= kte::test::digits50("1e-48"));
+  CHECK(gap(matrix(axis_angle<kte::test::digits50>{pi50, n}), matrix(axis_angle<kte::test::digits50>{pi50, -n})) <=
+        kte::test::digits50("1e-48"));
 }
 
 TEST_CASE("conversions agree with Eigen and with Rodrigues", "[math][rotation]") {

@@ -166,6 +166,14 @@ TEST_CASE("each of n sines is exact, whichever of them is large", "[math][sincos
         CHECK((off(s[i], std::sin(t)) <= four_at_once && off(c[i], std::cos(t)) <= four_at_once));
       }
       CHECK((s[n] == 7 && c[n] == 7));
+      std::size_t next = 0;
+      sincos_each<double>(
+          n, [&x](std::size_t i) { return x[i]; },
+          [&](std::size_t i, double sine, double cosine) {
+            const long double t = x[i];
+            CHECK((i == next++ && off(sine, std::sin(t)) <= four_at_once && off(cosine, std::cos(t)) <= four_at_once));
+          });
+      CHECK(next == n);
     }
   }
 }

@@ -53,8 +53,9 @@ const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runti
 
 namespace detail {
 template <class S>
-const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  coordinate_forces(c, s);
+const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                                 bool placed = false) {
+  coordinate_forces(c, s, placed);
   take_needed_forces(s);
   auto& r = s.work.of_forces;
   if (is_known_by_elements(c, s)) [[likely]]
@@ -106,7 +107,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
     invert_articulated(s, r.by_tau);
   else
     invert_unheld(runtime_elements{c}, s, r.by_tau);
-  const auto& forces = forces_derived(c, s);
+  const auto& forces = forces_derived(c, s, true);
   const auto& t = s.tree();
   if (t.holders.empty() && t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
     tree::solve_limbs(t.forest, !t.only_bodies, s.work.rows, r.by_tau.data(), forces.by_q.data(), forces.by_v.data(),
@@ -177,7 +178,7 @@ KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& forwa
     const kte_map_chain&, runtime_state&);
 namespace detail {
 KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain&,
-                                                                                          runtime_state&);
+                                                                                          runtime_state&, bool);
 KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain&,
                                                                                                  runtime_state&);
 }  // namespace detail

@@ -153,26 +153,16 @@ basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_stat
   if constexpr (std::is_same_v<S, double>)
     if (place.slot < 0) [[unlikely]]
       return jacobian_by_rates(c, s, x, world);
-  place_ancestors(runtime_elements{c}, s, place.slot);
-  const auto& row = t.forest.row;
   basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
-  const auto column = [&](int k) { return j.data() + 6 * row[static_cast<std::size_t>(k)]; };
-  tree::dense_pose<S> seen;
-  const int base =
-      tree::jacobian_columns(t.forest, s.work, place, seen, [&](int k, const vec3<S>& v, const vec3<S>& w) {
-        S* const to = column(k);
-        to[0] += v.x, to[1] += v.y, to[2] += v.z, to[3] += w.x, to[4] += w.y, to[5] += w.z;
-      });
+  const auto add = [begin = j.data(), row = t.forest.row.data()](int k, const auto& v, const auto& w)
+                       KTE_INLINE_LAMBDA { tree::add_column<S>(begin + 6 * row[k], v, w); };
+  const auto way = place_ancestors(runtime_elements{c}, s, place.slot);
   if (world) {
-    mat3<vec3<S>> axes = seen.rotation;
-    for_each_base(s, [&](const auto& m, std::size_t slot) {
-      if (static_cast<int>(slot) == base) axes = as<S>(matrix(m.rotation) * seen.rotation);
-    });
-    for (int k = 0; k < static_cast<int>(j.cols()); ++k) {
-      S* const to = j.data() + 6 * k;
-      const vec3<S> v = axes * vec3<S>{to[0], to[1], to[2]}, w = axes * vec3<S>{to[3], to[4], to[5]};
-      to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = w.x, to[4] = w.y, to[5] = w.z;
-    }
+    const int base = way.empty() ? place.slot : t.forest.records[static_cast<std::size_t>(way.back())].parent;
+    tree::jacobian_columns_in_world(t.forest, s.work, place, way, axes_of_base(s, base), add);
+  } else {
+    tree::dense_pose<S> seen;
+    (void)tree::jacobian_columns(t.forest, s.work, place, seen, add);
   }
   if (j.cols() == s.dofs()) return j;
   return folded(c, s, std::move(j));

@@ -23,19 +23,15 @@ KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
 /// The same in a loop, for states that list their `freedoms()`.
 template <class State, class Visit>
 void for_each_listed_freedom(State& s, const Visit& visit) {
-  for (const freedom& f : s.freedoms()) switch (f.what) {
-      case kind::gen:
-        visit(s.template get<kind::gen>(f.slot), f);
-        break;
-      case kind::rotation_3D:
-        visit(s.template get<kind::rotation_3D>(f.slot), f);
-        break;
-      case kind::pose_2D:
-        visit(s.template get<kind::pose_2D>(f.slot), f);
-        break;
-      default:
-        visit(s.template get<kind::pose_3D>(f.slot), f);
-    }
+  for (const freedom& f : s.freedoms())
+    if (f.what == kind::gen) [[likely]]
+      visit(s.template get<kind::gen>(f.slot), f);
+    else if (f.what == kind::rotation_3D)
+      visit(s.template get<kind::rotation_3D>(f.slot), f);
+    else if (f.what == kind::pose_2D)
+      visit(s.template get<kind::pose_2D>(f.slot), f);
+    else
+      visit(s.template get<kind::pose_3D>(f.slot), f);
 }
 /// q has as many numbers as a configuration: one a degree of freedom, but for rotations in space.
 template <indexable Q>

@@ -71,6 +71,14 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
   __builtin_memcpy(sine, &signed_sin, sizeof signed_sin);
   __builtin_memcpy(cosine, &signed_cos, sizeof signed_cos);
 }
+/// The same of any angles.
+KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, double* cosine) {
+  const auto small = [](double x) KTE_INLINE_LAMBDA { return std::fabs(x) <= largest_reduced_angle; };
+  if (small(a) && small(b) && small(c) && small(d)) [[likely]]
+    return sincos4(double4{a, b, c, d}, sine, cosine);
+  const double x[]{a, b, c, d};
+  for (std::size_t k = 0; k < 4; ++k) sincos(x[k], sine[k], cosine[k]);
+}
 #endif
 
 }  // namespace detail
@@ -79,15 +87,8 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
 inline void sincos_each(const double* angle, double* sine, double* cosine, std::size_t n) {
   std::size_t i = 0;
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
-  for (const std::size_t fours = n / 4 * 4; i < fours; i += 4) {
-    const double* x = angle + i;
-    bool small = true;
-    for (std::size_t k = 0; k < 4; ++k) small &= std::fabs(x[k]) <= detail::largest_reduced_angle;
-    if (small) [[likely]]
-      detail::sincos4(detail::double4{x[0], x[1], x[2], x[3]}, sine + i, cosine + i);
-    else
-      for (std::size_t k = 0; k < 4; ++k) sincos(x[k], sine[i + k], cosine[i + k]);
-  }
+  for (const std::size_t fours = n / 4 * 4; i < fours; i += 4)
+    detail::sincos4(angle[i], angle[i + 1], angle[i + 2], angle[i + 3], sine + i, cosine + i);
 #endif
   for (; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
 }
@@ -96,6 +97,29 @@ inline void sincos_each(const double* angle, double* sine, double* cosine, std::
 template <class S>
 void sincos_each(const S* angle, S* sine, S* cosine, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
+}
+
+/// visit(i, sine, cosine) of n angles, rad, of which `angle(i)` gives one: four at a time likewise. They go to
+/// registers without a way through memory, where four that were just written one by one would be waited for.
+template <class S, class Angle, class Visit>
+KTE_INLINE void sincos_each(std::size_t n, const Angle& angle, const Visit& visit) {
+#if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
+  if constexpr (std::is_same_v<S, double>) {
+    for (std::size_t i = 0; i < n; i += 4) {
+      const std::size_t last = n - 1;
+      double sine[4], cosine[4];
+      detail::sincos4(angle(i), angle(i + 1 < n ? i + 1 : last), angle(i + 2 < n ? i + 2 : last),
+                      angle(i + 3 < n ? i + 3 : last), sine, cosine);
+      for (std::size_t k = 0; k < 4 && i + k < n; ++k) visit(i + k, sine[k], cosine[k]);
+    }
+    return;
+  }
+#endif
+  for (std::size_t i = 0; i < n; ++i) {
+    S sine, cosine;
+    sincos(S(angle(i)), sine, cosine);
+    visit(i, sine, cosine);
+  }
 }
 
 /// Sines and cosines of the N angles of a chain.

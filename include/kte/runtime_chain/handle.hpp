@@ -32,10 +32,7 @@ class name_or_handle {
 
   /// The kind and index of a frame. Throws `unknown_name`, or `bad_argument` for a handle of another chain.
   std::pair<kind, int> frame_of(const topology& t) const {
-    if (handle_ == nullptr) {
-      const kind k = t.kind_of(name_, true) == kind::frame_2D ? kind::frame_2D : kind::frame_3D;
-      return {k, t.find(name_, k)};
-    }
+    if (handle_ == nullptr) return t.frame(name_);
     check(t);
     if (!is_frame(handle_->what_))
       throw bad_argument("kte: this is the handle of " + text(handle_->what_) + ", not of a frame");

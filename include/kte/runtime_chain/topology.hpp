@@ -46,6 +46,7 @@ class topology {
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
   std::vector<detail::freedom> free;                  ///< the coordinates that are degrees of freedom, in order
   int nq = 0, nv = 0;                                 ///< numbers of a configuration; degrees of freedom
+  std::vector<std::size_t> quaternions;               ///< places of a configuration where one begins
   std::vector<detail::outside_signal> signals;        ///< signals that no element writes, in order
   int nu = 0;                                         ///< their numbers
   std::vector<connection> elements;                   ///< in order
@@ -75,6 +76,12 @@ class topology {
   kind kind_of(std::string_view name, bool frame) const {
     const auto& x = named(name);
     return (x[frame] ? x[frame] : x[!frame]).what;
+  }
+  /// Kind and index of a frame; throws `unknown_name`.
+  std::pair<kind, int> frame(std::string_view name) const {
+    const thing& x = named(name)[1];
+    if (!x) return {kind::frame_3D, find(name, kind::frame_3D)};  // which says what it is
+    return {x.what, x.index};
   }
   /// Index of a name; throws `unknown_name`.
   int find(std::string_view name, kind k) const {
@@ -187,6 +194,7 @@ KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
     if (is_coordinate(x.what) && !x.writes()) {
       free.push_back({x.what, known.index, nq, nv});
       nq += nq_of(x.what), nv += nv_of(x.what);
+      if (nq_of(x.what) != nv_of(x.what)) quaternions.push_back(static_cast<std::size_t>(nq - 4));
     }
     if (is_frame(x.what) && !x.writes()) base_known_ = true;
   }

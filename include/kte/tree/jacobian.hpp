@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/tree/direction.hpp>
 #include <kte/tree/placement.hpp>
 
 namespace kte::tree {
@@ -15,58 +16,82 @@ int pose_in_base(const forest<P>& f, const memory<P, S>& m, const frame_place<P>
   while (slot >= f.bases && slot != top) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const placed at{f.records[i], m.spots[i]};
-    rotation = at.columns_out(rotation), p = at.at.position + at.out(p);
+    rotation = at.units_out(rotation), p = at.at.position + at.out(p);
     slot = f.records[i].parent;
   }
   x = {rotation, p};
   return slot;
 }
 
-/// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top`: with the frame at R, p
-/// in a body whose joint has the axis s (Siciliano et al., Robotics, 2009, section 3.1.3),
+/// put(k, velocity of a point, angular velocity) at the unit rate of each axis of a joint: with the point at p from the
+/// origin of the body, and the axis s along or about a unit vector of the body,
 ///
-///   put(k, R^T (s_v + s_w x p), R^T s_w)          (1)
-///
-/// Returns as `pose_in_base`.
+///   put(k, s_v + s_w x p, s_w)          (1)
+template <class P, class S, class Put>
+KTE_INLINE void columns_of_joint(const record<P>& r, const mat3<direction<S>>& units, const direction<S>& p,
+                                 const Put& put) {
+  const direction<S>& z = units.z;
+  switch (r.moves) {
+    case joint::revolute:
+      put(r.first, crossed<S>(z, p), z);
+      break;
+    case joint::prismatic:
+      put(r.first, z, direction<S>{});
+      break;
+    case joint::screw:
+      put(r.first, direction<S>(r.slides * z + r.turns * crossed<S>(z, p)), direction<S>(r.turns * z));
+      break;
+    case joint::several: {
+      const std::array<direction<S>, 3> all{units.x, units.y, z};
+      for (int k = 0; k < r.axes; ++k) {
+        const std::size_t n = r.axis[static_cast<std::size_t>(k)];
+        if (n < 3)
+          put(r.first + k, all[n], direction<S>{});
+        else
+          put(r.first + k, crossed<S>(all[n - 3], p), all[n - 3]);
+      }
+    }
+  }
+}
+/// The columns of the Jacobian of a frame in its own axes, from the frame to its base or `top` (Siciliano et al.,
+/// Robotics, 2009, section 3.1.3): put(k, v, w) as (1). Returns as `pose_in_base`.
 template <class P, class S, class N, class Put>
 int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_place<N>& frame, dense_pose<S>& x,
                      const Put& put, int top = -1) {
-  mat3<vec3<S>> rotation = as<S>(frame.at.rotation);
-  vec3<S> p = as<S>(frame.at.position);
+  mat3<direction<S>> units = directions_of<S>(as<S>(frame.at.rotation));
+  direction<S> p = combined(units, as<S>(frame.at.position));
   int slot = frame.slot;
   while (slot >= f.bases && slot != top) {
     const auto i = static_cast<std::size_t>(slot - f.bases);
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
-    const auto &x_row = rotation.x, &y_row = rotation.y, &z_row = rotation.z;  // unit vectors of the body
-    const vec3<S> turn = p.x * y_row - p.y * x_row;
-    switch (r.moves) {
-      case joint::revolute:
-        put(r.first, turn, z_row);
-        break;
-      case joint::prismatic:
-        put(r.first, z_row, vec3<S>{});
-        break;
-      case joint::screw:
-        put(r.first, vec3<S>(r.slides * z_row + r.turns * turn), vec3<S>(r.turns * z_row));
-        break;
-      case joint::several: {
-        const std::array<vec3<S>, 3> unit{x_row, y_row, z_row},
-            turns{vec3<S>(p.y * z_row - p.z * y_row), vec3<S>(p.z * x_row - p.x * z_row), turn};
-        for (int k = 0; k < r.axes; ++k) {
-          const std::size_t n = r.axis[static_cast<std::size_t>(k)];
-          if (n < 3)
-            put(r.first + k, unit[n], vec3<S>{});
-          else
-            put(r.first + k, turns[n - 3], unit[n - 3]);
-        }
-      }
-    }
-    rotation = at.columns_out(rotation), p = at.at.position + at.out(p);
+    columns_of_joint<P, S>(r, units, p, put);
+    units = at.units_out(units), p = p + combined(units, at.at.position);
     slot = r.parent;
   }
-  x = {rotation, p};
+  x.rotation = components<S>(units), x.position = x.rotation * components<S>(p);
   return slot;
+}
+/// The same in world axes: the columns of all joints on the way of a frame, from the frame to its base. Bodies outward,
+/// columns back. `base`: the axes of the base.
+template <class P, class S, class Put>
+void jacobian_columns_in_world(const forest<P>& f, memory<P, S>& m, const frame_place<P>& frame,
+                               std::span<const int> way, const mat3<vec3<S>>& base, const Put& put) {
+  mat3<direction<S>> units = directions_of<S>(transpose(base));
+  for (std::size_t n = way.size(); n-- > 0;) {
+    const auto i = static_cast<std::size_t>(way[n]);
+    const placed at{f.records[i], m.spots[i]};
+    seen_body<S>& x = m.seen[n];
+    x.step = combined(units, at.at.position);
+    units = at.units_in(units);
+    x.units = units;
+  }
+  direction<S> p = combined(units, as<S>(frame.at.position));
+  for (std::size_t n = 0; n < way.size(); ++n) {
+    const seen_body<S>& x = m.seen[n];
+    columns_of_joint<P, S>(f.records[static_cast<std::size_t>(way[n])], x.units, p, put);
+    p = p + x.step;
+  }
 }
 
 /// The last body that two slots stand on, which may be one of them; -1 where they have different bases.

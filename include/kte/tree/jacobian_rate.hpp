@@ -19,7 +19,8 @@ int jacobian_rate_columns(const forest<P>& f, const memory<P, S>& m, const frame
                           world_axis<S>& moves, const Put& put) {
   world_axis<S> beyond{}, with_own{};
   int last = std::numeric_limits<int>::max();
-  const int base = jacobian_columns(f, m, frame, x, [&](int k, const vec3<S>& u, const vec3<S>& w) {
+  const int base = jacobian_columns(f, m, frame, x, [&](int k, const auto& linear, const auto& angular) {
+    const vec3<S> u = components<S>(linear), w = components<S>(angular);
     if (k < last) beyond = with_own;  // the next joint inward, not the next axis of one
     last = k;
     put(k, u, w, vec3<S>(cross(u, beyond.angular) + cross(w, beyond.linear)),

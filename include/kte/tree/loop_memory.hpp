@@ -19,19 +19,15 @@ struct loop_memory : tree::memory<P, S> {
         kept(2 * static_cast<std::size_t>(dofs)),
         prescribed(static_cast<std::size_t>(dofs)),
         wanted(elements),
-        friction(t.readers.size()),
-        angle((t.angles.size() + 3) / 4 * 4),
-        sine(angle.size()),
-        cosine(angle.size()) {
+        friction(t.readers.size()) {
     for (std::size_t k = 0; k < this->own_mass.size(); ++k)
       this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.forest.row[k])];
   }
-  vector forces;                       ///< what is given back: forces or accelerations
-  std::vector<S> kept;                 ///< rates and accelerations that are put aside
-  std::vector<char> prescribed;        ///< by row: whether its acceleration is given
-  std::vector<char> wanted;            ///< by element: whether what is asked for depends on it
-  std::vector<S> friction;             ///< of `chain_tree::readers`
-  std::vector<S> angle, sine, cosine;  ///< of `chain_tree::angles`, and zeros up to a multiple of four
+  vector forces;                 ///< what is given back: forces or accelerations
+  std::vector<S> kept;           ///< rates and accelerations that are put aside
+  std::vector<char> prescribed;  ///< by row: whether its acceleration is given
+  std::vector<char> wanted;      ///< by element: whether what is asked for depends on it
+  std::vector<S> friction;       ///< of `chain_tree::readers`
   /// As large as M or larger: made by the first call that gives them.
   matrix mass, inverse;
   matrix all;  ///< masses of all coordinates, if there are others than degrees of freedom

@@ -2,9 +2,12 @@
 
 #include <kte/frames/articulated.hpp>
 #include <kte/frames/motion.hpp>
+#include <kte/tree/direction.hpp>
 #include <kte/tree/record.hpp>
 
 #include <Eigen/Core>
+
+#include <span>
 
 /// What the loops work with. A call of an algorithm writes what it reads, but for the parts that are said to come from
 /// outside.
@@ -44,6 +47,12 @@ struct world_place {
   mat3<vec3<S>> rotation;
   vec3<S> step, position;
 };
+/// Unit vectors of a body, as rows, and its origin from that of its parent, in axes of the world.
+template <class S>
+struct seen_body {
+  mat3<direction<S>> units;
+  direction<S> step;
+};
 
 template <class S>
 using articulated_inertia = articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>;
@@ -69,6 +78,9 @@ struct memory {
   std::vector<S> rate, acceleration, force;  ///< of axes
   std::vector<P> own_mass;
   std::vector<char> yields;            ///< of records
+  std::vector<int> way;                ///< records from a frame to its base (`place_ancestors`)
+  std::vector<int> turning;            ///< those of them that turn about z
+  std::vector<seen_body<S>> seen;      ///< all of them
   std::vector<body_motion<S>> bodies;  ///< of slots
 
   std::vector<world_place<S>> world;  ///< of slots
@@ -84,6 +96,9 @@ struct memory {
         force(f.axes()),
         own_mass(f.axes()),
         yields(f.records.size()),
+        way(f.records.size()),
+        turning(f.records.size()),
+        seen(f.records.size()),
         bodies(f.slots()),
         world(f.slots()),
         axes(f.axes()),

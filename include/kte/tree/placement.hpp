@@ -23,9 +23,11 @@ template <class S>
 [[gnu::noinline]] mat3<vec3<S>> rotated(const mat3<vec3<S>>& r, const mat3<vec3<S>>& a) {
   return transpose(r * transpose(r * a));
 }
-template <class S>
-[[gnu::noinline]] mat3<vec3<S>> product(const mat3<vec3<S>>& r, const mat3<vec3<S>>& a) {
-  return r * a;
+
+/// v in the axes in which the unit vectors are that are the rows of a matrix.
+template <class S, class Row>
+KTE_INLINE Row combined(const mat3<Row>& units, const vec3<S>& v) {
+  return v.x * units.x + v.y * units.y + v.z * units.z;
 }
 
 /// A record where its spot has it.
@@ -59,12 +61,21 @@ struct placed {
       u = rotated_back(at.rotation, u);
     return u;
   }
-  /// R A: columns of A to axes of the parent.
-  KTE_INLINE mat3<vec3<S>> columns_out(mat3<vec3<S>> a) const {
+  /// R A: from the unit vectors of the body, as rows, to those of the parent; and back.
+  template <class Row>
+  KTE_INLINE mat3<Row> units_out(mat3<Row> a) const {
     if (r.moves == joint::several) [[unlikely]]
-      a = product(at.rotation, a);
+      a = turned(a, at.rotation);
     a = rows_out_x(r.tilt, rows_out_z(at.angle, a));
     return r.turned ? rows_out_z(r.before, a) : a;
+  }
+  template <class Row>
+  KTE_INLINE mat3<Row> units_in(mat3<Row> a) const {
+    if (r.turned) a = rows_out_z(r.before.back(), a);
+    a = rows_out_z(at.angle.back(), rows_out_x(r.tilt.back(), a));
+    if (r.moves == joint::several) [[unlikely]]
+      a = turned(a, transpose(at.rotation));
+    return a;
   }
   /// A R, for the axes of the parent as columns of A: those of the body.
   KTE_INLINE mat3<vec3<S>> axes_in(const mat3<vec3<S>>& a) const { return {in(a.x), in(a.y), in(a.z)}; }
@@ -74,6 +85,10 @@ struct placed {
   }
 
  private:
+  template <class Row>
+  KTE_INLINE static mat3<Row> turned(const mat3<Row>& a, const mat3<vec3<S>>& r) {
+    return {combined(a, r.x), combined(a, r.y), combined(a, r.z)};
+  }
   template <class X>
   KTE_INLINE X seat(const X& x) const {
     const X y = out_x(r.tilt, out_z(at.angle, x));

@@ -45,8 +45,9 @@ void forces_by_parameters(const forest<P>& f, const memory<P, S>& m, const frame
   const auto x = compose(motion{skip{}, no_rotation{}, skip{}, b.ang_velocity, b.acceleration, b.ang_acceleration},
                          at_rest(as<S>(frame.at.rotation), as<S>(frame.at.position)));
   dense_pose<S> in_base;
-  jacobian_columns(f, m, frame, in_base,
-                   [&](int k, const vec3<S>& v, const vec3<S>& u) { put(k, power_by_parameters(x, v, u)); });
+  jacobian_columns(f, m, frame, in_base, [&](int k, const auto& v, const auto& u) {
+    put(k, power_by_parameters(x, components<S>(v), components<S>(u)));
+  });
 }
 
 }  // namespace kte::tree

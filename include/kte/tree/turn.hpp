@@ -35,12 +35,12 @@ KTE_INLINE vec3<S> in_x(const turn<T>& t, const vec3<S>& u) {
 }
 
 /// R A, of which the rows are turned.
-template <class T, class S>
-KTE_INLINE mat3<vec3<S>> rows_out_z(const turn<T>& t, const mat3<vec3<S>>& a) {
+template <class T, class Row>
+KTE_INLINE mat3<Row> rows_out_z(const turn<T>& t, const mat3<Row>& a) {
   return {t.cos * a.x - t.sin * a.y, t.sin * a.x + t.cos * a.y, a.z};
 }
-template <class T, class S>
-KTE_INLINE mat3<vec3<S>> rows_out_x(const turn<T>& t, const mat3<vec3<S>>& a) {
+template <class T, class Row>
+KTE_INLINE mat3<Row> rows_out_x(const turn<T>& t, const mat3<Row>& a) {
   return {a.x, t.cos * a.y - t.sin * a.z, t.sin * a.y + t.cos * a.z};
 }
 

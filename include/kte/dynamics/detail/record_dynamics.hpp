@@ -295,16 +295,21 @@ void derive_forces(const Elements& c, State& s) {
   auto& w = s.work;
   auto& r = w.of_forces;
   const Eigen::Index n = s.dofs();
-  r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
+  // Of bodies alone the same entries are written each time: the others stay zero.
+  if (!s.tree().only_bodies || r.by_a.rows() != n) r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
   w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
   place_in_world(s);
   tree::start_variations(f, w, w.variations);
   S *const q = r.by_q.data(), *const v = r.by_v.data(), *const a = r.by_a.data();
   const int* const row = f.row.data();
+  const bool by_axes = f.in_order && static_cast<Eigen::Index>(f.axes()) == n;
   tree::vary_forces(f, w, w.variations,
                     [=](int j, int k, const S& by_q, const S& by_v, const S& by_a) KTE_INLINE_LAMBDA {
-                      if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
-                      const Eigen::Index at = row[k] * n + row[j];
+                      Eigen::Index at = k * n + j;
+                      if (!by_axes) {
+                        if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
+                        at = row[k] * n + row[j];
+                      }
                       q[at] = by_q, v[at] = by_v, a[at] = by_a;
                     });
   for (const auto& [coordinate, mass] : s.tree().rotors)

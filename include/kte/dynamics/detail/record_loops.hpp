@@ -65,9 +65,8 @@ void place_several(State& s, const tree::record<P>& r, tree::spot<S>& at) {
   with_coordinate(s, r, [&](auto& c) {
     if constexpr (!requires { c.q; }) {
       if constexpr (!State::has_sines) update_angle(c);
-      const auto m = spatial(c);
-      at.rotation = as<S>(matrix(m.rotation));
-      at.position = tree::slid(r, as<S>(m.position));
+      at.position = tree::slid(r, as<S>(spatial(c).position));
+      at.rotation = as<S>(matrix(spatial(c).rotation));
     }
   });
 }
@@ -82,73 +81,75 @@ auto turn_of(State& s, const tree::record<P>& r) {
   const S angle = r.turns * c.q;
   return tree::turn<S>{cos(angle), sin(angle)};
 }
+/// Puts joints that turn about z, by number of their record, where their coordinates are.
+template <class State>
+void place_turning(State& s, std::span<const int> joints) {
+  using S = typename State::scalar;
+  const auto& records = s.tree().forest.records;
+  const auto record_of = [&](std::size_t i) -> auto& { return records[static_cast<std::size_t>(joints[i])]; };
+  const auto place = [&](std::size_t i, const tree::turn<S>& turn) KTE_INLINE_LAMBDA {
+    const auto& r = record_of(i);
+    auto& at = s.work.spots[static_cast<std::size_t>(joints[i])];
+    if (r.moves == tree::joint::revolute) [[likely]]
+      at.angle = r.after * turn;
+    else
+      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, turn, at);
+  };
+  if constexpr (State::has_sines)
+    for (std::size_t i = 0; i < joints.size(); ++i) place(i, turn_of(s, record_of(i)));
+  else
+    sincos_each<S>(
+        joints.size(),
+        [&](std::size_t i) {
+          const auto& r = record_of(i);
+          return S(r.turns * s.template get<kind::gen>(r.slot).q);
+        },
+        [&](std::size_t i, const S& sine, const S& cosine) {
+          place(i, tree::turn<S>{cosine, sine});
+        });
+}
+/// The same of one that does not turn, or about several axes.
+template <class State, class P, class S>
+void place_other(State& s, const tree::record<P>& r, tree::spot<S>& at) {
+  if (r.moves == tree::joint::several)
+    place_several(s, r, at);
+  else
+    tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, tree::turn<S>{}, at);
+}
+template <class P>
+bool is_turning(const tree::record<P>& r) {
+  return r.moves == tree::joint::revolute || r.moves == tree::joint::screw;
+}
 /// Bodies to where the coordinates of the state are.
 template <class Elements, class State>
 void place_bodies(const Elements& c, State& s) {
-  using S = typename State::scalar;
   bring_up_to_date(c, s);
-  auto& w = s.work;
   const auto& records = s.tree().forest.records;
-  const auto& angles = s.tree().angles;
-  if constexpr (!State::has_sines) {
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      const auto& r = records[static_cast<std::size_t>(angles[i])];
-      w.angle[i] = r.turns * s.template get<kind::gen>(r.slot).q;
-    }
-    sincos_each(w.angle.data(), w.sine.data(), w.cosine.data(), w.angle.size());
-  }
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const auto n = static_cast<std::size_t>(angles[i]);
-    const auto& r = records[n];
-    tree::turn<S> turn;
-    if constexpr (State::has_sines)
-      turn = turn_of(s, r);
-    else
-      turn = {w.cosine[i], w.sine[i]};
-    if (r.moves == tree::joint::revolute) [[likely]]
-      w.spots[n].angle = r.after * turn;
-    else
-      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, turn, w.spots[n]);
-  }
-  if (angles.size() == records.size()) return;
-  for (std::size_t n = 0; n < records.size(); ++n) {
-    const auto& r = records[n];
-    if (r.moves == tree::joint::prismatic)
-      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, tree::turn<S>{}, w.spots[n]);
-    if (r.moves == tree::joint::several) place_several(s, r, w.spots[n]);
-  }
+  place_turning(s, s.tree().angles);
+  if (s.tree().angles.size() == records.size()) return;
+  for (std::size_t n = 0; n < records.size(); ++n)
+    if (!is_turning(records[n])) place_other(s, records[n], s.work.spots[n]);
 }
 
-/// The same of a slot and all that it stands on. Followers: of all.
+/// The same of a slot and all that it stands on: its way to the base, which is returned. Followers: of all.
 template <class Elements, class State>
-void place_ancestors(const Elements& c, State& s, int slot) {
-  using S = typename State::scalar;
+std::span<const int> place_ancestors(const Elements& c, State& s, int slot) {
   bring_up_to_date(c, s);
   auto& w = s.work;
   const auto& f = s.tree().forest;
-  // Angles are gathered in order of the way.
-  std::size_t count = 0;
-  for (int at = slot; at >= f.bases;) {
-    const auto& r = f.records[static_cast<std::size_t>(at - f.bases)];
-    if (r.moves == tree::joint::revolute || r.moves == tree::joint::screw)
-      w.angle[count++] = r.turns * s.template get<kind::gen>(r.slot).q;
-    at = r.parent;
+  std::size_t length = 0, count = 0;
+  while (slot >= f.bases) {
+    const int n = slot - f.bases;
+    const auto& r = f.records[static_cast<std::size_t>(n)];
+    w.way[length++] = n;
+    if (is_turning(r)) [[likely]]
+      w.turning[count++] = n;
+    else
+      place_other(s, r, w.spots[static_cast<std::size_t>(n)]);
+    slot = r.parent;
   }
-  std::fill(w.angle.begin() + static_cast<std::ptrdiff_t>(count), w.angle.end(), S(0));
-  sincos_each(w.angle.data(), w.sine.data(), w.cosine.data(), std::min((count + 3) / 4 * 4, w.angle.size()));
-  count = 0;
-  for (int at = slot; at >= f.bases;) {
-    const auto n = static_cast<std::size_t>(at - f.bases);
-    const auto& r = f.records[n];
-    if (r.moves == tree::joint::several) {
-      place_several(s, r, w.spots[n]);
-    } else {
-      tree::turn<S> turn;
-      if (r.moves != tree::joint::prismatic) turn = {w.cosine[count], w.sine[count]}, ++count;
-      tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, turn, w.spots[n]);
-    }
-    at = r.parent;
-  }
+  place_turning(s, {w.turning.data(), count});
+  return {w.way.data(), length};
 }
 
 template <class State>
@@ -177,6 +178,16 @@ void for_each_base(State& s, const Visit& visit) {
     else
       visit(spatial(s.template get<kind::frame_3D>(index)), slot);
   }
+}
+/// The axes of the base at a slot.
+template <class State>
+auto axes_of_base(State& s, int base) {
+  using S = typename State::scalar;
+  mat3<vec3<S>> axes{};
+  for_each_base(s, [&](const auto& m, std::size_t slot) {
+    if (static_cast<int>(slot) == base) axes = as<S>(matrix(m.rotation));
+  });
+  return axes;
 }
 template <class State>
 void take_bases(State& s) {
@@ -310,13 +321,15 @@ void for_each_friction(const Elements& c, State& s, const F& f) {
 }
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
-/// of the state; of bodies alone, with bases that are accelerated or not.
+/// of the state; of bodies alone, with bases that are accelerated or not. `placed`: all bodies are where the positions
+/// of the state have them.
 template <class Elements, class State>
-void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true) {
+void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true,
+                           bool placed = false) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
-  place_bodies(c, s);
+  if (!placed || !t.only_bodies) place_bodies(c, s);  // followers have accelerations too
   take_rates(s), take_bases(s);
   if (!accelerated_bases)
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)

@@ -135,10 +135,8 @@ basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_run
   const tree::frame_place<S> b_on_a{at_a.slot, plain_pose<S>(seen)};  // B as a frame in the body of A
   basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
   const auto add = [&](const S& sign) {
-    return [&j, &f, sign](int k, const vec3<S>& u, const vec3<S>& w) {
-      auto column = j.col(f.row[static_cast<std::size_t>(k)]);
-      column[0] += sign * u.x, column[1] += sign * u.y, column[2] += sign * u.z;
-      column[3] += sign * w.x, column[4] += sign * w.y, column[5] += sign * w.z;
+    return [&j, &f, sign](int k, const tree::direction<S>& u, const tree::direction<S>& w) {
+      tree::add_column<S>(j.col(f.row[static_cast<std::size_t>(k)]).data(), sign * u, sign * w);
     };
   };
   tree::dense_pose<S> y;

@@ -26,13 +26,15 @@ class position_check {
   template <class C>
   void coordinate(const C& c) {
     visit_q(c, [this](const auto& x) { this->number(x); });
-    if constexpr (requires { c.rotation; }) {
-      const auto& r = c.rotation;
-      using std::abs;
-      using S = std::remove_cvref_t<decltype(r.w)>;
-      good_ &= all(S(S(abs(r.w) + abs(r.x)) + S(abs(r.y) + abs(r.z))) != S(0));
-    }
+    if constexpr (requires { c.rotation; }) rotation(c.rotation.w, c.rotation.x, c.rotation.y, c.rotation.z);
   }
+  /// A quaternion of any length but zero.
+  template <class S>
+  void rotation(const S& w, const S& x, const S& y, const S& z) {
+    using std::abs;
+    good_ &= all(S(S(abs(w) + abs(x)) + S(abs(y) + abs(z))) != S(0));
+  }
+  void finite(bool all_are) { good_ &= all_are; }
   bool good() const { return good_; }
 
  private:
@@ -61,19 +63,20 @@ void check_positions(const basic_runtime_state<S>& s) {
   if (!all.good()) [[unlikely]]
     blame("a coordinate", s);
 }
+/// Whether n numbers are finite as numbers of S.
+template <class S, class X>
+KTE_INLINE bool all_finite_as(const X& x, std::size_t n) {
+  const S sum = sum_by_four<S>(n, [&x](std::size_t i) KTE_INLINE_LAMBDA { return S(static_cast<S>(x[i]) * S(0)); });
+  return all(sum == S(0));
+}
 /// Of a vector, for a state.
 template <class S, indexable Q>
 KTE_INLINE void check_positions(const basic_runtime_state<S>& s, const Q& q) {
   check_configuration(s.nq(), s.dofs(), q);
   position_check all;
-  if (s.nq() == s.dofs()) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(s.nq()); ++i) all.number(static_cast<S>(q[i]));
-  } else {
-    for_each_listed_freedom(s, [&](auto c, const freedom& at) {
-      put<vector_of::q>(c, at, q);
-      all.coordinate(c);
-    });
-  }
+  all.finite(all_finite_as<S>(q, static_cast<std::size_t>(s.nq())));
+  for (const std::size_t i : s.made_for()->quaternions)
+    all.rotation(static_cast<S>(q[i]), static_cast<S>(q[i + 1]), static_cast<S>(q[i + 2]), static_cast<S>(q[i + 3]));
   for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
     blame_argument("a coordinate", s, q, "q", s.nq(), true);
@@ -87,12 +90,7 @@ KTE_INLINE void check_numbers(const basic_runtime_state<S>& s, const X& x, const
   if constexpr (!std::is_same_v<X, not_given>) {
     const auto n = static_cast<std::size_t>(s.dofs());
     check_size(n, x, name);
-    bool finite = true;
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto number = static_cast<S>(x[i]);
-      finite &= all(number - number == S(0));
-    }
-    if (!finite) [[unlikely]]
+    if (!all_finite_as<S>(x, n)) [[unlikely]]
       blame_argument(what, s, x, name, s.dofs());
   }
 }

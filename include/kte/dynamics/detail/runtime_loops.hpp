@@ -68,22 +68,22 @@ void check_regular(const kte_map_chain& c, const basic_runtime_state<S>& s) {
                        runtime_elements{c}.element(t.irregular).record().type + t.why);
 }
 
-/// Inverse dynamics, into the state.
+/// Inverse dynamics, into the state. `placed`: as for `forces_on_coordinates`.
 template <class S>
-void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
+void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s, bool placed = false) {
   check_whole(c, s);
   if constexpr (std::is_same_v<S, double>)
     if (s.tree().irregular >= 0) [[unlikely]] {
       c.doMotion(s), c.clearForce(s), c.doForce(s);
       return;
     }
-  forces_on_coordinates(runtime_elements{c}, s, acting::all);
+  forces_on_coordinates(runtime_elements{c}, s, acting::all, true, placed);
 }
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_whole(const kte_map_chain&, const runtime_state&);
 KTE_EXTERN template void check_regular(const kte_map_chain&, const runtime_state&);
-KTE_EXTERN template void coordinate_forces(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template void coordinate_forces(const kte_map_chain&, runtime_state&, bool);
 KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
 KTE_EXTERN template void take_needed_forces(runtime_state&);
 #endif

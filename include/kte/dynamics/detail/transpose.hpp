@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/shuffles.hpp>
 #include <kte/math/pack.hpp>
 
 #include <algorithm>
@@ -11,12 +12,6 @@
 /// States, each with its numbers in a row, to packs with a number of all states, and back. Done number by number this
 /// took half as long as inverse dynamics of a robot with seven joints.
 namespace kte::batch::detail {
-
-#if defined(__has_builtin)
-#  if __has_builtin(__builtin_shufflevector)
-#    define KTE_HAS_SHUFFLES 1
-#  endif
-#endif
 
 #if defined(KTE_HAS_SHUFFLES)
 

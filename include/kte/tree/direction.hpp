@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kte/detail/shuffles.hpp>
+#include <kte/math/matrix.hpp>
+#include <kte/tree/lanes.hpp>
+
+/// A vector in space of which nobody wants single components: in one register where four numbers fit in one, the last
+/// of them zero, else as three numbers.
+namespace kte::tree {
+
+#if defined(KTE_HAS_SHUFFLES)
+template <class S>
+inline constexpr bool fits_register = lanes_of<S>::count == 4;
+#else
+template <class S>
+inline constexpr bool fits_register = false;
+#endif
+template <class S>
+using direction = std::conditional_t<fits_register<S>, lanes<S>, vec3<S>>;
+
+template <class S>
+KTE_INLINE direction<S> direction_of(const vec3<S>& v) {
+  if constexpr (fits_register<S>)
+    return direction<S>{v.x, v.y, v.z, S(0)};
+  else
+    return v;
+}
+template <class S>
+KTE_INLINE vec3<S> components(const direction<S>& v) {
+  if constexpr (fits_register<S>)
+    return {v[0], v[1], v[2]};
+  else
+    return v;
+}
+/// Rows of a matrix.
+template <class S>
+KTE_INLINE mat3<direction<S>> directions_of(const mat3<vec3<S>>& m) {
+  return {direction_of<S>(m.x), direction_of<S>(m.y), direction_of<S>(m.z)};
+}
+template <class S>
+KTE_INLINE mat3<vec3<S>> components(const mat3<direction<S>>& m) {
+  return {components<S>(m.x), components<S>(m.y), components<S>(m.z)};
+}
+
+template <class S>
+KTE_INLINE direction<S> crossed(const direction<S>& a, const direction<S>& b) {
+#if defined(KTE_HAS_SHUFFLES)
+  if constexpr (fits_register<S>) {
+    const direction<S> c =
+        a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
+    return __builtin_shufflevector(c, c, 1, 2, 0, 3);
+  } else
+#endif
+  {
+    return cross(a, b);
+  }
+}
+/// Adds v and w to six numbers.
+template <class S>
+KTE_INLINE void add_column(S* to, const direction<S>& v, const direction<S>& w) {
+#if defined(KTE_HAS_SHUFFLES)
+  if constexpr (fits_register<S>) {
+    direction<S> first;
+    load<S>(first, to);
+    first += __builtin_shufflevector(v, w, 0, 1, 2, 4);
+    store<S>(first, to);
+    to[4] += w[1], to[5] += w[2];
+  } else
+#endif
+  {
+    to[0] += v.x, to[1] += v.y, to[2] += v.z;
+    to[3] += w.x, to[4] += w.y, to[5] += w.z;
+  }
+}
+
+}  // namespace kte::tree
