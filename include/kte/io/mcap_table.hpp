@@ -86,7 +86,7 @@ class mcap_table {
     out += s;
   }
   static void value(std::string& out, double x) {
-    if (std::isfinite(x)) return append_number(out, x);
+    if (std::isfinite(x)) return append_table_number(out, x);
     out += std::isnan(x) ? R"("NaN")" : x > 0 ? R"("Infinity")" : R"("-Infinity")";
   }
 

@@ -10,7 +10,7 @@ namespace kte::detail {
 
 /// Appends x with the fewest digits that read back as the same double, and always with a point or an exponent: `1.0`,
 /// `-2.5e-17`, `nan`, `inf`. `no_exponent`: `0.000025`, of up to 344 characters.
-inline void append_number(std::string& out, double x, bool no_exponent = false) {
+inline void append_table_number(std::string& out, double x, bool no_exponent = false) {
   if (std::isnan(x)) {  // to_chars writes its sign
     out += "nan";
     return;

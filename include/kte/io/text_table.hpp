@@ -23,7 +23,7 @@ class text_table {
   }
   void row(std::span<const double> numbers, std::string& out) {
     for (const double x : numbers) {
-      append_number(out, x, first_);
+      append_table_number(out, x, first_);
       out.push_back(separator_);
     }
     out.back() = '\n';
