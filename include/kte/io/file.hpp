@@ -21,10 +21,10 @@ namespace kte::detail {
 struct close_file {
   void operator()(std::FILE* f) const { std::fclose(f); }
 };
-using file = std::unique_ptr<std::FILE, close_file>;
+using file_handle = std::unique_ptr<std::FILE, close_file>;
 
-inline file open_file(const std::filesystem::path& path, const char* mode) {
-  file f(std::fopen(path.string().c_str(), mode));
+inline file_handle open_file(const std::filesystem::path& path, const char* mode) {
+  file_handle f(std::fopen(path.string().c_str(), mode));
   if (!f) raise_file("open", path, errno);
   return f;
 }
@@ -61,7 +61,7 @@ inline void replace_file(const std::filesystem::path& path, std::string_view byt
   const auto old = std::filesystem::status(target, error);
   const bool direct = std::filesystem::exists(old) && !std::filesystem::is_regular_file(old);
   const auto part = direct ? target : std::filesystem::path(target.string() + ".part");
-  file f(std::fopen(part.string().c_str(), "wb"));
+  file_handle f(std::fopen(part.string().c_str(), "wb"));
   if (!f) raise_file("write", path, errno);
   errno = 0;
   bool good = std::fwrite(bytes.data(), 1, bytes.size(), f.get()) == bytes.size();

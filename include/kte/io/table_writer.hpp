@@ -118,7 +118,7 @@ class table_writer {
   std::filesystem::path path_;
   detail::table_row row_;
   media medium_;
-  detail::file file_;
+  detail::file_handle file_;
   std::string buffer_;
   std::uint64_t rows_ = 0;
   std::size_t waiting_ = 0, most_waiting_ = 0;
