@@ -3,6 +3,9 @@
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>
 
+#include <tuple>
+#include <type_traits>
+
 /// The arguments of the algorithms on runtime chains.
 namespace kte::detail {
 
@@ -66,6 +69,9 @@ void check_positions(const basic_runtime_state<S>& s) {
 /// Whether n numbers are finite as numbers of S.
 template <class S, class X>
 KTE_INLINE bool all_finite_as(const X& x, std::size_t n) {
+  // Of arrays g++ 12 takes a loop to a number that it does not know for one beyond their end.
+  if constexpr (std::is_bounded_array_v<X>) n = std::extent_v<X>;
+  if constexpr (requires { std::tuple_size<X>::value; }) n = std::tuple_size_v<X>;
   const S sum = sum_by_four<S>(n, [&x](std::size_t i) KTE_INLINE_LAMBDA { return S(static_cast<S>(x[i]) * S(0)); });
   return all(sum == S(0));
 }
