@@ -68,8 +68,9 @@ KTE_FUNCTION(sqrt)
 KTE_FUNCTION(cbrt)
 KTE_FUNCTION(sin)
 KTE_FUNCTION(cos)
-KTE_FUNCTION(tan) KTE_FUNCTION(asin) KTE_FUNCTION(acos) KTE_FUNCTION(atan) KTE_FUNCTION(sinh) KTE_FUNCTION(cosh)
-    KTE_FUNCTION(tanh) KTE_FUNCTION(exp) KTE_FUNCTION(log) KTE_FUNCTION(floor) KTE_FUNCTION(ceil) KTE_FUNCTION(round)
+KTE_FUNCTION(tan)
+KTE_FUNCTION(asin) KTE_FUNCTION(acos) KTE_FUNCTION(atan) KTE_FUNCTION(sinh) KTE_FUNCTION(cosh) KTE_FUNCTION(tanh)
+    KTE_FUNCTION(exp) KTE_FUNCTION(log) KTE_FUNCTION(floor) KTE_FUNCTION(ceil) KTE_FUNCTION(round)
         KTE_FUNCTION(trunc) digits50 atan2(const digits50& y, const digits50& x) {
   return from(atan2(of(y), of(x)));
 }

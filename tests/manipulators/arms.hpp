@@ -5,6 +5,7 @@
 #include <kte/elements/rigid_link.hpp>
 #include <kte/manipulators/inverse_kinematics.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
+#include <kte/math/dual.hpp>
 
 #include <initializer_list>
 #include <string>
@@ -81,6 +82,15 @@ inline auto iiwa14() {
                       {e_z, {0, 0, .4}},
                       {e_y, none},
                       {e_z, {0, 0, .126}}});
+}
+/// A vector and its rate.
+inline vec3<kte::dual<double, 1>> moving(const vec3<>& a, const vec3<>& rate) {
+  const auto one = [](double value, double by) {
+    kte::dual<double, 1> n(value);
+    n.derivative[0] = by;
+    return n;
+  };
+  return {one(a.x, rate.x), one(a.y, rate.y), one(a.z, rate.z)};
 }
 inline auto planar_3R() { return chain(none, {{e_z, {1, 0, 0}}, {e_z, {.8, 0, 0}}, {e_z, {.3, 0, 0}}}); }
 inline auto scara() {

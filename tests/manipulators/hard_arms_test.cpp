@@ -251,14 +251,6 @@ TEST_CASE("axes that almost lie as formulas have them, within a tolerance") {
 TEST_CASE("derivatives of the answers of every family are those of the Jacobian") {
   using number = dual<double, 1>;
   const vec3<> u{0.2, -0.4, 0.7}, w{-0.5, 0.3, 0.1};
-  const auto moving = [](const vec3<>& a, const vec3<>& b) {
-    const auto one = [](double value, double rate) {
-      number n(value);
-      n.derivative[0] = rate;
-      return n;
-    };
-    return vec3<number>{one(a.x, b.x), one(a.y, b.y), one(a.z, b.z)};
-  };
   for (const auto& c : {plain_3R3R(), ur5(), bent(), ur5_with_offset(), iiwa14(), panda(), era()}) {
     const model arm(c, "tool");
     numbers q(7);

@@ -328,14 +328,6 @@ TEST_CASE("branches go on along a path, and derivatives are those of the Jacobia
   using number = dual<double, 1>;
   const auto x = arm.getDependentPoses(q)[0];
   const vec3<> u{0.2, -0.4, 0.7}, w{-0.5, 0.3, 0.1};
-  const auto moving = [](const vec3<>& a, const vec3<>& b) {
-    const auto one = [](double value, double rate) {
-      number n(value);
-      n.derivative[0] = rate;
-      return n;
-    };
-    return vec3<number>{one(a.x, b.x), one(a.y, b.y), one(a.z, b.z)};
-  };
   const auto turning = as<double>(cross_matrix(w) * x.rotation);
   const pose goal{mat3<vec3<number>>{moving(x.rotation.x, turning.x), moving(x.rotation.y, turning.y),
                                      moving(x.rotation.z, turning.z)},

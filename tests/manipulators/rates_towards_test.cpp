@@ -178,6 +178,10 @@ TEST_CASE("Accelerations of tools, and joints that give them within limits") {
   const manipulator shoulder(three, upper);
   const three_rates aim(0, 4, -5);
   CHECK((accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, aim).a - aim).norm() < 1e-9);
+  auto lost = aim;
+  lost[0] = NAN;
+  CHECK_THROWS_MATCHES(accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, lost), bad_argument,
+                       test::says("a wanted acceleration is no finite number"));
 
   three_rates at(0, 0, 0.5), rate = three_rates::Zero();
   random_numbers random(4);
