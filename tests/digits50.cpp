@@ -69,11 +69,20 @@ KTE_FUNCTION(cbrt)
 KTE_FUNCTION(sin)
 KTE_FUNCTION(cos)
 KTE_FUNCTION(tan)
-KTE_FUNCTION(asin) KTE_FUNCTION(acos) KTE_FUNCTION(atan) KTE_FUNCTION(sinh) KTE_FUNCTION(cosh) KTE_FUNCTION(tanh)
-    KTE_FUNCTION(exp) KTE_FUNCTION(log) KTE_FUNCTION(floor) KTE_FUNCTION(ceil) KTE_FUNCTION(round)
-        KTE_FUNCTION(trunc) digits50 atan2(const digits50& y, const digits50& x) {
-  return from(atan2(of(y), of(x)));
-}
+KTE_FUNCTION(asin)
+KTE_FUNCTION(acos)
+KTE_FUNCTION(atan)
+KTE_FUNCTION(sinh)
+KTE_FUNCTION(cosh)
+KTE_FUNCTION(tanh)
+KTE_FUNCTION(exp)
+KTE_FUNCTION(log)
+KTE_FUNCTION(floor)
+KTE_FUNCTION(ceil)
+KTE_FUNCTION(round)
+KTE_FUNCTION(trunc)
+#undef KTE_FUNCTION
+digits50 atan2(const digits50& y, const digits50& x) { return from(atan2(of(y), of(x))); }
 digits50 pow(const digits50& x, const digits50& y) { return from(pow(of(x), of(y))); }
 digits50 ldexp(const digits50& x, int n) { return from(ldexp(of(x), n)); }
 digits50 frexp(const digits50& x, int* n) { return from(frexp(of(x), n)); }
