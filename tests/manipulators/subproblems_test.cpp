@@ -1,4 +1,4 @@
-#include <kte/manipulators/subproblems.hpp>
+#include <kte/manipulators/two_links.hpp>
 
 #include "catch.hpp"
 #include "digits50.hpp"
@@ -98,6 +98,21 @@ TEST_CASE("next to its border an angle has all the digits that 50 digits give it
         linear_in_angle(kte::test::digits50(1), kte::test::digits50(0), kte::test::digits50(c)).plus.value());
     CHECK(t.plus.value() == within_relative(exact, 4e-16));
   }
+}
+
+TEST_CASE("two turns of a vector next to the second axis: the first to rounding") {
+  random_numbers random(5);
+  const vec3<> k1{0.6, 0, 0.8}, k2{0, 0, 1};
+  const auto t2 = angle_of(1.0);  // room for both answers
+  for (int e = 0; e <= 16; ++e)
+    for (int n = 0; n < 20; ++n) {
+      const vec3<> p2{std::pow(10.0, -e), 0, 1};
+      const auto t1 = angle_of(random(3));
+      const auto t = subproblem2(k1, turned(k1, -t1, turned(k2, t2, p2)), k2, p2);
+      const auto away = [&](const solved_angle<double>& x) { return std::hypot(x.cos - t1.cos, x.sin - t1.sin); };
+      INFO("1e-" << e << ", sample " << n);
+      CHECK(std::min(away(t.first.plus), away(t.first.minus)) <= 4e-15);
+    }
 }
 
 TEST_CASE("a triangle next to stretched and to folded reaches its point") {

@@ -3,6 +3,7 @@
 #include <kte/manipulators/detail/angle_pairs.hpp>
 #include <kte/manipulators/detail/three_axes_loop.hpp>
 #include <kte/manipulators/detail/two_harmonics.hpp>
+#include <kte/manipulators/two_links.hpp>
 
 /// The subproblems of two and three angles that lead to equations of degree four (Elias and Wen, IK-Geo, 2025).
 namespace kte {
@@ -105,42 +106,38 @@ detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, con
                                                           const vec3<S>& p3, const K1& k1, const K2& k2, const K3& k3) {
   using std::sqrt;
   const vec3<S> k = as<S>(k2);
-  const auto l1 = linear_part_of(k, k1, p1), l3 = linear_part_of(k, k3, p3);
-  const auto q1 = linear_part_of(p0, k1, p1), q3 = linear_part_of(p2, k3, p3);
   const S unit = S(1) / sqrt(S(dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));  // metres again
-  const S u = S(2) * unit;
-  const S squares = (dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) * unit;
   detail::short_list<three_solved_angles<S>, 8> out;
-  const detail::three_axes_loop<S> loop{p0, p1, p2, p3, as<S>(k1), k, as<S>(k3)};
-  const auto add = [&](const solved_angle<S>& t1, const solved_angle<S>& t3, unsigned slot) {
-    loop.add_closed(t1, t3, slot, out);
-  };
-  // Where axes 1 and 2 meet, or 2 and 3, one angle is alone in the second equation.
+  // Where axes 1 and 2 meet, or 2 and 3, one angle is alone in the second equation; then it is subproblem 2.
   const auto nothing = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
   if (nothing(p0) && !nothing(p2)) {
-    const auto t3 = linear_in_angle(q3.cos, q3.sin,
-                                    S((dot(p0, p0) + dot(p1, p1) - dot(p2, p2) - dot(p3, p3)) / S(2) - q3.constant));
+    const auto t3 = detail::angles_of_length(k3, p2, p3, S(sqrt(dot(p1, p1))));
     for (const unsigned far : {0u, 2u}) {
       const auto& t = far == 0 ? t3.plus : t3.minus;
-      const auto t1 = subproblem4(k1, p1, k2, S(dot(k, vec3<S>(p2 + turned(k3, t, p3) - p0))));
-      add(t1.plus, t, far), add(t1.minus, t, far + 1);
+      const auto [t1, t2] = subproblem2(k1, p1, k, vec3<S>(p2 + turned(k3, t, p3)));
+      out.push_back({t1.plus, t2.plus, t, far}), out.push_back({t1.minus, t2.minus, t, far + 1});
     }
     return out;
   }
   if (nothing(p2) && !nothing(p0)) {
-    const auto t1 = linear_in_angle(q1.cos, q1.sin,
-                                    S((dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) / S(2) - q1.constant));
+    const auto t1 = detail::angles_of_length(k1, p0, p1, S(sqrt(dot(p3, p3))));
     for (const unsigned far : {0u, 2u}) {
       const auto& t = far == 0 ? t1.plus : t1.minus;
-      const auto t3 = subproblem4(k3, p3, k2, S(dot(k, vec3<S>(p0 + turned(k1, t, p1) - p2))));
-      add(t, t3.plus, far), add(t, t3.minus, far + 1);
+      const auto [t3, t2] = subproblem2(k3, p3, vec3<S>(-k), vec3<S>(p0 + turned(k1, t, p1)));
+      out.push_back({t, t2.plus, t3.plus, far}), out.push_back({t, t2.minus, t3.minus, far + 1});
     }
     return out;
   }
+  const auto l1 = linear_part_of(k, k1, p1), l3 = linear_part_of(k, k3, p3);
+  const auto q1 = linear_part_of(p0, k1, p1), q3 = linear_part_of(p2, k3, p3);
+  const S u = S(2) * unit;
+  const S squares = (dot(p2, p2) + dot(p3, p3) - dot(p0, p0) - dot(p1, p1)) * unit;
+  const detail::three_axes_loop<S> loop{detail::point_turned(p0, as<S>(k1), p1),
+                                        detail::point_turned(p2, as<S>(k3), p3), k};
   for (const auto& t : subproblem6<S>(
            {{{l1.cos, l1.sin}, {u * q1.cos, u * q1.sin}}}, {{{-l3.cos, -l3.sin}, {-u * q3.cos, -u * q3.sin}}},
            {S(dot(k, p2) - dot(k, p0) + l3.constant - l1.constant), S(squares + u * (q3.constant - q1.constant))}))
-    add(t.first, t.second, t.slot);
+    loop.add_closed(t.first, t.second, t.slot, out);
   return out;
 }
 

@@ -73,16 +73,12 @@ constexpr vec3<S> turned(const K& k, const solved_angle<S>& t, const V& v) {
   return t.cos * x + t.sin * cross(kk, x) + (dot(kk, x) * (S(1) - t.cos)) * kk;
 }
 
-/// a cos t + b sin t = c:
-///
-///   h = |(a, b)|,  f = atan2(b, a),  t = f +- atan2(sqrt((h - c)(h + c)), c)          (1)
-///
-/// Free where h is not above `noise`: then both are what `otherwise` says, half a turn apart.
+namespace detail {
+/// (1) of `linear_in_angle` with h and room, and how far c is over h.
 template <class S>
-constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
-                                        const solved_angle<S>& otherwise = {}) {
+constexpr two_angles<S> angles_with_room(const S& a, const S& b, const S& c, const S& h, const S& room, const S& over,
+                                         const S& noise, const solved_angle<S>& otherwise) {
   using std::sqrt;
-  const S h = sqrt(S(a * a + b * b)), over = (c < S(0) ? S(-c) : c) - h;
   two_angles<S> t;
   t.slack = select(over > S(0), over, S(0));
   if (!(h > noise)) {
@@ -90,10 +86,23 @@ constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, cons
     return t;
   }
   const solved_angle<S> f{a / h, b / h};
-  const S room = (h - c) * (h + c);
   const auto g = over < S(0) ? direction(c, S(sqrt(room))) : solved_angle<S>{c < S(0) ? S(-1) : S(1), S(0)};
   t.plus = f + g, t.minus = f - g;
   return t;
+}
+}  // namespace detail
+
+/// a cos t + b sin t = c:
+///
+///   h = |(a, b)|,  f = atan2(b, a),  t = f +- atan2(sqrt(room), c),  room = (h - c)(h + c)          (1)
+///
+/// Free where h is not above `noise`: then both are what `otherwise` says, half a turn apart.
+template <class S>
+constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
+                                        const solved_angle<S>& otherwise = {}) {
+  using std::sqrt;
+  const S h = sqrt(S(a * a + b * b)), over = (c < S(0) ? S(-c) : c) - h;
+  return detail::angles_with_room(a, b, c, h, S((h - c) * (h + c)), over, noise, otherwise);
 }
 
 /// R(k, t) p1 = p2:
@@ -121,64 +130,38 @@ constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& no
   return linear_in_angle(S(dot(n, p) - along), S(dot(n, cross(k, p))), S(d - along), noise, otherwise);
 }
 
-/// R(k1, t1) p1 = R(k2, t2) p2: pairs (t1.plus, t2.plus), (t1.minus, t2.minus). t1 by (3) with n = k2, d = k2.p2; t2 by
-/// (2) from what t1 leaves.
+/// R(k1, t1) p1 = R(k2, t2) p2: pairs (t1.plus, t2.plus), (t1.minus, t2.minus). t1 by (3) with n = k2, d = k2.p2. As
+/// both are as long, with n2 the part of p2 normal to k2
+///
+///   room = (|k1 x k2| |n2| - e)(|k1 x k2| |n2| + e),   e = k1.p1 - (k1.k2) d,          (4)
+///
+/// which is taken where these are smaller than h and c: next to k2 p2 keeps its digits. Then t2 by (2).
 template <class S>
 struct two_pairs {
   two_angles<S> first, second;
 };
 template <class S, class K1, class K2>
-constexpr two_pairs<S> subproblem2(const K1& k1, const vec3<S>& p1, const K2& k2, const vec3<S>& p2) {
-  const auto t1 = subproblem4(k1, p1, k2, S(dot(as<S>(k2), p2)));
-  const auto rest = [&](const solved_angle<S>& t) { return subproblem1(k2, p2, turned(k1, t, p1)); };
+constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2& axis2, const vec3<S>& p2) {
+  using std::sqrt;
+  const auto size = [](const S& x) { return x < S(0) ? S(-x) : x; };
+  const vec3<S> k1 = as<S>(axis1), k2 = as<S>(axis2), k12 = cross(k1, k2);
+  const S cosine = dot(k1, k2), along1 = dot(k1, p1), d = dot(k2, p2);
+  const vec3<S> n2 = p2 - d * k2;
+  const S a = dot(k2, p1) - cosine * along1, b = dot(k2, cross(k1, p1)), c = d - cosine * along1;
+  const S h = sqrt(S(a * a + b * b)), noise = S(24 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(p1, p1)));
+  const S most = sqrt(S(dot(k12, k12) * dot(n2, n2))), e = along1 - cosine * d;
+  const bool near = most + size(e) < h + size(c);
+  const S room = near ? S((most - e) * (most + e)) : S((h - c) * (h + c));
+  const auto t1 = detail::angles_with_room(a, b, c, h, room, S(-room / (h + size(c) + noise)), noise, {});
+  const auto rest = [&](const solved_angle<S>& t) { return subproblem1(axis2, p2, turned(axis1, t, p1)); };
   return {t1, {rest(t1.plus), rest(t1.minus), t1.slack, false}};
 }
 
-/// |R(k, t) p1 - p2| = d: by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms take `triangle`,
-/// which loses no digits where the arm is stretched.)
+/// |R(k, t) p1 - p2| = d: by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms take `triangle`
+/// of two_links.hpp, which loses no digits where the arm is stretched.)
 template <class S, class K>
 constexpr two_angles<S> subproblem3(const K& k, const vec3<S>& p1, const vec3<S>& p2, const S& d) {
   return subproblem4(k, p1, p2, S((dot(p1, p1) + dot(p2, p2) - d * d) / S(2)));
-}
-
-/// The angle between two links normal to k by which they reach a distance D, |l1 + R(k, t) l2| = D. With r1, r2 the
-/// lengths of the links and t0 the angle from l2 to l1:
-///
-///   t = t0 +- 2 atan2(sqrt((r1 + r2 - D)(r1 + r2 + D)), sqrt((D - (r1 - r2))(D + (r1 - r2))))          (4)
-///
-/// Stretched or folded where D is out of reach; `slack`, m, says how far.
-template <class S, class K>
-constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
-  using std::sqrt;
-  const S r1 = sqrt(dot(l1, l1)), r2 = sqrt(dot(l2, l2));
-  const S longer = select(r1 > r2, r1, r2), shorter = select(r1 > r2, r2, r1);
-  const S outside = D - (r1 + r2), inside = (longer - shorter) - D;
-  const auto t0 = subproblem1(k, l2, l1);
-  const auto half = [&]() -> solved_angle<S> {
-    if (!(outside < S(0))) return {};           // stretched
-    if (!(inside < S(0))) return {S(0), S(1)};  // folded
-    return direction(S(sqrt(S(-inside * (D + longer - shorter)))), S(sqrt(S(-outside * (r1 + r2 + D)))));
-  }();
-  const auto g = half + half;
-  const S slack = select(outside > S(0), outside, select(inside > S(0), inside, S(0)));
-  return {t0 + g, t0 - g, slack, false};
-}
-
-/// Two links and where they reach: R(k, t2)(l1 + R(k, t3) l2) = a, all normal to k. t3 by (4) with D = |a|, then t2 by
-/// (2): pairs (t2.plus, t3.plus), (t2.minus, t3.minus). t2 is free where the links fold to a point.
-template <class S>
-struct triangle_angles {
-  two_angles<S> t2, t3;
-};
-template <class S, class K>
-constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<S>& l2, const vec3<S>& a,
-                                      const solved_angle<S>& otherwise = {}) {
-  using std::sqrt;
-  const S D = sqrt(dot(a, a)), noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(l1, l1) + dot(l2, l2)));
-  const auto t3 = elbow_angles(k, l1, l2, D);
-  if (!(D > noise) && !(t3.slack > noise)) return {{otherwise, otherwise, t3.slack, true}, t3};
-  const auto rest = [&](const solved_angle<S>& t) { return subproblem1(k, vec3<S>(l1 + turned(k, t, l2)), a); };
-  return {{rest(t3.plus), rest(t3.minus), t3.slack, false}, t3};
 }
 
 }  // namespace kte

@@ -24,35 +24,77 @@ raw_answers<S> wrist_and_three_axes(const arm_structure& s, const rotation_matri
   return out;
 }
 
-/// Axes 2, 3, 4 parallel to h, by subproblem 6 for q1 and q5, w from joint 1 to joint 6:
+/// Axes 2, 3, 4 parallel to h: q1, q6, q5 by subproblem 6, w from joint 1 to joint 6:
 ///
 ///   h.R(h1, -q1) w = h.(p12 + p23 + p34 + p45) + h.R(h5, q5) p56
 ///   h.R(h1, -q1) R06 h6 = h.R(h5, q5) h6;   R(h6, q6) y = R(h5, -q5) h,  y = R06^T R(h1, q1) h          (2)
 ///
-/// and the parallel axes from there, with p45 + R(h5, q5) p56 in place of p45.
+/// Where h6 is nearly along h, cosines of the angle between them know little of it, and of two answers, which differ by
+/// half a turn of q6. There the last of (2) itself is solved, normal to h6, with the first of (2) along it
+/// (detail/three_axes_loop.hpp).
+template <class S>
+short_list<three_solved_angles<S>, 8> around_parallel_axes(const arm_structure& s, const rotation_matrix<S>& R06,
+                                                           const vec3<S>& w) {
+  const vec3<>&h1 = s.h(0), &h = s.h(1), &h5 = s.h(4), &h6 = s.h(5);
+  const vec3<S> along = as<S>(h), axis6 = as<S>(h6), p56 = as<S>(s.p(5) - s.p(4)), zero{S(0), S(0), S(0)};
+  const auto l1 = linear_part_of(h, vec3<>(-h1), w), l5 = linear_part_of(h, h5, p56);
+  const auto a1 = linear_part_of(h, vec3<>(-h1), vec3<S>(R06 * axis6)), a5 = linear_part_of(h, h5, axis6);
+  const S unit = S(1 / s.reach), offset = S(dot(h, s.p(4) - s.p(0)));
+  const auto R60 = transpose(R06);
+  const auto loop = [&] {
+    const auto part = [&](const vec3<S>& v, const S& l) { return normal_to(h6, v) + (unit * l) * axis6; };
+    const auto y = point_turned(zero, as<S>(h1), along), z = point_turned(zero, as<S>(vec3<>(-h5)), along);
+    return three_axes_loop<S>{
+        {part(R60 * y.centre, l1.constant - offset), part(R60 * y.along, l1.cos), part(R60 * y.across, l1.sin)},
+        {part(z.centre, l5.constant), part(z.along, l5.cos), part(z.across, l5.sin)},
+        -axis6};
+  };
+  short_list<three_solved_angles<S>, 8> all;
+  for (const auto& t : subproblem6<S>({{{unit * l1.cos, unit * l1.sin}, {a1.cos, a1.sin}}},
+                                      {{{-unit * l5.cos, -unit * l5.sin}, {-a5.cos, -a5.sin}}},
+                                      {S(unit * (offset + l5.constant - l1.constant)), S(a5.constant - a1.constant)})) {
+    const S cosine = a5.constant + a5.cos * t.second.cos + a5.sin * t.second.sin;
+    if (S(1) - cosine * cosine < S(1e-6)) {
+      loop().add_closed(t.first, t.second, t.slot, all);
+    } else if (all.size() < 8) {
+      const vec3<S> y = R60 * turned(h1, t.first, along);
+      all.push_back({t.first, subproblem1(h6, y, turned(h5, -t.second, along)), t.second, t.slot});
+    }
+  }
+  return all;
+}
+
+/// The parallel axes from there, with p45 + R(h5, q5) p56 in place of p45. Where h6 is along h, q6 is free, or within
+/// reach, as in (3) of detail/six_axes.hpp.
 template <class S>
 raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matrix<S>& R06, const vec3<S>& position,
                                      const joint_turns<S>& seed) {
+  using std::sqrt;
   const vec3<>&h1 = s.h(0), &h = s.h(1), &h5 = s.h(4), &h6 = s.h(5);
   const vec3<S> w = position - as<S>(s.p(0)), p12 = as<S>(s.p(1) - s.p(0)), p56 = as<S>(s.p(5) - s.p(4));
-  const vec3<S> axis6 = as<S>(h6), normal = cross(as<S>(h), as<S>(h5));
-  const auto l1 = linear_part_of(h, vec3<>(-h1), w), l5 = linear_part_of(h, h5, p56);
-  const auto a1 = linear_part_of(h, vec3<>(-h1), vec3<S>(R06 * axis6)), a5 = linear_part_of(h, h5, axis6);
-  const S unit = S(1 / s.reach);
+  const vec3<S> normal = cross(as<S>(h), as<S>(h5));
   raw_answers<S> out;
-  for (const auto& t : subproblem6<S>(
-           {{{unit * l1.cos, unit * l1.sin}, {a1.cos, a1.sin}}},
-           {{{-unit * l5.cos, -unit * l5.sin}, {-a5.cos, -a5.sin}}},
-           {S(unit * (S(dot(h, s.p(4) - s.p(0))) + l5.constant - l1.constant)), S(a5.constant - a1.constant)})) {
+  for (const auto& [t1, found6, t5, slot] : around_parallel_axes(s, R06, w)) {
     raw_answer<S> x{};
-    const auto R16 = turned_matrix(h1, -t.first, R06);
-    const auto t6 = subproblem1(h6, vec3<S>(transpose(R16) * as<S>(h)), turned(h5, -t.second, as<S>(h)));
-    const auto t14 = subproblem1(h, normal, vec3<S>(R16 * turned(h6, -t6, turned(h5, -t.second, normal))));
-    x.turn.put(0, t.first), x.turn.put(4, t.second), x.turn.put(5, t6);
-    x.branch = (t.slot & 1u) | (t.slot & 2u) << 1 | (t.slot & 4u) << 1;
-    const vec3<S> p45 = as<S>(s.p(4) - s.p(3)) + turned(h5, t.second, p56);
-    with_parallel_axes(s, vec3<S>(turned(h1, -t.first, w) - p12), t14, x, p45, seed,
-                       [&out](const raw_answer<S>& y) { out.add(y); });
+    const auto R16 = turned_matrix(h1, -t1, R06);
+    const auto behind = turned(h5, -t5, normal);
+    const auto t14_of = [&](const solved_angle<S>& t6) {
+      return subproblem1(h, normal, vec3<S>(R16 * turned(h6, -t6, behind)));
+    };
+    auto t6 = found6, t14 = t14_of(t6);
+    const vec3<S> a = turned(h1, -t1, w) - p12, p45 = as<S>(s.p(4) - s.p(3)) + turned(h5, t5, p56);
+    const vec3<S> y = transpose(R16) * as<S>(h), off = normal_to(h6, y);
+    if (const S size = sqrt(dot(off, off)); size < S(1e-6)) {
+      const S noise = S(24 * std::numeric_limits<S>::epsilon());
+      const bool free = !(size > noise);
+      if (free) x.free = 46u, t6 = seed.at(5), t14 = t14_of(t6);  // with q6 go q2, q3, q4
+      const S unknown = free ? S(4) : S(S(4) * noise / size);     // of turned axes
+      if (const S way = way_into_reach(s, normal_to(h, a), t14, p45, unknown); way != S(0))
+        t6 = t6 + angle_of(dot(y, as<S>(h6)) > S(0) ? S(-way) : way), t14 = t14_of(t6);
+    }
+    x.turn.put(0, t1), x.turn.put(4, t5), x.turn.put(5, t6);
+    x.branch = (slot & 1u) | (slot & 2u) << 1 | (slot & 4u) << 1;
+    with_parallel_axes(s, a, t14, x, p45, seed, [&out](const raw_answer<S>& z) { out.add(z); });
   }
   return out;
 }

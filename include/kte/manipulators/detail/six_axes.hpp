@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/manipulators/detail/raw_answers.hpp>
+#include <kte/manipulators/two_links.hpp>
 
 namespace kte::detail {
 
@@ -71,14 +72,16 @@ S nearest_within(const S& a, const S& b, const S& least, const S& most) {
 ///
 /// of which the lengths of two links are the borders. q6 is then within them, nearest to `seed`. Next to that, q6 is
 /// known to `rounding / sin q5` only, and as near as that to the borders they are kept to as well. Here is the way to
-/// go in t.
+/// go in t, or 0 where that is farther than q6 is `unknown`.
 template <class S>
-S way_into_reach(const arm_structure& s, const vec3<S>& a, const solved_angle<S>& t14) {
+S way_into_reach(const arm_structure& s, const vec3<S>& a, const solved_angle<S>& t14, const vec3<S>& p45,
+                 const S& unknown) {
   const vec3<>& h = s.h(1);
-  const vec3<S> c = turned(h, t14, as<S>(normal_part(s.p(4) - s.p(3), h)));
+  const vec3<S> c = turned(h, t14, normal_to(h, p45));
   const S r1 = S(length_of(normal_part(s.p(2) - s.p(1), h))), r2 = S(length_of(normal_part(s.p(3) - s.p(2), h)));
   const S squares = dot(a, a) + dot(c, c), along = S(2) * dot(a, c), across = S(2) * dot(a, cross(as<S>(h), c));
-  return nearest_within(along, across, S(squares - (r1 + r2) * (r1 + r2)), S(squares - (r1 - r2) * (r1 - r2)));
+  const S way = nearest_within(along, across, S(squares - (r1 + r2) * (r1 + r2)), S(squares - (r1 - r2) * (r1 - r2)));
+  return way < unknown && -way < unknown ? way : S(0);
 }
 
 /// q2, q3, q4 of three parallel axes when the joints before and behind are known; answers to `next`.
@@ -120,12 +123,11 @@ raw_answers<S> parallel_and_meeting(const arm_structure& s, const rotation_matri
     const auto t5_of = [&](const solved_angle<S>& t6) { return subproblem1(vec3<>(-h5), as<S>(h), turned(h6, t6, y)); };
     const auto q6 = subproblem4(h6, y, h5, S(dot(h5, h)), seed.at(5));
     const vec3<S> off = normal_to(h6, y);
-    const S unknown = S(24 * std::numeric_limits<S>::epsilon()) / sqrt(dot(off, off));
+    const S unknown = q6.free ? S(4) : S(S(24 * std::numeric_limits<S>::epsilon()) / sqrt(dot(off, off)));
     for (const bool flipped : {false, true}) {
       auto t6 = flipped ? q6.minus : q6.plus;
       auto t5 = t5_of(t6), t14 = t14_of(t6, t5);
-      const S way = way_into_reach(s, normal_to(h, a), t14);
-      if (way != S(0) && (q6.free || (way < unknown && -way < unknown))) {
+      if (const S way = way_into_reach(s, normal_to(h, a), t14, p45, unknown); way != S(0)) {
         t6 = t6 + angle_of(dot(y, as<S>(h6)) > S(0) ? S(-way) : way), t5 = t5_of(t6), t14 = t14_of(t6, t5);
       }
       x.free = (q1.free ? 1u : 0u) | (q6.free ? 46u : 0u);  // with q6 go q2, q3, q4

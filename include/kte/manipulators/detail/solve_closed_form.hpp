@@ -95,19 +95,30 @@ postures<S> postures_of(const arm_structure& s, const raw_answers<S>& raw, const
   return all;
 }
 
-/// Newton's steps where roots of equations of degree four are worse than rounding, as long as they bring nearer; and
-/// where axes are not quite as formulas have them (a tolerance was given), more of them, and longer.
+/// Newton's steps where roots of equations of degree four are worse than rounding, as long as they bring nearer: next
+/// to double roots with damping. And where axes are not quite as formulas have them (a tolerance was given), more of
+/// them, and longer.
 template <class S>
 void polish(const arm_structure& s, const plain_pose_of<S>& wanted, solved_answer<S>& y) {
   const bool loose = s.tolerance > arm_structure::strict && s.original.n >= 6;
   if (!loose && s.form != closed_form::wrist_general && s.form != closed_form::parallel_general) return;
+  const std::size_t first = s.held == 0 ? 1 : 0;
   const auto far = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
   const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
+  const auto at = [&](const by_joint<S>& t) { return gap_between(tool_pose(s.original, t), wanted); };
+  const auto towards = [&] { return towards_pose(s.original, first, wanted, y.t, s.reach); };
   for (int k = 0; k < (loose ? 8 : 2) && far(y.gap) > least; ++k) {
     auto t = y.t;
-    newton_step(s.original, s.held == 0 ? 1u : 0u, wanted, t, loose ? 0.1 : 1e-3);
-    const auto gap = gap_between(tool_pose(s.original, t), wanted);
-    if (!loose && !(far(gap) < far(y.gap))) return;
+    newton_step(towards(), first, t, loose ? 0.1 : 1e-3);
+    const auto gap = at(t);
+    if (!loose && !(far(gap) < far(y.gap))) break;
+    y.t = t, y.gap = gap;
+  }
+  for (int k = 0; k < 30 && far(y.gap) > least && far(y.gap) < 1e-4; ++k) {
+    auto t = y.t;
+    damped_step(towards(), first, t);
+    const auto gap = at(t);
+    if (!(far(gap) < 0.9 * far(y.gap))) return;
     y.t = t, y.gap = gap;
   }
 }

@@ -13,27 +13,46 @@ struct three_solved_angles {
 
 namespace detail {
 
-/// p0 + R(k1, t1) p1 = R(k2, t2)(p2 + R(k3, t3) p3), of which t1 and t3 are known, but from squares: with n what the
-/// vectors have normal to k2, to rounding/n. Where they pass by axis 2 that is not enough, and two answers, of which t2
-/// is half a turn apart, have nearly the same t1 and t3, or were taken for one. From what the loop lacks,
+/// A point by an angle, centre + cos t along + sin t across.
+template <class S>
+struct turning_point {
+  vec3<S> centre, along, across;
+
+  vec3<S> at(const solved_angle<S>& t) const { return centre + t.cos * along + t.sin * across; }
+  vec3<S> rate(const solved_angle<S>& t) const { return t.cos * across - t.sin * along; }
+  S squares() const { return dot(centre, centre) + dot(along, along) + dot(across, across); }
+};
+/// from + R(k, t) p
+template <class S>
+turning_point<S> point_turned(const vec3<S>& from, const vec3<S>& k, const vec3<S>& p) {
+  const vec3<S> fixed = dot(k, p) * k;
+  return {from + fixed, p - fixed, cross(k, p)};
+}
+
+/// b(t1) = R(k2, t2) a(t3), of which t1 and t3 are known, but from squares: with n what the points have normal to k2,
+/// to rounding/n. Where they pass by axis 2 that is not enough, and two answers, of which t2 is half a turn apart, have
+/// nearly the same t1 and t3, or were taken for one. From what the loop lacks,
 ///
-///   d = p0 + R1 p1 - R2 (p2 + R3 p3),  r its direction normal to k2,  c1 = k1 x R1 p1,  c3 = R2 (k3 x R3 p3),
+///   d = b - R2 a,  r its direction normal to k2,  c1 = db/dt1,  c3 = R2 da/dt3,
 ///
 /// Newton's steps: u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; then t2 anew.          (1)
 template <class S>
 struct three_axes_loop {
-  vec3<S> p0, p1, p2, p3, k1, k2, k3;
+  turning_point<S> b, a;
+  vec3<S> k2;
 
   using list = short_list<three_solved_angles<S>, 8>;
 
   void add_closed(const solved_angle<S>& t1, const solved_angle<S>& t3, unsigned slot, list& out) const {
-    const double size = double_of(S(dot(p0, p0) + dot(p1, p1) + dot(p2, p2) + dot(p3, p3)));
+    const double size = double_of(S(a.squares() + b.squares()));
     const double eps = double_of(std::numeric_limits<S>::epsilon()), least = size * 16 * eps * eps;
     const auto start = closed_by_second({t1, {}, t3, slot});
     const auto found = closed(start, least);
     const vec3<S> side = cross(k2, start.a);
     const auto add = [&](const place& x) {
-      if (!knows(out, x.t) && out.size() < 8) out.push_back(x.t);
+      const vec3<S> arm = cross(k2, x.a);
+      const double moved = std::sqrt(double_of(S(dot(arm, arm)) / size));  // by a turn of 1 rad about axis 2
+      if (!knows(out, x.t, 64 * eps / moved) && out.size() < 8) out.push_back(x.t);
     };
     if (!(double_of(S(dot(side, side))) <= 1e-10 * size)) return add(found);
     const double enough = std::max(1e-20, 1e6 * eps * eps) * size;
@@ -47,16 +66,18 @@ struct three_axes_loop {
  private:
   struct place {
     three_solved_angles<S> t;
-    vec3<S> a, b, d;  ///< p2 + R3 p3, p0 + R1 p1, and what they lack
+    vec3<S> a, b, d;  ///< the points, and what they lack
   };
   vec3<S> gap(const place& x) const { return x.b - turned(k2, x.t.second, x.a); }
-  static bool knows(const list& all, const three_solved_angles<S>& t) {
+  /// Whether t is one of `all`, of which t2 is `unknown`.
+  static bool knows(const list& all, const three_solved_angles<S>& t, double unknown) {
     for (const auto& x : all)
-      if (same_angle(x.first, t.first) && same_angle(x.second, t.second) && same_angle(x.third, t.third)) return true;
+      if (same_angle(x.first, t.first) && same_angle(x.third, t.third) && same_angle(x.second, t.second, unknown))
+        return true;
     return false;
   }
   place closed_by_second(const three_solved_angles<S>& t) const {
-    place x{t, p2 + turned(k3, t.third, p3), p0 + turned(k1, t.first, p1), {}};
+    place x{t, a.at(t.third), b.at(t.first), {}};
     x.t.second = subproblem1(k2, x.a, x.b), x.d = gap(x);
     return x;
   }
@@ -64,8 +85,8 @@ struct three_axes_loop {
     using std::sqrt;
     double part = 1;
     for (int k = 0; k < 40 && part > 1e-7 && double_of(S(dot(x.d, x.d))) > least; ++k) {
-      const vec3<S> side = x.d - dot(k2, x.d) * k2, c1 = cross(k1, vec3<S>(x.b - p0)),
-                    c3 = turned(k2, x.t.second, cross(k3, vec3<S>(x.a - p2)));
+      const vec3<S> side = x.d - dot(k2, x.d) * k2, c1 = b.rate(x.t.first),
+                    c3 = turned(k2, x.t.second, a.rate(x.t.third));
       const S l = sqrt(dot(side, side));
       if (!(l > S(0))) break;
       const vec3<S> r = (S(1) / l) * side;

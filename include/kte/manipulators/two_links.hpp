@@ -1,0 +1,60 @@
+#pragma once
+
+#include <kte/manipulators/subproblems.hpp>
+
+/// Two links and an elbow: subproblem 3 without squares that are taken from others, so that stretched and folded arms
+/// keep their digits.
+namespace kte {
+
+/// The angle between two links normal to k by which they reach a distance D, |l1 + R(k, t) l2| = D. With r1, r2 the
+/// lengths of the links and t0 the angle from l2 to l1:
+///
+///   t = t0 +- 2 atan2(sqrt((r1 + r2 - D)(r1 + r2 + D)), sqrt((D - (r1 - r2))(D + (r1 - r2))))          (1)
+///
+/// Stretched or folded where D is out of reach; `slack`, m, says how far.
+template <class S, class K>
+constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
+  using std::sqrt;
+  const S r1 = sqrt(dot(l1, l1)), r2 = sqrt(dot(l2, l2));
+  const S longer = select(r1 > r2, r1, r2), shorter = select(r1 > r2, r2, r1);
+  const S outside = D - (r1 + r2), inside = (longer - shorter) - D;
+  const auto t0 = subproblem1(k, l2, l1);
+  const auto half = [&]() -> solved_angle<S> {
+    if (!(outside < S(0))) return {};           // stretched
+    if (!(inside < S(0))) return {S(0), S(1)};  // folded
+    return direction(S(sqrt(S(-inside * (D + longer - shorter)))), S(sqrt(S(-outside * (r1 + r2 + D)))));
+  }();
+  const auto g = half + half;
+  const S slack = select(outside > S(0), outside, select(inside > S(0), inside, S(0)));
+  return {t0 + g, t0 - g, slack, false};
+}
+
+/// Two links and where they reach: R(k, t2)(l1 + R(k, t3) l2) = a, all normal to k. t3 by (1) with D = |a|, then t2 by
+/// subproblem 1: pairs (t2.plus, t3.plus), (t2.minus, t3.minus). t2 is free where the links fold to a point.
+template <class S>
+struct triangle_angles {
+  two_angles<S> t2, t3;
+};
+template <class S, class K>
+constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<S>& l2, const vec3<S>& a,
+                                      const solved_angle<S>& otherwise = {}) {
+  using std::sqrt;
+  const S D = sqrt(dot(a, a)), noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(l1, l1) + dot(l2, l2)));
+  const auto t3 = elbow_angles(k, l1, l2, D);
+  if (!(D > noise) && !(t3.slack > noise)) return {{otherwise, otherwise, t3.slack, true}, t3};
+  const auto rest = [&](const solved_angle<S>& t) { return subproblem1(k, vec3<S>(l1 + turned(k, t, l2)), a); };
+  return {{rest(t3.plus), rest(t3.minus), t3.slack, false}, t3};
+}
+
+namespace detail {
+/// |a + R(k, t) b| = l: the elbow of the parts normal to k, which reach sqrt(l^2 - (k.(a + b))^2).
+template <class S, class K>
+two_angles<S> angles_of_length(const K& axis, const vec3<S>& a, const vec3<S>& b, const S& l) {
+  using std::sqrt;
+  const vec3<S> k = as<S>(axis);
+  const S along_a = dot(k, a), along_b = dot(k, b), along = along_a + along_b, room = (l - along) * (l + along);
+  return elbow_angles(k, vec3<S>(a - along_a * k), vec3<S>(b - along_b * k), room > S(0) ? S(sqrt(room)) : S(0));
+}
+}  // namespace detail
+
+}  // namespace kte
