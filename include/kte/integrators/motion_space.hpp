@@ -47,7 +47,7 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///   f.displace(x, d, out)    out = x (+) d, in (2)
 ///   f.pull_back(d, r)        the rate r of the state becomes that of d, in (1)
 ///   f.magnitudes(x, m)       of each number of d, how large the state is in its unit: for relative tolerances
-///   f.rounding(x, d, out, r) optional: r = what of d was lost where out was rounded, 0 where that cannot be said
+///   f.rounding(x, d, out, r) optional: r = what of d was lost where out was rounded, for a displacement from out
 template <class F, class X>
 concept moves_on_group = requires(const F& f, const X& x, X& out, const typename F::rate& d, typename F::rate& r) {
   { f.rates() } -> std::convertible_to<Eigen::Index>;

@@ -102,9 +102,7 @@ class state_space : public Chain {
     vectors_of(m) = vectors_of(x);
   }
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const requires(!size::only_numbers) {
-    rest.setZero();
-    for (const auto& f : freedoms())
-      if (f.what == kind::gen) rest[f.v] = d[f.v] - (out[f.q] - x[f.q]);
+    for (const auto& f : freedoms()) detail::rounding_of_one<S>(f, x.data(), d.data(), out.data(), rest);
     vectors_of(rest) = vectors_of(d) - (vectors_of(out) - vectors_of(x));
   }
 

@@ -33,6 +33,48 @@ void displace_one(const freedom& f, const Q& q, const D& d, Out& out) {
   put_quaternion(out, with_position ? f.q + 3 : f.q, from.rotation * to_quaternion(phi));
 }
 
+/// The quaternion of a rotation vector less 1, to its own rounding.
+template <class S>
+unit_quaternion<S> quaternion_less_one(const vec3<S>& phi) {
+  const S tt = dot(phi, phi), half = S(1) / S(2);
+  const bool small = tt * tt * tt < S(std::numeric_limits<S>::epsilon());
+  const auto c = small ? unit_quaternion<S>{} : to_quaternion(phi);
+  const S w = small ? S(S(1) - tt / S(8)) : c.w;
+  const auto v = small ? vec3<S>((half - tt / S(48) * (S(1) - tt / S(80))) * phi) : vec3<S>{c.x, c.y, c.z};
+  return {-dot(v, v) / (S(1) + w), v.x, v.y, v.z};
+}
+/// What of d was lost where q(d) was rounded to `to`, for the displacement from there. With a, b the quaternions of
+/// both and c that of phi, and but for what is along b, its length:
+///
+///   2 Im(b* ((a - b) + a (c - 1))),   R_b^T ((p - p_b) + R u)          (4)
+template <class S, class Q, class D, class To, class Rest>
+void rounding_of_one(const freedom& f, const Q& q, const D& d, const To& to, Rest& rest) {
+  const auto i = static_cast<std::size_t>(f.q), j = static_cast<std::size_t>(f.v);
+  if (f.what == kind::gen) {
+    rest[f.v] = S(d[j]) - (S(to[i]) - S(q[i]));
+    return;
+  }
+  const auto [u, phi] = rates_from<S>(f.what, d, j);
+  const bool turns_only = f.what == kind::rotation_3D;
+  if (!turns_only) {
+    const auto from = pose_from<S>(f.what, q, i), end = pose_from<S>(f.what, to, i);
+    const auto lost = as<S>(conjugate(end.rotation) * ((from.position - end.position) + from.rotation * u));
+    rest[f.v] = lost.x, rest[f.v + 1] = lost.y;
+    if (f.what == kind::pose_2D) {
+      rest[f.v + 2] = phi.z - (S(to[i + 2]) - S(q[i + 2]));
+      return;
+    }
+    rest[f.v + 2] = lost.z;
+  }
+  const std::size_t k = turns_only ? i : i + 3;
+  const unit_quaternion<S> a{S(q[k]), S(q[k + 1]), S(q[k + 2]), S(q[k + 3])};
+  const unit_quaternion<S> b{S(to[k]), S(to[k + 1]), S(to[k + 2]), S(to[k + 3])};
+  const auto e = a * quaternion_less_one(phi);
+  const auto r =
+      conjugate(b) * unit_quaternion<S>{(a.w - b.w) + e.w, (a.x - b.x) + e.x, (a.y - b.y) + e.y, (a.z - b.z) + e.z};
+  put_vector(rest, turns_only ? f.v : f.v + 3, as<S>(S(2) * vec3<S>{r.x, r.y, r.z}));
+}
+
 /// (2) and (3): the rates r become those of d.
 template <class S, class D, class R>
 void pull_back_one(const freedom& f, const D& d, R& r) {
