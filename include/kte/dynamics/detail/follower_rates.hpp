@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_dynamics.hpp>
+#include <kte/dynamics/detail/record_masses.hpp>
 #include <kte/math/select.hpp>
 
 #include <vector>

@@ -1,79 +1,13 @@
 #pragma once
 
-#include <kte/dynamics/detail/rare_shapes.hpp>
-#include <kte/kernels/invert_general.hpp>
+#include <kte/dynamics/detail/record_masses.hpp>
 #include <kte/kernels/solve.hpp>
-#include <kte/tree/fill_symmetric.hpp>
 
 #include <span>
 
-/// The algorithms as loops over records, in the working memory of a state, which has its coordinates and bases and is
+/// Forward dynamics as loops over records, in the working memory of a state, which has its coordinates and bases and is
 /// found good. For all `Elements` and states of dynamics/detail/record_loops.hpp.
 namespace kte::detail {
-
-/// The change of what a follower writes by a coordinate that it follows: of q_dot, when that has a rate of one.
-template <class Elements, class State, class Coordinate>
-auto ratio_of(const Elements& c, State& s, int follower, Coordinate& followed) {
-  using S = typename State::scalar;
-  auto& end = s.template get<kind::gen>(c.written(follower));
-  const Coordinate before = followed, end_before = end;
-  const auto rate_at = [&](const S& rate) -> S {
-    followed.q_dot = rate;
-    c.move(follower, s);
-    return end.q_dot;
-  };
-  const S at_rest = rate_at(S(0)), ratio = rate_at(S(1)) - at_rest;
-  followed = before, end = end_before;
-  return ratio;
-}
-/// visit(follower, port, row of what it follows there, row of what it writes), from the last follower; of two ports
-/// that lead to one coordinate for the first, as rates by a coordinate have both.
-template <class Elements, class State, class Visit>
-void for_each_followed(const Elements& c, const State& s, const Visit& visit) {
-  const auto& t = s.tree();
-  for (auto f = t.followers.rbegin(); f != t.followers.rend(); ++f) {
-    const auto ports = c.ports(*f);
-    if (ports.back().what != kind::gen) continue;
-    const auto row = [&t](int coordinate) { return t.plan.row_of_gen[static_cast<std::size_t>(coordinate)]; };
-    for (std::size_t p = 0; p + 1 < ports.size(); ++p) {
-      bool first = ports[p].what == kind::gen;
-      for (std::size_t before = 0; before < p; ++before)
-        first &= ports[before].what != kind::gen || c.index(*f, before) != c.index(*f, p);
-      if (first) visit(*f, p, row(c.index(*f, p)), row(c.written(*f)));
-    }
-  }
-}
-/// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
-template <class Elements, class State, class Add>
-void hand_on(const Elements& c, State& s, const Add& add) {
-  for_each_followed(c, s, [&](int follower, std::size_t port, int to, int from) {
-    add(to, from, ratio_of(c, s, follower, s.template get<kind::gen>(c.index(follower, port))));
-  });
-}
-
-/// The mass matrix (CRBA), into the working memory.
-template <class Elements, class State>
-void mass_of_coordinates(const Elements& c, State& s) {
-  using S = typename State::scalar;
-  const auto& t = s.tree();
-  auto& w = s.work;
-  place_bodies(c, s);
-  tree::carry_bodies(t.forest, w, false);
-  const bool others = t.plan.coordinates > s.dofs();
-  auto& m = others ? w.all : w.mass;
-  tree::masses(t.forest, w, w.masses.wrenches, w.masses.rows);
-  tree::fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
-  if (t.has_own_mass)
-    for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
-  if (others) {
-    hand_on(c, s, [&m](int to, int from, const S& ratio) {
-      m.row(to) += ratio * m.row(from);
-      m.col(to) += ratio * m.col(from);
-    });
-    w.mass = m.topLeftCorner(s.dofs(), s.dofs());
-  }
-  if (!t.spread.empty()) add_spread_masses(c, s, w.mass);
-}
 
 /// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
 /// of articulated bodies.
@@ -227,94 +161,6 @@ void accelerate_by_records(const Elements& c, State& s, const Tau& tau, std::spa
     is_prescribed = 1;
   });
   accelerate_with_friction(c, s, tau, rows.empty() ? prescribed : std::span<const char>(rows));
-}
-/// How accelerations answer forces where coordinates are held: the inverse of the other rows of M, else zeros.
-template <class Elements, class State, class Matrix>
-void invert_unheld(const Elements& c, State& s, Matrix& inverse) {
-  using S = typename State::scalar;
-  mass_of_coordinates(c, s);
-  auto& m = s.work.mass;
-  for_each_held(c, s, [&m](int, int row) {
-    m.row(row).setZero(), m.col(row).setZero();
-    m(row, row) = S(1);
-  });
-  inverse.resize(s.dofs(), s.dofs());
-  invert_by_factors(m, inverse, [&](int row) { c.blame_mass(s, row, true); });
-  for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
-}
-
-/// The same where friction depends on what joints carry: by dtau/da, which is not symmetric.
-template <class Elements, class State, class Matrix>
-void invert_unheld_rubbing(const Elements& c, State& s, const Matrix& by_a, Matrix& inverse) {
-  using S = typename State::scalar;
-  Matrix m = by_a;
-  for_each_held(c, s, [&m](int, int row) {
-    m.row(row).setZero(), m.col(row).setZero();
-    m(row, row) = S(1);
-  });
-  if (!invert_general(m, inverse)) [[unlikely]]
-    raise<no_solution>(
-        "kte: accelerations do not follow smoothly from forces: friction of joints by what they carry is "
-        "about to jam");
-  for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
-}
-
-/// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.
-template <class State, class Matrix>
-void invert_articulated(State& s, Matrix& inverse) {
-  using S = typename State::scalar;
-  const auto& f = s.tree().forest;
-  auto& w = s.work;
-  tree::inverse_masses(f, w, w.masses);
-  tree::fill_symmetric(f, s.dofs(), w.masses.rows, true, inverse);
-  for (const int row : s.tree().plan.lone_rows)
-    inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
-}
-/// The same of a tree at rest.
-template <class Elements, class State, class Matrix>
-void articulate_and_invert(const Elements& c, State& s, Matrix& inverse) {
-  using S = typename State::scalar;
-  const auto& t = s.tree();
-  auto& w = s.work;
-  place_bodies(c, s);
-  for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
-  std::fill(w.force.begin(), w.force.end(), S(0));
-  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
-  tree::start_articulated(t.forest, w, false);
-  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
-    blame_axis(c, s, bad);
-  check_lone_masses(c, s);
-  invert_articulated(s, inverse);
-}
-
-/// Derivatives of what must be applied, after `forces_on_coordinates`: into `of_forces`, but for tau.
-template <class Elements, class State>
-void derive_forces(const Elements& c, State& s) {
-  using S = typename State::scalar;
-  const auto& f = s.tree().forest;
-  auto& w = s.work;
-  auto& r = w.of_forces;
-  const Eigen::Index n = s.dofs();
-  // Of bodies alone the same entries are written each time: the others stay zero.
-  if (!s.tree().only_bodies || r.by_a.rows() != n) r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
-  w.variations.axes.resize(f.axes()), w.variations.bodies.resize(f.slots());
-  place_in_world(s);
-  tree::start_variations(f, w, w.variations);
-  S *const q = r.by_q.data(), *const v = r.by_v.data(), *const a = r.by_a.data();
-  const int* const row = f.row.data();
-  const bool by_axes = f.in_order && static_cast<Eigen::Index>(f.axes()) == n;
-  tree::vary_forces(f, w, w.variations,
-                    [=](int j, int k, const S& by_q, const S& by_v, const S& by_a) KTE_INLINE_LAMBDA {
-                      Eigen::Index at = k * n + j;
-                      if (!by_axes) {
-                        if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
-                        at = row[k] * n + row[j];
-                      }
-                      q[at] = by_q, v[at] = by_v, a[at] = by_a;
-                    });
-  for (const auto& [coordinate, mass] : s.tree().rotors)
-    if (const int at = s.tree().plan.row_of_gen[static_cast<std::size_t>(coordinate)]; at < n) r.by_a(at, at) += mass;
-  for (const int e : s.tree().on_coordinates) c.derive(e, s);
 }
 
 }  // namespace kte::detail

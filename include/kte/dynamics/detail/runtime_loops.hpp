@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_dynamics.hpp>
+#include <kte/dynamics/detail/record_derivatives.hpp>
+#include <kte/dynamics/detail/record_inverse.hpp>
 #include <kte/dynamics/detail/runtime_arguments.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <kte/contract/force_derivatives.hpp>
-#include <kte/dynamics/detail/record_dynamics.hpp>
+#include <kte/dynamics/detail/record_derivatives.hpp>
+#include <kte/dynamics/detail/record_inverse.hpp>
 #include <kte/dynamics/detail/static_state.hpp>
 #include <kte/dynamics/detail/tree.hpp>
 

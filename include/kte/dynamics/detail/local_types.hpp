@@ -1,0 +1,226 @@
+#pragma once
+
+#include <kte/contract/joint.hpp>
+#include <kte/dynamics/detail/silent.hpp>
+#include <kte/static_chain/connections.hpp>
+#include <kte/static_chain/static_chain.hpp>
+
+/// What flows between the elements of a static chain in one pass: the types of frames, coordinates and loads that are
+/// local variables (dynamics/detail/local_pass.hpp).
+namespace kte::detail {
+
+struct nothing {};
+
+/// The place of the first false one; the last is.
+template <std::size_t N>
+constexpr std::size_t first_false(const bool (&x)[N]) {
+  std::size_t i = 0;
+  while (x[i]) ++i;
+  return i;
+}
+
+/// Where a load is put on something: load `index` of element `element`.
+struct load_place {
+  std::size_t element;
+  std::size_t index;
+};
+/// The loads on thing Slot of kind K, last element first: the order in which doForce meets them.
+template <class Wiring, kind K, int Slot>
+inline constexpr auto loads_on = [] {
+  constexpr auto& t = Wiring::table;
+  constexpr int last = t.reader[static_cast<std::size_t>(K)][Slot];
+  constexpr std::size_t count = [] {
+    std::size_t n = 0;
+    for (int p = t.reader[static_cast<std::size_t>(K)][Slot]; p >= 0; p = t.previous[p]) ++n;
+    return n;
+  }();
+  std::array<load_place, count> places{};
+  std::size_t n = 0;
+  for (int p = last; p >= 0; p = t.previous[p])
+    places[n++] = {static_cast<std::size_t>(t.element[p]), static_cast<std::size_t>(t.load[p])};
+  return places;
+}();
+
+/// Whether an element core writes something by doMotion; that is then its last port.
+template <class Core>
+inline constexpr bool has_output = Core::ports[port_count<Core> - 1].how == access::out;
+
+/// A coordinate whose sine and cosine are wanted, written by an element.
+template <class Q, class QD, class QDD, class C, class S>
+KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
+  if constexpr (variable<Q>) {
+    coordinate<Q, QD, QDD, Q, Q> r{c.q, c.q_dot, c.q_ddot, Q{}, Q{}};
+    sincos(c.q, r.sin, r.cos);
+    return r;
+  } else {
+    static_assert(std::is_same_v<Q, zero_t>);
+    return coordinate{c.q, c.q_dot, c.q_ddot, one, zero};
+  }
+}
+
+/// Whether positions, and on request rates, of what an element sees are evaluated.
+template <bool Rates, class X>
+inline constexpr bool is_known = !has_skip<X>;
+template <bool Rates, class Q, class QD, class QDD, class C, class S>
+inline constexpr bool is_known<Rates, coordinate<Q, QD, QDD, C, S>> = !has_skip<Q> && (!Rates || !has_skip<QD>);
+template <bool Rates, class P, class R, class V, class W, class A, class AL>
+inline constexpr bool is_known<Rates, motion<P, R, V, W, A, AL>> =
+    !has_skip<P> && !has_skip<R> && (!Rates || (!has_skip<V> && !has_skip<W>));
+
+/// The types of what flows in one evaluation of a chain; `Given` is explained at `local_pass`.
+template <class Chain, class Given>
+struct local_types {
+  using wiring = typename Chain::wiring;
+  template <std::size_t I>
+  using core = std::remove_cvref_t<decltype(std::declval<const Chain&>().template core<I>())>;
+  template <std::size_t I>
+  using inputs = std::make_index_sequence<input_count<core<I>>>;
+  template <std::size_t I, std::size_t P>
+  static constexpr kind what = core<I>::ports[P].what;
+  template <std::size_t I>
+  static constexpr kind output_kind = core<I>::ports.back().what;
+  template <std::size_t I>
+  static constexpr int output_slot = wiring::slot(I, port_count<core<I>> - 1);
+
+  /// What comes from outside.
+  template <kind K, int Slot>
+  KTE_INLINE static constexpr decltype(auto) given(const Given& g) {
+    if constexpr (K == kind::input) {
+      return g.template input<Slot>();
+    } else if constexpr (K == kind::vector) {
+      return g.template vector<Slot>();
+    } else if constexpr (K == kind::internal) {
+      return g.template internal<Slot>();
+    } else if constexpr (is_frame(K)) {
+      return g.template base<K, Slot>();
+    } else if constexpr (wiring::template is_free<K, Slot>) {
+      return g.template coordinate<K, Slot>();
+    } else {
+      return g.template fixed<Slot>();
+    }
+  }
+  template <kind K, int Slot>
+  static constexpr int writer = K == kind::internal ? -1 : wiring::writer(K, Slot);
+
+  /// A coordinate that turns a joint gets its sine and cosine.
+  template <std::size_t I, class M>
+  KTE_INLINE static constexpr auto finish(const M& m) {
+    if constexpr (output_kind<I> == kind::gen && wiring::angle(output_slot<I>)) {
+      return with_angle(m);
+    } else {
+      return m;
+    }
+  }
+
+  /// What doMotion of element I gives, `nothing` if it writes nothing.
+  template <std::size_t I, class Inputs = inputs<I>>
+  struct written {
+    using type = nothing;
+  };
+  /// What the kernels see of a thing.
+  template <kind K, int Slot>
+  struct thing {
+    using type = typename written<std::size_t{writer<K, Slot>}>::type;
+  };
+  template <kind K, int Slot>
+  requires(writer<K, Slot> < 0) struct thing<K, Slot> {
+    using type = std::remove_cvref_t<decltype(given<K, Slot>(std::declval<const Given&>()))>;
+  };
+  /// A frame without accelerations, which elements see where only rates are wanted.
+  template <kind K>
+  static constexpr bool rates_only_of = is_frame(K) && Given::rates_only;
+  template <class M>
+  KTE_INLINE static constexpr auto rates_of(const M& m) {
+    return motion{m.position, m.rotation, m.velocity, m.ang_velocity, zero3{}, zero3{}};
+  }
+  /// How element I sees a thing of kind K.
+  template <std::size_t I, kind K>
+  static constexpr bool as_it_is = is_signal(K) ||
+                                   (!rates_only_of<K> && (!writes_signal<core<I>> || reads_accelerations<core<I>>));
+  template <std::size_t I, kind K, class M>
+  KTE_INLINE static constexpr auto shown(const M& m) {
+    if constexpr (writes_signal<core<I>> && !reads_accelerations<core<I>>) {
+      return without_accelerations(m);
+    } else {
+      return rates_of(m);
+    }
+  }
+  template <std::size_t I, kind K, class T>
+  struct shown_type {
+    using type = decltype(shown<I, K>(std::declval<const T&>()));
+  };
+  template <std::size_t I, kind K, class T>
+  requires(as_it_is<I, K>) struct shown_type<I, K, T> {
+    using type = T;
+  };
+  template <std::size_t I, std::size_t P>
+  using seen = typename shown_type<I, what<I, P>, typename thing<what<I, P>, wiring::slot(I, P)>::type>::type;
+
+  template <std::size_t I, std::size_t... P>
+  requires(has_output<core<I>> && !writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
+    using type = decltype(finish<I>(std::declval<const core<I>&>().doMotion(std::declval<const seen<I, P>&>()...)));
+  };
+  /// What doMotion gives of an element that writes freely: it is asked only where all is known that it may read.
+  template <std::size_t I, class... Seen>
+  KTE_INLINE static constexpr auto written_freely(const core<I>& element, const Seen&... x) {
+    if constexpr ((is_known<writes_signal<core<I>>, Seen> && ...)) {
+      return element.doMotion(x...);
+    } else if constexpr (output_kind<I> == kind::input) {
+      return skip{};
+    } else if constexpr (output_kind<I> == kind::vector) {
+      return vec3<skip>{};
+    } else {
+      constexpr vec3<skip> none{};
+      return motion{none, skip{}, none, none, none, none};
+    }
+  }
+  template <std::size_t I, std::size_t... P>
+  requires(writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
+    using type = decltype(local_types::template written_freely<I>(std::declval<const core<I>&>(),
+                                                                  std::declval<const seen<I, P>&>()...));
+  };
+  /// The sum of the loads on a thing, and what doForce of element I gives.
+  template <kind K, int Slot>
+  struct total;
+  template <std::size_t I, class Inputs = inputs<I>>
+  struct loads;
+  template <std::size_t I, std::size_t Index>
+  using load_at = std::remove_cvref_t<decltype(boost::hana::at_c<Index>(std::declval<typename loads<I>::type>()))>;
+  template <std::size_t I, std::size_t... P>
+  struct loads<I, std::index_sequence<P...>> {
+    using put = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
+    static constexpr bool usable = !has_skip<put>;
+    using type = typename std::conditional_t<usable, std::type_identity<put>, no_loads<core<I>>>::type;
+  };
+  template <std::size_t I, std::size_t... P>
+  requires(writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
+    static constexpr bool usable = true;
+    using type = typename no_loads<core<I>>::type;
+  };
+  template <std::size_t I, std::size_t... P>
+  requires(has_output<core<I>> && !writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
+    static constexpr bool usable = true;
+    using load = typename total<output_kind<I>, output_slot<I>>::type;
+    using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
+                                                                 std::declval<const load&>()));
+  };
+  /// The rule that element I, the first whose forces depend on what is left out, has broken; none is where I is `size`.
+  template <std::size_t I>
+  struct need {
+    using type = check_need<void, true>;
+  };
+  template <std::size_t I>
+  requires(I < Chain::size) struct need<I> {
+    using type = check_need<core<I>, false>;
+  };
+  template <kind K, int Slot>
+  struct total {
+    template <std::size_t... I>
+    static auto sum(std::index_sequence<I...>) -> decltype((
+        no_load<K>() + ... +
+        std::declval<load_at<loads_on<wiring, K, Slot>[I].element, loads_on<wiring, K, Slot>[I].index>>()));
+    using type = decltype(sum(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{}));
+  };
+};
+
+}  // namespace kte::detail

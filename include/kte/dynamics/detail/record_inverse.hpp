@@ -1,0 +1,70 @@
+#pragma once
+
+#include <kte/dynamics/detail/record_dynamics.hpp>
+#include <kte/kernels/invert_general.hpp>
+#include <kte/tree/fill_symmetric.hpp>
+
+/// Inverses of the mass matrix as loops over records. For all `Elements` and states of
+/// dynamics/detail/record_loops.hpp.
+namespace kte::detail {
+
+/// How accelerations answer forces where coordinates are held: the inverse of the other rows of M, else zeros.
+template <class Elements, class State, class Matrix>
+void invert_unheld(const Elements& c, State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  mass_of_coordinates(c, s);
+  auto& m = s.work.mass;
+  for_each_held(c, s, [&m](int, int row) {
+    m.row(row).setZero(), m.col(row).setZero();
+    m(row, row) = S(1);
+  });
+  inverse.resize(s.dofs(), s.dofs());
+  invert_by_factors(m, inverse, [&](int row) { c.blame_mass(s, row, true); });
+  for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
+}
+
+/// The same where friction depends on what joints carry: by dtau/da, which is not symmetric.
+template <class Elements, class State, class Matrix>
+void invert_unheld_rubbing(const Elements& c, State& s, const Matrix& by_a, Matrix& inverse) {
+  using S = typename State::scalar;
+  Matrix m = by_a;
+  for_each_held(c, s, [&m](int, int row) {
+    m.row(row).setZero(), m.col(row).setZero();
+    m(row, row) = S(1);
+  });
+  if (!invert_general(m, inverse)) [[unlikely]]
+    raise<no_solution>(
+        "kte: accelerations do not follow smoothly from forces: friction of joints by what they carry is "
+        "about to jam");
+  for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
+}
+
+/// The inverse of the mass matrix of a tree, after articulated inertias, whose loads are used up.
+template <class State, class Matrix>
+void invert_articulated(State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  const auto& f = s.tree().forest;
+  auto& w = s.work;
+  tree::inverse_masses(f, w, w.masses);
+  tree::fill_symmetric(f, s.dofs(), w.masses.rows, true, inverse);
+  for (const int row : s.tree().plan.lone_rows)
+    inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
+}
+/// The same of a tree at rest.
+template <class Elements, class State, class Matrix>
+void articulate_and_invert(const Elements& c, State& s, Matrix& inverse) {
+  using S = typename State::scalar;
+  const auto& t = s.tree();
+  auto& w = s.work;
+  place_bodies(c, s);
+  for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
+  std::fill(w.force.begin(), w.force.end(), S(0));
+  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
+  tree::start_articulated(t.forest, w, false);
+  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
+    blame_axis(c, s, bad);
+  check_lone_masses(c, s);
+  invert_articulated(s, inverse);
+}
+
+}  // namespace kte::detail
