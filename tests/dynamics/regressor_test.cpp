@@ -122,7 +122,7 @@ void check(const Chain& c, unsigned seed) {
   const auto with_forces = models::registered(record), alone = models::registered(without_forces(record));
   auto s = with_forces.make_state(), t = alone.make_state();
   const auto pi = inertial_parameters(c);
-  CHECK(inertial_parameters(with_forces) == pi);
+  CHECK((inertial_parameters(with_forces) - pi).cwiseAbs().maxCoeff() <= rounding * pi.cwiseAbs().maxCoeff());
   random_numbers random(seed);
   for (int round = 0; round < 20; ++round) {
     const random_motion_of<double, Chain> m(c, random);

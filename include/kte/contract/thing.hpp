@@ -6,6 +6,7 @@
 #include <kte/frames/gen_coord.hpp>
 #include <kte/frames/internal_state.hpp>
 
+#include <concepts>
 #include <tuple>
 
 /// What a state holds for each kind, and the numbers of the coordinates in their order.
@@ -17,6 +18,31 @@ using things = std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_co
                           pose_coord_3D<S>, internal_state<S>, vec3<S>>;
 template <kind K, class S>
 using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
+
+/// The kind of a thing by its type, of any scalar.
+template <class T>
+inline constexpr kind kind_of_thing = [] {
+  static_assert(!std::is_same_v<T, T>, "kte: this is no coordinate, frame, input or internal state");
+  return kind{};
+}();
+template <std::floating_point S>
+inline constexpr kind kind_of_thing<S> = kind::input;
+template <class S>
+inline constexpr kind kind_of_thing<gen_coord<S>> = kind::gen;
+template <class S>
+inline constexpr kind kind_of_thing<frame_2D<S>> = kind::frame_2D;
+template <class S>
+inline constexpr kind kind_of_thing<frame_3D<S>> = kind::frame_3D;
+template <class S>
+inline constexpr kind kind_of_thing<rotation_coord_3D<S>> = kind::rotation_3D;
+template <class S>
+inline constexpr kind kind_of_thing<pose_coord_2D<S>> = kind::pose_2D;
+template <class S>
+inline constexpr kind kind_of_thing<pose_coord_3D<S>> = kind::pose_3D;
+template <class S>
+inline constexpr kind kind_of_thing<internal_state<S>> = kind::internal;
+template <class S>
+inline constexpr kind kind_of_thing<vec3<S, S, S>> = kind::vector;
 
 /// Member number K of a tuple with one member a kind.
 template <kind K, class Tuple>

@@ -52,31 +52,6 @@ void visit_numbers_of(T& x, const Visit& visit) {
   }
 }
 
-/// Of a thing by its type, of any scalar.
-template <class T>
-inline constexpr kind kind_of_thing = [] {
-  static_assert(!std::is_same_v<T, T>, "kte: this is no coordinate, frame, input or internal state");
-  return kind{};
-}();
-template <std::floating_point S>
-inline constexpr kind kind_of_thing<S> = kind::input;
-template <class S>
-inline constexpr kind kind_of_thing<gen_coord<S>> = kind::gen;
-template <class S>
-inline constexpr kind kind_of_thing<frame_2D<S>> = kind::frame_2D;
-template <class S>
-inline constexpr kind kind_of_thing<frame_3D<S>> = kind::frame_3D;
-template <class S>
-inline constexpr kind kind_of_thing<rotation_coord_3D<S>> = kind::rotation_3D;
-template <class S>
-inline constexpr kind kind_of_thing<pose_coord_2D<S>> = kind::pose_2D;
-template <class S>
-inline constexpr kind kind_of_thing<pose_coord_3D<S>> = kind::pose_3D;
-template <class S>
-inline constexpr kind kind_of_thing<internal_state<S>> = kind::internal;
-template <class S>
-inline constexpr kind kind_of_thing<vec3<S, S, S>> = kind::vector;
-
 template <class T>
 thing_record record_of_thing(kind what, std::string_view name, const T& x) {
   thing_record r{what, std::string(name), {}};

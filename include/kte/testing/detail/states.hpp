@@ -46,21 +46,11 @@ template <class T>
 auto as_array(const T& thing) {
   return std::bit_cast<std::array<double, sizeof(T) / sizeof(double)>>(thing);
 }
-template <class T>
-inline constexpr kind kind_of_thing = [] {
-  kind found{};
-  [&]<std::size_t... K>(std::index_sequence<K...>) {
-    ((std::is_same_v<T, kte::detail::thing_of<static_cast<kind>(K), double>> ? void(found = static_cast<kind>(K))
-                                                                             : void()),
-     ...);
-  }
-  (std::make_index_sequence<kinds>{});
-  return found;
-}();
 /// The same random motion and inputs in both.
 template <class State, class Draw>
 void draw_motion(State& s, runtime_state& r, Draw& draw) {
-  for_each_pair(s, r, [&draw]<class T>(T& a, T& b) { a = b = random_thing<kind_of_thing<T>, double>(draw); });
+  for_each_pair(s, r,
+                [&draw]<class T>(T& a, T& b) { a = b = random_thing<kte::detail::kind_of_thing<T>, double>(draw); });
 }
 /// The same random loads on both.
 template <class State, class Draw>
