@@ -18,7 +18,8 @@ enum class arm_family : std::uint8_t {
   three_parallel,      ///< three axes in a row, with 5 and 6 (or 1 and 2) beyond them
   srs,                 ///< seven axes, of which the first and the last three meet
   offset_7R,           ///< seven axes that are one of these when the first or the last is held
-  on_track             ///< six that are, on a slide or with one at the tool
+  on_track,            ///< six that are, on a slide or with one at the tool
+  free_body            ///< a coordinate that is the pose of a body, and no joints
 };
 
 }  // namespace kte
@@ -34,7 +35,8 @@ enum class closed_form : std::uint8_t {
   wrist_general,
   parallel_meeting,
   parallel_general,
-  srs
+  srs,
+  free_body
 };
 
 constexpr double root_of(double x) {
@@ -248,7 +250,11 @@ constexpr arm_structure with_held(const arm_geometry& arm, int joint, double tol
 constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance = arm_structure::strict) {
   arm_structure s;
   s.original = arm, s.arm = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
-  if (arm.refused != nullptr || !(s.reach > 0)) return s;
+  if (arm.refused == nullptr && arm.moves != arm_geometry::freely::not_at_all) {
+    s.reach = 1 + length_of(arm.tool.position);  // what 1e-9 of it is asked for
+    s.form = closed_form::free_body, s.family = arm_family::free_body;
+  }
+  if (s.form != closed_form::none || arm.refused != nullptr || !(s.reach > 0)) return s;
   const double most_m = tolerance * s.reach;
   const bool turns = arm.turning() == arm.n;
   if (arm.n <= 4) {

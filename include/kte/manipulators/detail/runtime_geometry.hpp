@@ -24,7 +24,10 @@ inline arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const 
   std::vector<int> columns;
   for (int slot = place.slot; slot >= forest.bases;) {
     const auto& r = forest.records[static_cast<std::size_t>(slot - forest.bases)];
-    if (r.axes != 1)
+    const bool is_free = r.yields && (r.what == kind::pose_2D || r.what == kind::pose_3D);
+    if (is_free && slot == place.slot && r.parent < forest.bases)
+      arm.moves = r.what == kind::pose_2D ? arm_geometry::freely::in_plane : arm_geometry::freely::in_space;
+    else if (r.axes != 1)
       arm.refused = "has a joint of several degrees of freedom";
     else if (!r.yields)
       arm.refused = "has a joint whose coordinate is given, or follows others";
@@ -35,6 +38,13 @@ inline arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const 
   }
   if (arm.refused != nullptr) return arm;
   arm.tool = forward_kinematics(c, s, frame);
+  if (arm.moves != arm_geometry::freely::not_at_all) {
+    const auto on_body = place.at;
+    arm.seat = compose(arm.tool, inverse(on_body)), arm.tool = on_body;
+    for (const auto& f : c.wiring().free)
+      if (f.v == columns[0]) arm.in_q[0] = f.q, arm.in_v[0] = f.v;
+    return arm;
+  }
   const auto j = jacobian(c, s, frame, in_world_axes);
   for (const int k : columns) {
     const vec3<> v{j(0, k), j(1, k), j(2, k)}, w{j(3, k), j(4, k), j(5, k)};

@@ -5,6 +5,21 @@
 
 namespace kte::detail {
 
+/// Whether element I is a body that moves freely, by a coordinate that is its pose.
+template <std::size_t I, class Chain>
+constexpr bool floats() {
+  using core_t = typename Chain::template core_type<I>;
+  using wiring = typename Chain::wiring;
+  if constexpr (!is_transmission<core_t> || coordinates_of<core_t> == 0) {
+    return false;
+  } else {
+    constexpr kind what = core_t::ports[0].what;
+    if constexpr (what == kind::pose_2D || what == kind::pose_3D)
+      return wiring::template is_free<what, wiring::slot(I, 0)>;
+    else
+      return false;
+  }
+}
 /// Why an element cannot be between the base and the tool, where its type alone says so; else nothing.
 template <std::size_t I, class Chain>
 constexpr const char* refused_by_type() {
@@ -12,7 +27,7 @@ constexpr const char* refused_by_type() {
   using wiring = typename Chain::wiring;
   if constexpr (!is_transmission<core_t>) {
     return "has an element that is neither joint nor link between base and tool";
-  } else if constexpr (coordinates_of<core_t> == 0) {
+  } else if constexpr (coordinates_of<core_t> == 0 || floats<I, Chain>()) {
     return nullptr;
   } else if constexpr (core_t::ports[0].what != kind::gen) {
     return "has a joint of several degrees of freedom";
@@ -35,6 +50,14 @@ constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_ge
     arm.refused = refused_by_type<I, Chain>();
   } else if constexpr (coordinates_of<core_t> == 0) {
     step(c.template core<I>().relative());
+  } else if constexpr (floats<I, Chain>()) {
+    constexpr kind what = core_t::ports[0].what;
+    if (arm.moves != arm_geometry::freely::not_at_all) arm.refused = "has a joint of several degrees of freedom";
+    step(c.template core<I>().relative(motion{zero3{}, no_rotation{}, zero3{}, zero3{}, zero3{}, zero3{}}));
+    arm.seat = x, x = arm_geometry{}.seat;
+    arm.moves = what == kind::pose_2D ? arm_geometry::freely::in_plane : arm_geometry::freely::in_space;
+    arm.in_q[0] = wiring::template at<what, wiring::slot(I, 0)>.q;
+    arm.in_v[0] = wiring::template at<what, wiring::slot(I, 0)>.v;
   } else {
     const auto m = c.template core<I>().relative(coordinate{0.0, 1.0, 0.0, 1.0, 0.0});
     step(m);
@@ -51,14 +74,16 @@ constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_ge
 template <class Frame, class Chain>
 constexpr bool may_have_closed_form() {
   using path = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;
-  int joints = 0;
+  int joints = 0, floating = 0;
   bool refused = false;
   const auto each = [&]<std::size_t... I>(std::index_sequence<I...>) {
     ((joints += coordinates_of<typename Chain::template core_type<path::elements[I]>> > 0,
+      floating += floats<path::elements[I], Chain>(),
       refused |= refused_by_type<path::elements[I], Chain>() != nullptr),
      ...);
   };
   each(std::make_index_sequence<path::length>{});
+  if (floating > 0) return !refused && joints == 1;
   return !refused && (joints == 3 || joints == 4 || joints == 6 || joints == 7);
 }
 
@@ -73,6 +98,8 @@ constexpr arm_geometry geometry_of(const Chain& c) {
   };
   each(std::make_index_sequence<path::length>{});
   arm.tool = x;
+  if (arm.moves != arm_geometry::freely::not_at_all && arm.n > 0)
+    arm.refused = "has a joint of several degrees of freedom";
   for (int i = 0; i < arm.n; ++i)
     for (int j = 0; j < i; ++j)
       if (arm.in_q[std::size_t(i)] == arm.in_q[std::size_t(j)]) arm.refused = "has joints that share a coordinate";

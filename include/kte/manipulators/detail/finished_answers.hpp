@@ -1,0 +1,121 @@
+#pragma once
+
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/manipulators/detail/feasible_angles.hpp>
+#include <kte/manipulators/detail/free_body_answer.hpp>
+#include <kte/manipulators/detail/in_limits.hpp>
+#include <kte/manipulators/detail/why_no_closed_form.hpp>
+#include <kte/manipulators/ik_answers.hpp>
+#include <kte/manipulators/manipulator.hpp>
+
+/// What inverse kinematics is asked of, and answers as users get them.
+namespace kte::detail {
+
+/// Where coordinates are that nobody asks for.
+template <class S, class Arm>
+auto starting_configuration(const Arm& arm) {
+  return neutral_configuration(arm).template cast<S>().eval();
+}
+
+/// Does not compile where the type of a static arm says that it has no closed form, whatever its numbers are.
+template <class Chain, key_type First, key_type... More>
+constexpr void refuse_by_type(const manipulator<Chain, tool_keys<First, More...>>&) {
+  static_assert(sizeof...(More) == 0,
+                "kte: inverse kinematics in closed form is of an arm with one tool; kte::clik takes goals of several");
+  static_assert(sizeof...(More) > 0 || may_have_closed_form<First, Chain>(),
+                "kte: no closed form of inverse kinematics: for that an arm has three, four, six or seven joints of "
+                "one free coordinate each between base and tool, or a body that moves freely; kte::clik solves others");
+}
+template <class Arm>
+constexpr void refuse_by_type(const Arm&) {}
+
+/// Throws unless this arm has a closed form.
+template <class Arm>
+void check_closed_form(const Arm& arm) {
+  if (arm.tools().size() != 1)
+    raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
+                        std::to_string(arm.tools().size()));
+  if (arm.structure().form == closed_form::none)
+    raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) + "; kte::clik needs none");
+}
+
+/// A configuration, by joint.
+template <class S, class Q>
+by_joint<S> raw_angles(const arm_geometry& arm, const Q& q) {
+  by_joint<S> t{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(arm.n); ++i) t[i] = S(q[static_cast<Eigen::Index>(arm.in_q[i])]);
+  return t;
+}
+
+/// All answers as users get them: with limits, in the order of q.
+template <class Arm, class S, class Q>
+ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
+                           const S& extra) {
+  const S least = S(64 * std::numeric_limits<S>::epsilon());
+  const auto larger = [&least](double tolerance) { return least > S(tolerance) ? least : S(tolerance); };
+  const S most_m = S(s.reach) * larger(ik_tolerance{}.position), most_rad = larger(ik_tolerance{}.rotation);
+  const auto rate = [&](ik_answer<Q>& a, const pose_gap<S>& gap) {
+    a.position = gap.position, a.rotation = gap.rotation;
+    a.exact = a.position <= most_m && a.rotation <= most_rad;
+  };
+  ik_answers<Q> all;
+  if (s.form == closed_form::free_body) {
+    auto& a = all.add(start);
+    rate(a, place_free_body(s.original, x, a.q));
+    a.within_limits = free_body_within(s.original, arm.limits(), start, a.q);
+    return all;
+  }
+  const auto solved = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
+  for (std::size_t k = 0; k < solved.size; ++k) {
+    const auto& y = solved.all[k];
+    auto& a = all.add(start);
+    a.branch = y.branch, a.within_limits = true;
+    rate(a, y.gap);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
+      const auto v = static_cast<std::size_t>(s.original.in_v[i]);
+      const Eigen::Index q = s.original.in_q[i];
+      S t = y.t[i];
+      a.within_limits &= bring_within(arm.limits().lower[v], arm.limits().upper[v], s.original.slides[i], start[q], t);
+      a.q[q] = t;
+      if (y.free >> i & 1u) a.free |= 1u << v;
+    }
+  }
+  return all;
+}
+template <class Arm>
+void check_arm_angle(const Arm& arm) {
+  check_closed_form(arm);
+  if (arm.family() != arm_family::srs)
+    raise<bad_argument>("kte: this arm has no arm angle: of its axes, not the first and the last three meet");
+}
+template <class Arm>
+limits_by_joint limits_of_joints(const Arm& arm) {
+  const auto& original = arm.structure().original;
+  limits_by_joint limits;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(original.n); ++i) {
+    const auto v = static_cast<std::size_t>(original.in_v[i]);
+    limits.lower[i] = arm.limits().lower[v], limits.upper[i] = arm.limits().upper[v];
+  }
+  return limits;
+}
+/// The structure of an arm of seven joints of which one is held.
+template <class Arm>
+arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
+  check_closed_form(arm);
+  const arm_structure& s = arm.structure();
+  const int last = s.original.n - 1;
+  for (const auto& e : layout(arm)) {
+    if (std::string_view(e.name) != coordinate) continue;
+    for (const int i : {0, last})
+      if (last == 6 && s.original.in_q[static_cast<std::size_t>(i)] == e.q) {
+        const auto held = with_held(s.original, i, s.tolerance);
+        if (held.form != closed_form::none) return held;
+      }
+    raise<no_closed_form>(
+        "kte: no closed form of inverse kinematics with '" + std::string(coordinate) +
+        "' locked: it is for the first or the last of seven joints, if the other six turn and have one");
+  }
+  raise<unknown_name>("kte: this chain has no coordinate '" + std::string(coordinate) + "'");
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,112 @@
+#include <kte/manipulators/clik.hpp>
+#include <kte/manipulators/nearest.hpp>
+#include <kte/manipulators/uav.hpp>
+
+#include "arms.hpp"
+#include "chain/registered.hpp"
+
+// Bodies that move freely: the pose of the tool is the coordinate, but for where the tool is on the body.
+
+using namespace kte;
+using arm_names::tool;
+using arms::numbers;
+using test::says;
+using test::within;
+
+namespace {
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+unit_quaternion<double> random_rotation(random_numbers& random) {
+  return to_quaternion(vec3<>{3 * random(), 3 * random(), 3 * random()});
+}
+vec3<> random_position(random_numbers& random) { return {random(5), random(5), random(5)}; }
+
+template <class Arm>
+void check_in_space(const Arm& arm) {
+  CHECK(arm.family() == arm_family::free_body);
+  random_numbers random(4);
+  for (int k = 0; k < 100; ++k) {
+    const pose wanted{mat3<vec3<>>(matrix(random_rotation(random))), random_position(random)};
+    const auto all = inverse_kinematics(arm, wanted);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].exact);
+    CHECK(all[0].within_limits);
+    const auto gap = arms::between(arm.getDependentPoses(all[0].q)[0], wanted);
+    CHECK(gap.position <= 40 * eps);  // lengths up to 10 m
+    CHECK(gap.rotation <= 8 * eps);
+    CHECK(all[0].position <= 40 * eps);
+  }
+}
+}  // namespace
+
+TEST_CASE("a free body with its tool anywhere on it, static and runtime") {
+  const auto turned = to_quaternion(vec3<>{0.3, -0.5, 1.1});
+  const auto chain = free_floater_chain(vec3{0.2, -0.1, 0.4}, turned);
+  check_in_space(manipulator(chain, tool));
+  check_in_space(manipulator(models::registered(record_of(chain)), "tool"));
+  const auto placed =
+      kte::chain(free_joint_3D(arm_names::floating, arm_names::base, arm_names::body).at(vec3{1.0, 2.0, 3.0}, turned),
+                 rigid_link_3D(arm_names::body, tool, vec3{0.2, -0.1, 0.4}, turned));
+  check_in_space(manipulator(placed, tool));
+  check_in_space(manipulator(models::registered(record_of(placed)), "tool"));
+  static_assert(uav().family() == arm_family::free_body);
+}
+
+TEST_CASE("a free body in the plane has what of a pose lies in it") {
+  const auto check = [](const auto& arm) {
+    random_numbers random(5);
+    for (int k = 0; k < 100; ++k) {
+      const numbers q = Eigen::Vector3d(random(5), random(5), random(3));
+      const auto wanted = arm.getDependentPoses(q)[0];
+      const auto all = inverse_kinematics(arm, wanted);
+      REQUIRE(all.size() == 1);
+      CHECK(all[0].exact);
+      CHECK((all[0].q - q).norm() <= 40 * eps);
+    }
+    pose above{mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, vec3<>{1, 2, 0.25}};
+    const auto best = inverse_kinematics(arm, above);
+    CHECK(!best[0].exact);
+    CHECK(best[0].position == within(0.25, eps));
+  };
+  check(manipulator(free_floater_2D_chain(along_x(0.3)), planar_arm_names::tool));
+  check(manipulator(models::registered(record_of(free_floater_2D_chain(along_x(0.3)))), "tool"));
+}
+
+TEST_CASE("limits of a free body are those of its position") {
+  const auto chain = free_floater_chain();
+  auto limits = unlimited(chain);
+  limits.upper[2] = 3;
+  const manipulator arm(chain, tool, limits);
+  const auto at = [](double z) { return pose{mat3<vec3<>>{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, vec3<>{1, 2, z}}; };
+  const auto now = neutral_configuration(arm);
+  CHECK(inverse_kinematics(arm, at(2.5), nearest(now)).q[2] == within(2.5, eps));
+  CHECK(!inverse_kinematics(arm, at(3.5))[0].within_limits);
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, at(3.5), nearest(now)), unreachable, says("beyond the limits"));
+
+  const auto flat = free_floater_2D_chain();
+  auto turns = unlimited(flat);
+  turns.lower[2] = 5, turns.upper[2] = 8;
+  const manipulator turning(flat, planar_arm_names::tool, turns);
+  const auto one =
+      inverse_kinematics(turning, forward_kinematics(turning, std::array{0.0, 0.0, 0.5}, planar_arm_names::tool));
+  CHECK(one[0].within_limits);
+  CHECK(one[0].q[2] == within(0.5 + 2 * M_PI, 4 * eps));
+}
+
+TEST_CASE("clik of a free body begins with the answer") {
+  const auto body = free_floater(along_x(0.2));
+  const pose there{to_quaternion(axis_angle<double>{3, {0.6, 0, 0.8}}), vec3<>{1.0, 2.0, 30.0}};
+  const auto r = clik(body, reach(tool, there), neutral_configuration(body));
+  CHECK(r.status == clik_status::reached);
+  CHECK(r.iterations <= 1);
+}
+
+TEST_CASE("a body that moves freely and a joint on it have no closed form") {
+  kte_map_chain c;
+  c << free_joint_3D("pose", "base", "body") << revolute_joint_3D("q", "body", "arm", axis::z)
+    << rigid_link_3D("arm", "tool", along_x(1.0));
+  const manipulator arm(c, "tool");
+  CHECK(arm.family() == arm_family::none);
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, pose{mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, vec3<>{1, 2, 0}}),
+                       no_closed_form, says("has a joint of several degrees of freedom"));
+}
