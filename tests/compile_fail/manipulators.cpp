@@ -20,11 +20,12 @@ inline constexpr struct nose_   final : kte::frame_3D_key<"nose">   {} nose;
 // clang-format on
 
 constexpr auto body = kte::chain(kte::free_joint_3D(floats, base, hand));
+constexpr auto two = kte::chain(kte::revolute_joint_3D(q1, base, elbow), kte::revolute_joint_3D(q2, elbow, hand));
 constexpr auto three = kte::chain(kte::revolute_joint_3D(q1, base, elbow), kte::revolute_joint_3D(q2, elbow, wrist),
                                   kte::revolute_joint_3D(q3, wrist, hand));
 
 using place = kte::pose<kte::mat3<kte::vec3<>>, kte::vec3<>>;
-auto free_body(const place& x) { return kte::inverse_kinematics(kte::manipulator(body, hand), x); }
+auto two_joints(const place& x) { return kte::inverse_kinematics(kte::manipulator(two, hand), x); }
 auto two_tools(const place& x, const kte::joint_vector<double, 3>& q) {
   return kte::inverse_kinematics(kte::manipulator(three, hand, wrist), x, kte::nearest(q));
 }

@@ -33,16 +33,6 @@ void for_each_listed_freedom(State& s, const Visit& visit) {
     else
       visit(s.template get<kind::pose_3D>(f.slot), f);
 }
-/// q has as many numbers as a configuration: one a degree of freedom, but for rotations in space.
-template <indexable Q>
-constexpr void check_configuration(int nq, int dofs, const Q& q) {
-  check_size(static_cast<std::size_t>(nq), q, "q", nq == dofs ? "degrees of freedom" : "numbers of a configuration");
-}
-template <class Chain, indexable Q>
-constexpr void check_configuration(const Q& q) {
-  static_assert(holds<Q, Chain::nq>, "kte: q has another number of entries than a configuration of the chain has");
-  check_configuration(Chain::nq, Chain::dofs, q);
-}
 /// Which numbers of a coordinate, and where they begin in a vector.
 enum class vector_of { q, v, a, f };
 template <vector_of Which, class C, class Visit>

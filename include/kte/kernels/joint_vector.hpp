@@ -64,6 +64,17 @@ constexpr void check_size(const T& x, const char* name, const char* what = "degr
 }
 
 namespace detail {
+/// q has as many numbers as a configuration: one a degree of freedom, but for rotations in space.
+template <indexable Q>
+constexpr void check_configuration(int nq, int dofs, const Q& q) {
+  check_size(static_cast<std::size_t>(nq), q, "q", nq == dofs ? "degrees of freedom" : "numbers of a configuration");
+}
+template <class Chain, indexable Q>
+constexpr void check_configuration(const Q& q) {
+  static_assert(holds<Q, Chain::nq>, "kte: q has another number of entries than a configuration of the chain has");
+  check_configuration(Chain::nq, Chain::dofs, q);
+}
+
 /// term(0) + ... + term(n - 1), in four sums, of which none waits for the others; of many terms in sixteen. (Of Eigen's
 /// g++ 12 warns, by what its headers for AVX-512 do.)
 template <class S, class Term>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_frames.hpp>
+#include <kte/dynamics/detail/record_places.hpp>
+#include <kte/dynamics/detail/record_touched.hpp>
 #include <kte/tree/articulated.hpp>
 #include <kte/tree/composite.hpp>
 #include <kte/tree/newton_euler.hpp>

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-/// Frames on which elements act: their motion from that of bodies, and loads back. State and `Elements`: as in
+/// Frames that elements touch: their motion from that of bodies, and loads back. State and `Elements`: as in
 /// dynamics/detail/record_loops.hpp.
 namespace kte::detail {
 
