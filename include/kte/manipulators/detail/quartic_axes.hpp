@@ -53,6 +53,7 @@ short_list<three_solved_angles<S>, 8> around_parallel_axes(const arm_structure& 
   for (const auto& t : subproblem6<S>({{{unit * l1.cos, unit * l1.sin}, {a1.cos, a1.sin}}},
                                       {{{-unit * l5.cos, -unit * l5.sin}, {-a5.cos, -a5.sin}}},
                                       {S(unit * (offset + l5.constant - l1.constant)), S(a5.constant - a1.constant)})) {
+    // At an angle of 1e-3 cosines know it to 1e-13, which Newton's steps mend at the end.
     const S cosine = a5.constant + a5.cos * t.second.cos + a5.sin * t.second.sin;
     if (S(1) - cosine * cosine < S(1e-6)) {
       loop().add_closed(t.first, t.second, t.slot, all);
@@ -84,8 +85,8 @@ raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matr
     auto t6 = found6, t14 = t14_of(t6);
     const vec3<S> a = turned(h1, -t1, w) - p12, p45 = as<S>(s.p(4) - s.p(3)) + turned(h5, t5, p56);
     const vec3<S> y = transpose(R16) * as<S>(h), off = normal_to(h6, y);
-    if (const S size = sqrt(dot(off, off)); size < S(1e-6)) {
-      const S noise = S(24 * std::numeric_limits<S>::epsilon());
+    const S size = sqrt(dot(off, off)), noise = S(24 * std::numeric_limits<S>::epsilon());
+    if (size < S(4e8) * noise) {  // beyond, reach is missed by less than 1e-8
       const bool free = !(size > noise);
       if (free) x.free = 46u, t6 = seed.at(5), t14 = t14_of(t6);  // with q6 go q2, q3, q4
       const S unknown = free ? S(4) : S(S(4) * noise / size);     // of turned axes
