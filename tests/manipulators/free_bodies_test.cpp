@@ -9,7 +9,6 @@
 
 using namespace kte;
 using arm_names::tool;
-using arms::numbers;
 using test::says;
 using test::within;
 
@@ -56,7 +55,7 @@ TEST_CASE("a free body in the plane has what of a pose lies in it") {
   const auto check = [](const auto& arm) {
     random_numbers random(5);
     for (int k = 0; k < 100; ++k) {
-      const numbers q = Eigen::Vector3d(random(5), random(5), random(3));
+      const arms::numbers q = Eigen::Vector3d(random(5), random(5), random(3));
       const auto wanted = arm.getDependentPoses(q)[0];
       const auto all = inverse_kinematics(arm, wanted);
       REQUIRE(all.size() == 1);
