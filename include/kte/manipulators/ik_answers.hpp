@@ -11,13 +11,15 @@ template <class Q>
 struct ik_answer {
   using scalar = value_of<Q>;
 
-  Q q;                  ///< a configuration of the chain
-  unsigned branch = 0;  ///< bits: 1 shoulder, 2 elbow, 4 wrist; higher ones where there are more answers
-  scalar position{};    ///< m that the tool is away, by forward kinematics
-  scalar rotation{};    ///< rad
-  bool exact = false;   ///< whether these are within the tolerance; else it is an answer of least squares
-  bool within_limits = false;
-  unsigned free = 0;  ///< bit i: coordinate i of v could have been anything here (singular); it is as in the seed, or 0
+  Q q;                    ///< a configuration of the chain
+  unsigned branch = 0;    ///< bits: 1 shoulder, 2 elbow, 4 wrist; higher ones where there are more answers
+  scalar position{};      ///< m that the tool is away, by forward kinematics
+  scalar rotation{};      ///< rad
+  truth<scalar> exact{};  ///< whether these are within the tolerance; else it is an answer of least squares
+  truth<scalar> within_limits{};
+  /// Bit i: coordinate i of v could have been anything here (singular); it is as in the seed, or 0. Of packs for each
+  /// lane.
+  detail::for_each_lane<scalar, unsigned> free{};
 };
 
 /// All answers, in a fixed order of branches: a range.

@@ -8,7 +8,7 @@
 namespace kte {
 
 /// Every posture by which the first tool of an arm has a pose (in axes of the base; rotation and position, as
-/// `forward_kinematics` gives it), by formulas, in a fixed order of branches:
+/// `forward_kinematics` gives it), by formulas, in a fixed order of branches (answer b of eight has branch b):
 ///
 ///   for (const auto& a : kte::inverse_kinematics(arm, pose)) if (a.exact && a.within_limits) use(a.q);
 ///
@@ -17,7 +17,11 @@ namespace kte {
 /// there. Coordinates that do not move the tool are as in `neutral_configuration`. What cannot be reached has answers
 /// of least squares, which are not `exact`.
 ///
-/// Generic in the scalar of the pose, so also derivatives by dual numbers. Throws `no_closed_form`, and `bad_argument`
+/// Generic in the scalar of the pose, so also derivatives by dual numbers, and several poses at once, in packs:
+///
+///   kte::inverse_kinematics(arm, pose_of_packs)[b].q    // by lanes; exact, within_limits are masks
+///
+/// of all arms but those with equations of degree four. Throws `no_closed_form`, and `bad_argument`
 /// for a pose that is none; where the type of a static arm says that it has no closed form, it does not compile.
 template <class Chain, class Tools, class Rotation, class Position>
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {

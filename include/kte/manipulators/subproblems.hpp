@@ -11,7 +11,7 @@
 /// Manipulators, 1986; Kahan, Lectures on Computational Aspects of Geometry, 1983; Elias and Wen, IK-Geo, Mechanism and
 /// Machine Theory 209, 2025). R(k, t) turns by t about the unit vector k. All are generic in the scalar. Where there is
 /// no answer they give the one of least squares. No arc cosines: an angle that is next to the border of what can be
-/// reached keeps its digits.
+/// reached keeps its digits. And no branches, so that packs take them as well.
 namespace kte {
 
 namespace detail {
@@ -43,13 +43,37 @@ struct solved_angle {
   friend constexpr solved_angle operator-(const solved_angle& a, const solved_angle& b) { return a + -b; }
 };
 
+namespace detail {
+/// One where a condition holds, else the other.
+template <class S>
+constexpr solved_angle<S> chosen(const truth<S>& condition, const solved_angle<S>& a, const solved_angle<S>& b) {
+  return {select(condition, a.cos, b.cos), select(condition, a.sin, b.sin)};
+}
+template <class S>
+constexpr vec3<S> chosen(const truth<S>& condition, const vec3<S>& a, const vec3<S>& b) {
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
+}
+template <class S>
+constexpr S size_of(const S& x) {
+  return select(x < S(0), S(-x), x);
+}
+/// The square root of what is above 0, else 0.
+template <class S>
+constexpr S root_or_none(const S& x) {
+  using std::sqrt;
+  const truth<S> some = x > S(0);
+  return select(some, S(sqrt(select(some, x, S(1)))), S(0));
+}
+}  // namespace detail
+
 /// The angle of the direction (x, y); 0 at the origin.
 template <class S>
 constexpr solved_angle<S> direction(const S& x, const S& y) {
   using std::sqrt;
   const S r = sqrt(S(x * x + y * y));
-  if (!(r > S(0))) return {};
-  return {x / r, y / r};
+  const truth<S> some = r > S(0);
+  const S size = select(some, r, S(1));
+  return detail::chosen(some, solved_angle<S>{x / size, y / size}, solved_angle<S>{});
 }
 template <class S>
 solved_angle<S> angle_of(const S& t) {
@@ -62,8 +86,8 @@ solved_angle<S> angle_of(const S& t) {
 template <class S>
 struct two_angles {
   solved_angle<S> plus, minus;
-  S slack{};          ///< how far what was asked for is beyond the border, in its units; there both angles are the same
-  bool free = false;  ///< any angle is as good
+  S slack{};        ///< how far what was asked for is beyond the border, in its units; there both angles are the same
+  truth<S> free{};  ///< any angle is as good
 };
 
 /// R(k, t) v = v cos t + (k x v) sin t + k (k.v) (1 - cos t)
@@ -79,16 +103,13 @@ template <class S>
 constexpr two_angles<S> angles_with_room(const S& a, const S& b, const S& c, const S& h, const S& room, const S& over,
                                          const S& noise, const solved_angle<S>& otherwise) {
   using std::sqrt;
-  two_angles<S> t;
-  t.slack = select(over > S(0), over, S(0));
-  if (!(h > noise)) {
-    t.plus = otherwise, t.minus = {-otherwise.cos, -otherwise.sin}, t.free = true;
-    return t;
-  }
-  const solved_angle<S> f{a / h, b / h};
-  const auto g = over < S(0) ? direction(c, S(sqrt(room))) : solved_angle<S>{c < S(0) ? S(-1) : S(1), S(0)};
-  t.plus = f + g, t.minus = f - g;
-  return t;
+  const truth<S> free = !(h > noise), within = over < S(0);
+  const S size = select(free, S(1), h);
+  const solved_angle<S> f{a / size, b / size}, border{select(c < S(0), S(-1), S(1)), S(0)};
+  const auto g = chosen(within, direction(c, S(sqrt(select(within, room, S(1))))), border);
+  const solved_angle<S> opposite{-otherwise.cos, -otherwise.sin};
+  return {chosen(free, otherwise, solved_angle<S>(f + g)), chosen(free, opposite, solved_angle<S>(f - g)),
+          select(over > S(0), over, S(0)), free};
 }
 }  // namespace detail
 
@@ -101,7 +122,7 @@ template <class S>
 constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
                                         const solved_angle<S>& otherwise = {}) {
   using std::sqrt;
-  const S h = sqrt(S(a * a + b * b)), over = (c < S(0) ? S(-c) : c) - h;
+  const S h = sqrt(S(a * a + b * b)), over = detail::size_of(c) - h;
   return detail::angles_with_room(a, b, c, h, S((h - c) * (h + c)), over, noise, otherwise);
 }
 
@@ -142,19 +163,19 @@ struct two_pairs {
 };
 template <class S, class K1, class K2>
 constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2& axis2, const vec3<S>& p2) {
+  using detail::size_of;
   using std::sqrt;
-  const auto size = [](const S& x) { return x < S(0) ? S(-x) : x; };
   const vec3<S> k1 = as<S>(axis1), k2 = as<S>(axis2), k12 = cross(k1, k2);
   const S cosine = dot(k1, k2), along1 = dot(k1, p1), d = dot(k2, p2);
   const vec3<S> n2 = p2 - d * k2;
   const S a = dot(k2, p1) - cosine * along1, b = dot(k2, cross(k1, p1)), c = d - cosine * along1;
   const S h = sqrt(S(a * a + b * b)), noise = S(24 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(p1, p1)));
   const S most = sqrt(S(dot(k12, k12) * dot(n2, n2))), e = along1 - cosine * d;
-  const bool near = most + size(e) < h + size(c);
-  const S room = near ? S((most - e) * (most + e)) : S((h - c) * (h + c));
-  const auto t1 = detail::angles_with_room(a, b, c, h, room, S(-room / (h + size(c) + noise)), noise, {});
+  const truth<S> near = most + size_of(e) < h + size_of(c);
+  const S room = select(near, S((most - e) * (most + e)), S((h - c) * (h + c)));
+  const auto t1 = detail::angles_with_room(a, b, c, h, room, S(-room / (h + size_of(c) + noise)), noise, {});
   const auto rest = [&](const solved_angle<S>& t) { return subproblem1(axis2, p2, turned(axis1, t, p1)); };
-  return {t1, {rest(t1.plus), rest(t1.minus), t1.slack, false}};
+  return {t1, {rest(t1.plus), rest(t1.minus), t1.slack, {}}};
 }
 
 /// |R(k, t) p1 - p2| = d: by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms take `triangle`

@@ -19,14 +19,14 @@ constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S
   const S longer = select(r1 > r2, r1, r2), shorter = select(r1 > r2, r2, r1);
   const S outside = D - (r1 + r2), inside = (longer - shorter) - D;
   const auto t0 = subproblem1(k, l2, l1);
-  const auto half = [&]() -> solved_angle<S> {
-    if (!(outside < S(0))) return {};           // stretched
-    if (!(inside < S(0))) return {S(0), S(1)};  // folded
-    return direction(S(sqrt(S(-inside * (D + longer - shorter)))), S(sqrt(S(-outside * (r1 + r2 + D)))));
-  }();
-  const auto g = half + half;
+  const truth<S> stretched = !(outside < S(0)), folded = !(inside < S(0));
+  const auto root = [](const truth<S>& none, const S& x) { return S(sqrt(select(none, S(1), x))); };
+  const auto between =
+      direction(root(folded, S(-inside * (D + longer - shorter))), root(stretched, S(-outside * (r1 + r2 + D))));
+  const solved_angle<S> straight, back{S(0), S(1)};
+  const auto half = detail::chosen(stretched, straight, detail::chosen(folded, back, between)), g = half + half;
   const S slack = select(outside > S(0), outside, select(inside > S(0), inside, S(0)));
-  return {t0 + g, t0 - g, slack, false};
+  return {t0 + g, t0 - g, slack, {}};
 }
 
 /// Two links and where they reach: R(k, t2)(l1 + R(k, t3) l2) = a, all normal to k. t3 by (1) with D = |a|, then t2 by
@@ -41,19 +41,20 @@ constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<
   using std::sqrt;
   const S D = sqrt(dot(a, a)), noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(l1, l1) + dot(l2, l2)));
   const auto t3 = elbow_angles(k, l1, l2, D);
-  if (!(D > noise) && !(t3.slack > noise)) return {{otherwise, otherwise, t3.slack, true}, t3};
-  const auto rest = [&](const solved_angle<S>& t) { return subproblem1(k, vec3<S>(l1 + turned(k, t, l2)), a); };
-  return {{rest(t3.plus), rest(t3.minus), t3.slack, false}, t3};
+  const truth<S> to_a_point = detail::both<truth<S>>(!(D > noise), !(t3.slack > noise));
+  const auto rest = [&](const solved_angle<S>& t) {
+    return detail::chosen(to_a_point, otherwise, subproblem1(k, vec3<S>(l1 + turned(k, t, l2)), a));
+  };
+  return {{rest(t3.plus), rest(t3.minus), t3.slack, to_a_point}, t3};
 }
 
 namespace detail {
 /// |a + R(k, t) b| = l: the elbow of the parts normal to k, which reach sqrt(l^2 - (k.(a + b))^2).
 template <class S, class K>
 two_angles<S> angles_of_length(const K& axis, const vec3<S>& a, const vec3<S>& b, const S& l) {
-  using std::sqrt;
   const vec3<S> k = as<S>(axis);
   const S along_a = dot(k, a), along_b = dot(k, b), along = along_a + along_b, room = (l - along) * (l + along);
-  return elbow_angles(k, vec3<S>(a - along_a * k), vec3<S>(b - along_b * k), room > S(0) ? S(sqrt(room)) : S(0));
+  return elbow_angles(k, vec3<S>(a - along_a * k), vec3<S>(b - along_b * k), root_or_none(room));
 }
 }  // namespace detail
 

@@ -31,6 +31,16 @@ KTE_INLINE pack<T, N, A> exp(pack<T, N, A> x) {
   for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::exp(x[i]));
   return x;
 }
+template <class T, int N, class A>
+KTE_INLINE pack<T, N, A> asin(pack<T, N, A> x) {
+  for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::asin(x[i]));
+  return x;
+}
+template <class T, int N, class A>
+KTE_INLINE pack<T, N, A> atan2(pack<T, N, A> y, const pack<T, N, A>& x) {
+  for (std::size_t i = 0; i < std::size_t{N}; ++i) y.set(i, std::atan2(y[i], x[i]));
+  return y;
+}
 /// As std::min and std::max.
 template <class T, int N, class A>
 KTE_INLINE pack<T, N, A> min(const pack<T, N, A>& a, const pack<T, N, A>& b) {

@@ -86,9 +86,10 @@ inline arm_angle_list feasible_angles(const arm_structure& s, const rotation_mat
   arm_angle_list out;
   const auto sides = elbow_sides(s, position);
   const auto still = turns_of<double>({});
-  const auto ok = [&](const raw_answer<double>& x) {
-    by_joint<double> t;
-    atan2_each(x.turn.sine.data(), x.turn.cosine.data(), t.data(), t.size());
+  const auto ok = [&](const raw_answers<double>& all, std::size_t a) {
+    by_joint<double> sine, cosine, t;
+    for (std::size_t i = 0; i < 7; ++i) sine[i] = all.sine[i][a], cosine[i] = all.cosine[i][a];
+    atan2_each(sine.data(), cosine.data(), t.data(), 7);
     for (std::size_t i = 0; i < 7; ++i) {
       double q = s.sign[i] * t[i];
       if (!bring_within(limits.lower[i], limits.upper[i], false, 0.0, q)) return false;
@@ -109,13 +110,11 @@ inline arm_angle_list feasible_angles(const arm_structure& s, const rotation_mat
         const double lower = at[i], upper = at[i + 1];
         if (!(upper > lower)) continue;
         const auto answers = shoulder_and_wrist(s, R07, position, angle_of((lower + upper) / 2), still);
-        for (std::size_t a = 0; a < answers.size; ++a)
-          if (answers.all[a].branch == branch && ok(answers.all[a])) {
-            if (!own.empty() && own[own.size() - 1].upper == lower)
-              own[own.size() - 1].upper = upper;
-            else
-              own.push_back({branch, lower, upper});
-          }
+        if (!ok(answers, branch)) continue;  // in the order of branches
+        if (!own.empty() && own[own.size() - 1].upper == lower)
+          own[own.size() - 1].upper = upper;
+        else
+          own.push_back({branch, lower, upper});
       }
       const bool around = own.size() > 1 && own[0].lower == -pi && own[own.size() - 1].upper == pi;
       if (around) own[own.size() - 1].upper = own[0].upper + 2 * pi;

@@ -47,38 +47,85 @@ by_joint<S> raw_angles(const arm_geometry& arm, const Q& q) {
   return t;
 }
 
+/// Puts angles within limits where they can be, which `within` says: 1 or 0.
+template <class Arm, class S, class Q>
+void put_within_limits(const Arm& arm, const arm_structure& s, const Q& start, solved_answers<S>& solved,
+                       typename solved_answers<S>::row& within) {
+  using L = typename answer_lanes<S>::type;
+  within.fill(S(1));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
+    const auto v = static_cast<std::size_t>(s.original.in_v[i]);
+    const double lower = arm.limits().lower[v], upper = arm.limits().upper[v];
+    const L from = L(start[s.original.in_q[i]]);
+    for (std::size_t a = 0; a < solved.at.size; a += answer_lanes<S>::count) {
+      L t = lanes_at(solved.at.t[i].data() + a);
+      const auto inside = bring_within(lower, upper, s.original.slides[i], from, t);
+      put_lanes(t, solved.at.t[i].data() + a);
+      put_lanes(L(select(inside, lanes_at(within.data() + a), L(0))), within.data() + a);
+    }
+  }
+}
+/// Bits of v for those of joints.
+inline unsigned bits_of_v(const arm_structure& s, unsigned joints) {
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(s.arm.n); ++k)
+    if (joints >> k & 1u) bits |= 1u << s.original.in_v[s.joint(k)];
+  return bits;
+}
+/// The same of what the formulas say, of packs for each lane.
+template <class S>
+auto free_coordinates(const arm_structure& s, const S& joints) {
+  for_each_lane<S, unsigned> bits{};
+  if (any(joints != S(0))) {
+    if constexpr (has_lanes<S>) {
+      for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = bits_of_v(s, static_cast<unsigned>(joints[i]));
+    } else {
+      bits = bits_of_v(s, static_cast<unsigned>(double_of(joints)));
+    }
+  }
+  return bits;
+}
+
+/// Throws where packs of poses have no formulas.
+template <class S>
+void check_lanes(const arm_structure& s) {
+  if constexpr (has_lanes<S>)
+    if (s.form == closed_form::free_body || is_rough(s))
+      raise<no_closed_form>(
+          "kte: inverse kinematics of several poses at once, in a pack, is of arms whose closed forms need no "
+          "equations of degree four and no tolerance; take the poses of this one by one");
+}
+
 /// All answers as users get them: with limits, in the order of q.
 template <class Arm, class S, class Q>
 ik_answers<Q> all_finished(const Arm& arm, const arm_structure& s, const plain_pose_of<S>& x, const Q& start,
                            const S& extra) {
   const S least = S(64 * std::numeric_limits<S>::epsilon());
-  const auto larger = [&least](double tolerance) { return least > S(tolerance) ? least : S(tolerance); };
+  const auto larger = [&least](double tolerance) { return select(least > S(tolerance), least, S(tolerance)); };
   const S most_m = S(s.reach) * larger(ik_tolerance{}.position), most_rad = larger(ik_tolerance{}.rotation);
   const auto rate = [&](ik_answer<Q>& a, const pose_gap<S>& gap) {
     a.position = gap.position, a.rotation = gap.rotation;
-    a.exact = a.position <= most_m && a.rotation <= most_rad;
+    a.exact = both<truth<S>>(a.position <= most_m, a.rotation <= most_rad);
   };
+  check_lanes<S>(s);
   ik_answers<Q> all;
-  if (s.form == closed_form::free_body) {
-    auto& a = all.add(start);
-    rate(a, place_free_body(s.original, x, a.q));
-    a.within_limits = free_body_within(s.original, arm.limits(), start, a.q);
-    return all;
-  }
-  const auto solved = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
-  for (std::size_t k = 0; k < solved.size; ++k) {
-    const auto& y = solved.all[k];
-    auto& a = all.add(start);
-    a.branch = y.branch, a.within_limits = true;
-    rate(a, y.gap);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
-      const auto v = static_cast<std::size_t>(s.original.in_v[i]);
-      const Eigen::Index q = s.original.in_q[i];
-      S t = y.t[i];
-      a.within_limits &= bring_within(arm.limits().lower[v], arm.limits().upper[v], s.original.slides[i], start[q], t);
-      a.q[q] = t;
-      if (y.free >> i & 1u) a.free |= 1u << v;
+  if constexpr (!has_lanes<S>)
+    if (s.form == closed_form::free_body) {
+      auto& a = all.add(start);
+      rate(a, place_free_body(s.original, x, a.q));
+      a.within_limits = free_body_within(s.original, arm.limits(), start, a.q);
+      return all;
     }
+  auto solved = solve_closed_form(s, x, raw_angles<S>(s.original, start), extra);
+  typename solved_answers<S>::row within;
+  put_within_limits(arm, s, start, solved, within);
+  for (std::size_t k = 0; k < solved.at.size; ++k) {
+    auto& a = all.add(start);
+    a.branch = solved.branch[k], a.within_limits = within[k] > S(0);
+    rate(a, {solved.position[k], solved.rotation[k]});
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i)
+      a.q[s.original.in_q[i]] = solved.at.t[i][k];
+    a.free = free_coordinates(s, solved.free[k]);
   }
   return all;
 }

@@ -1,35 +1,51 @@
 #pragma once
 
 #include <kte/manipulators/detail/raw_answers.hpp>
+#include <kte/math/plain_scalar.hpp>
 
 namespace kte::detail {
 
+/// The whole number nearest to x, |x| < 2^51 (of floats 2^22), and the least that is not below x; a number without
+/// derivatives.
+template <class S>
+S nearest_whole(const S& x) {
+  if constexpr (has_lanes<S>) {
+    const S large = S(sincos_numbers<typename S::value_type>::to_integer);
+    return (x + large) - large;
+  } else {
+    return S(std::floor(double_of(x) + 0.5));
+  }
+}
+template <class S>
+S whole_above(const S& x) {
+  const S n = nearest_whole(x);
+  return select(n < x, S(n + S(1)), n);
+}
+
 /// Turns an angle by whole turns to where it is within limits, nearest to `start` of what is; says whether it is. What
 /// is beyond a limit by rounding alone is put on it. A slide does not turn.
-template <class S, class Start>
-bool bring_within(double lower, double upper, bool slides, const Start& start, S& t) {
-  const S pi = half_turn<S>(), away = t - S(start);
-  if (t >= S(lower) && t <= S(upper) && (slides || (away >= -pi && away <= pi))) return true;
-  const auto reaches = [](const S& limit) {
-    const S size = limit < S(0) ? S(-limit) : limit;
-    return S(32 * std::numeric_limits<S>::epsilon()) * (size > S(1) ? size : S(1));
+template <class S>
+truth<S> bring_within(double lower, double upper, bool slides, const S& start, S& t) {
+  const S pi = half_turn<S>(), turn = S(2) * pi, away = t - start, low = S(lower), high = S(upper);
+  truth<S> stays = both<truth<S>>(t >= low, t <= high);
+  if (!slides) stays = both<truth<S>>(stays, both<truth<S>>(away >= -pi, away <= pi));
+  if (all(stays)) return stays;
+  const auto reaches = [](double limit) {
+    const double size = std::abs(limit);
+    return size < 1e300 ? S(32 * std::numeric_limits<plain_scalar<S>>::epsilon()) * S(size > 1 ? size : 1) : S(0);
   };
+  const S least = low - reaches(lower), most = high + reaches(upper);
   S x = t;
-  const S least = S(lower) - (lower > -1e300 ? reaches(S(lower)) : S(0));
-  const S most = S(upper) + (upper < 1e300 ? reaches(S(upper)) : S(0));
   if (!slides) {
-    const S turn = S(2) * pi;
-    const auto turns = [&turn](const S& way) { return double_of(S(way / turn)); };
-    const double nearest = std::floor(turns(S(S(start) - x)) + 0.5);
-    if (nearest != 0) x += S(nearest) * turn;
-    if (x > most) x -= S(std::ceil(turns(S(x - most)))) * turn;
-    if (x < least) x += S(std::ceil(turns(S(least - x)))) * turn;
+    x = x + nearest_whole(S((start - x) / turn)) * turn;
+    x = select(x > most, S(x - whole_above(S((x - most) / turn)) * turn), x);
+    x = select(x < least, S(x + whole_above(S((least - x) / turn)) * turn), x);
   }
-  if (x < least || x > most) return false;
-  if (x < S(lower)) x = S(lower);
-  if (x > S(upper)) x = S(upper);
-  t = x;
-  return true;
+  const truth<S> found = both<truth<S>>(!(x < least), !(x > most));
+  x = select(x < low, low, select(x > high, high, x));
+  const truth<S> changes = both<truth<S>>(!stays, found);
+  t = select(changes, x, t);
+  return !both<truth<S>>(!stays, !found);
 }
 
 }  // namespace kte::detail

@@ -36,9 +36,8 @@ raw_answers<S> planar_and_slide(const arm_structure& s, const rotation_matrix<S>
       const auto whole = subproblem1(h, as<S>(v), vec3<S>(R * as<S>(transpose(s.arm.tool.rotation) * v)));
       x.turn.put(turn[2], whole - t1 - t2);
     }
-    x.branch = down ? elbow_bit : 0u;
-    if (q12.t2.free) x.free |= 1u << turn[0];
-    out.add(x);
+    x.free = free_if<S>(q12.t2.free, 1u << turn[0]);
+    out.add(x, down ? elbow_bit : 0u, static_cast<std::size_t>(s.arm.n));
   }
   return out;
 }

@@ -17,9 +17,9 @@ raw_answers<S> wrist_and_three_axes(const arm_structure& s, const rotation_matri
                                    as<S>(s.p(3) - s.p(2)), vec3<>(-h1), h2, h3)) {
     raw_answer<S> x{};
     x.turn.put(0, t.first), x.turn.put(1, t.second), x.turn.put(2, t.third);
-    x.branch = (t.slot & 3u) | (t.slot & 4u) << 1;
+    unsigned branch = (t.slot & 3u) | (t.slot & 4u) << 1;
     const auto R36 = turned_matrix(h3, -t.third, turned_matrix(h2, -t.second, turned_matrix(h1, -t.first, R06)));
-    with_meeting_axes(s, 3, R36, x, seed, wrist_bit, [&out](const raw_answer<S>& y) { out.add(y); });
+    for (const auto& y : both_of_meeting_axes(s, 3, R36, x, seed)) out.add(y, branch, 6), branch |= wrist_bit;
   }
   return out;
 }
@@ -88,14 +88,14 @@ raw_answers<S> parallel_and_two_axes(const arm_structure& s, const rotation_matr
     const S size = sqrt(dot(off, off)), noise = S(24 * std::numeric_limits<S>::epsilon());
     if (size < S(4e8) * noise) {  // beyond, reach is missed by less than 1e-8
       const bool free = !(size > noise);
-      if (free) x.free = 46u, t6 = seed.at(5), t14 = t14_of(t6);  // with q6 go q2, q3, q4
-      const S unknown = free ? S(4) : S(S(4) * noise / size);     // of turned axes
-      if (const S way = way_into_reach(s, normal_to(h, a), t14, p45, unknown); way != S(0))
-        t6 = t6 + angle_of(dot(y, as<S>(h6)) > S(0) ? S(-way) : way), t14 = t14_of(t6);
+      if (free) x.free = S(46), t6 = seed.at(5), t14 = t14_of(t6);  // with q6 go q2, q3, q4
+      const S unknown = S(4) * noise / size;                        // of turned axes
+      if (const auto way = way_into_reach(s, normal_to(h, a), t14, p45, free, unknown); way.sin != S(0))
+        t6 = t6 + (dot(y, as<S>(h6)) > S(0) ? -way : way), t14 = t14_of(t6);
     }
     x.turn.put(0, t1), x.turn.put(4, t5), x.turn.put(5, t6);
-    x.branch = (slot & 1u) | (slot & 2u) << 1 | (slot & 4u) << 1;
-    with_parallel_axes(s, a, t14, x, p45, seed, [&out](const raw_answer<S>& z) { out.add(z); });
+    unsigned branch = (slot & 1u) | (slot & 2u) << 1 | (slot & 4u) << 1;
+    for (const auto& z : both_of_parallel_axes(s, a, t14, x, p45, seed)) out.add(z, branch, 6), branch |= elbow_bit;
   }
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/manipulators/detail/answer_lanes.hpp>
 #include <kte/manipulators/detail/arm_structure.hpp>
 #include <kte/manipulators/subproblems.hpp>
 
@@ -19,6 +20,12 @@ struct joint_turns {
   solved_angle<S> at(std::size_t i) const { return {cosine[i], sine[i]}; }
   void put(std::size_t i, const solved_angle<S>& t) { sine[i] = t.sin, cosine[i] = t.cos; }
 };
+template <class L, class S>
+joint_turns<L> in_lanes(const joint_turns<S>& x) {
+  joint_turns<L> y;
+  for (std::size_t i = 0; i < x.sine.size(); ++i) y.sine[i] = L(x.sine[i]), y.cosine[i] = L(x.cosine[i]);
+  return y;
+}
 template <class S>
 joint_turns<S> turns_of(const by_joint<S>& t) {
   joint_turns<S> x;
@@ -26,22 +33,44 @@ joint_turns<S> turns_of(const by_joint<S>& t) {
   return x;
 }
 
-/// What the closed forms give: turns of the joints of `arm_structure::arm`.
+/// What the closed forms give of one answer, or of several in the lanes of a pack: turns of the joints of
+/// `arm_structure::arm`.
 template <class S>
 struct raw_answer {
   joint_turns<S> turn;
   S slide;  ///< of the joint that slides, m
-  unsigned branch;
-  unsigned free;  ///< bit i: joint i could be anything
+  S free;   ///< as a number, for lanes have no bits: 2^i of each joint i that could be anything
 };
+/// 2^i + ... where a condition holds.
+template <class S>
+S free_if(const truth<S>& condition, unsigned joints) {
+  return select(condition, S(joints), S(0));
+}
+
+/// All answers, what they have of one joint side by side, as registers take it: rows that are padded to full registers
+/// with the last answer.
 template <class S>
 struct raw_answers {
   static constexpr std::size_t most = 16;
-  std::array<raw_answer<S>, most> all;
-  std::size_t size = 0;
+  using row = std::array<S, most>;
 
-  constexpr void add(const raw_answer<S>& x) {
-    if (size < most) all[size++] = x;
+  std::size_t size = 0;
+  by_joint<row> sine, cosine;
+  row slide, free;
+  std::array<unsigned, most> branch;
+
+  /// One more; beyond `most` it is left out.
+  void add(const raw_answer<S>& x, unsigned name, std::size_t joints) {
+    if (size == most) return;
+    for (std::size_t i = size; i < padded(size + 1); ++i) {
+      for (std::size_t k = 0; k < joints; ++k) sine[k][i] = x.turn.sine[k], cosine[k][i] = x.turn.cosine[k];
+      slide[i] = x.slide, free[i] = x.free;
+    }
+    branch[size++] = name;
+  }
+  static constexpr std::size_t padded(std::size_t n) {
+    constexpr std::size_t lanes = answer_lanes<S>::count;
+    return (n + lanes - 1) / lanes * lanes;
   }
 };
 /// Bits of `branch`: set for the second answer.
@@ -56,7 +85,8 @@ rotation_matrix<S> turned_matrix(const K& k, const solved_angle<S>& t, const rot
   return as<S>(rotation_about(as<S>(k), t.cos, t.sin)) * m;
 }
 
-/// Three joints whose axes meet: R = R(h4, q4) R(h5, q5) R(h6, q6). With u = R h6 and v normal to h6:
+/// Joints i, i+1, i+2, whose axes meet, here h4, h5, h6: R = R(h4, q4) R(h5, q5) R(h6, q6). With u = R h6 and v normal
+/// to h6:
 ///
 ///   q4:  h5.R(h4, -q4) u = h5.h6
 ///   q5:  R(h5, q5) h6 = R(h4, -q4) u
@@ -65,36 +95,34 @@ rotation_matrix<S> turned_matrix(const K& k, const solved_angle<S>& t, const rot
 /// each from what those before it leave. So the pose is right to rounding also where q4 is not known to any digit, as
 /// for q5 = 0; there q4 is what `otherwise` says, and half a turn more.
 template <class S>
-struct three_angles {
-  two_angles<S> first;
-  std::array<solved_angle<S>, 2> second, third;
+struct meeting_axes {
+  const arm_structure& s;
+  int i;
+  vec3<S> u, v, Rv;
+  two_angles<S> first;  ///< q4
+
+  meeting_axes(const arm_structure& arm, int joint, const rotation_matrix<S>& R, const solved_angle<S>& otherwise)
+      : s(arm), i(joint), u(R * as<S>(h(2))), v(cross(as<S>(h(2)), as<S>(h(1)))), Rv(R * v) {
+    first = subproblem4(vec3<>(-h(0)), u, h(1), S(dot(as<S>(h(1)), as<S>(h(2)))), otherwise);
+  }
+  const vec3<>& h(int k) const { return s.h(i + k); }
+  /// The other joints by one of the angles of the first.
+  void put(const solved_angle<S>& q4, raw_answer<S>& x) const {
+    const auto k = static_cast<std::size_t>(i);
+    const auto q5 = subproblem1(h(1), as<S>(h(2)), turned(h(0), -q4, u));
+    const auto q6 = subproblem1(h(2), v, turned(h(1), -q5, turned(h(0), -q4, Rv)));
+    x.turn.put(k, q4), x.turn.put(k + 1, q5), x.turn.put(k + 2, q6);
+  }
 };
+/// Both answers of the joints from i on to `x`.
 template <class S>
-three_angles<S> meeting_axes(const vec3<>& h4, const vec3<>& h5, const vec3<>& h6, const rotation_matrix<S>& R,
-                             const solved_angle<S>& otherwise) {
-  const vec3<S> u = R * as<S>(h6), v = cross(as<S>(h6), as<S>(h5)), Rv = R * v;
-  three_angles<S> t;
-  t.first = subproblem4(vec3<>(-h4), u, h5, S(dot(as<S>(h5), as<S>(h6))), otherwise);
-  for (const std::size_t i : {0u, 1u}) {
-    const auto back = -(i == 0 ? t.first.plus : t.first.minus);
-    t.second[i] = subproblem1(h5, as<S>(h6), turned(h4, back, u));
-    t.third[i] = subproblem1(h6, v, turned(h5, -t.second[i], turned(h4, back, Rv)));
-  }
-  return t;
-}
-/// The answers of joints i, i+1, i+2 to `x`, one for each value of `bit`, into `out`.
-template <class S, class Next>
-void with_meeting_axes(const arm_structure& s, int i, const rotation_matrix<S>& R, raw_answer<S> x,
-                       const joint_turns<S>& seed, unsigned bit, const Next& next) {
-  const auto k = static_cast<std::size_t>(i);
-  const auto t = meeting_axes(s.h(i), s.h(i + 1), s.h(i + 2), R, seed.at(k));
-  if (t.first.free) x.free |= 5u << k;
-  for (const std::size_t b : {0u, 1u}) {
-    x.turn.put(k, b == 0 ? t.first.plus : t.first.minus);
-    x.turn.put(k + 1, t.second[b]), x.turn.put(k + 2, t.third[b]);
-    if (b == 1) x.branch |= bit;
-    next(x);
-  }
+std::array<raw_answer<S>, 2> both_of_meeting_axes(const arm_structure& s, int i, const rotation_matrix<S>& R,
+                                                  raw_answer<S> x, const joint_turns<S>& seed) {
+  const meeting_axes<S> axes(s, i, R, seed.at(static_cast<std::size_t>(i)));
+  x.free = x.free + free_if<S>(axes.first.free, 5u << i);
+  auto y = x;
+  axes.put(axes.first.plus, x), axes.put(axes.first.minus, y);
+  return {x, y};
 }
 
 /// pi, with all digits of the scalar.
@@ -103,6 +131,8 @@ S half_turn() {
   using std::atan2;
   if constexpr (std::is_floating_point_v<S>) {
     return std::numbers::pi_v<S>;
+  } else if constexpr (has_lanes<S>) {
+    return S(std::numbers::pi);
   } else {
     return atan2(S(0), S(-1));
   }

@@ -43,84 +43,94 @@ raw_answers<S> answers_by_formulas(const arm_structure& s, const plain_pose_of<S
       return wrist_and_parallel(s, R, p, seed);
     case closed_form::parallel_meeting:
       return parallel_and_meeting(s, R, p, seed);
-    case closed_form::wrist_general:
-      return wrist_and_three_axes(s, R, p, seed);
-    case closed_form::parallel_general:
-      return parallel_and_two_axes(s, R, p, seed);
     case closed_form::srs:
       return shoulder_and_wrist(s, R, p, extra, seed);
     case closed_form::planar:
     case closed_form::scara:
       return planar_and_slide(s, x.rotation, x.position, seed);
     default:
-      return {};
+      break;
   }
+  if constexpr (!has_lanes<S>) {
+    if (s.form == closed_form::wrist_general) return wrist_and_three_axes(s, R, p, seed);
+    if (s.form == closed_form::parallel_general) return parallel_and_two_axes(s, R, p, seed);
+  }
+  return {};
 }
 
-/// An answer by joint of `arm_structure::original`: rad in [-pi, pi], m.
-template <class S>
-struct solved_answer {
-  by_joint<S> t;
-  unsigned branch, free;
-  pose_gap<S> gap;  ///< by which the tool is away
-};
+/// All answers by joint of `arm_structure::original`: rad in [-pi, pi], m. Rows as those of `raw_answers`.
 template <class S>
 struct solved_answers {
-  std::array<solved_answer<S>, raw_answers<S>::most> all;
-  std::size_t size = 0;
+  using row = typename raw_answers<S>::row;
+
+  postures<S> at;
+  row position, rotation;  ///< by which the tool is away, m and rad
+  row free;                ///< 2^i of joints i of `arm_structure::arm` that could be anything
+  std::array<unsigned, raw_answers<S>::most> branch;
 };
 
 /// What the formulas gave, by joint of `original`; the joint that is held stands at `value`, of which `turn` is the
 /// sine and cosine.
 template <class S>
-postures<S> postures_of(const arm_structure& s, const raw_answers<S>& raw, const S& value,
-                        const solved_angle<S>& turn) {
-  postures<S> all;
+void put_postures(const arm_structure& s, const raw_answers<S>& raw, const S& value, const solved_angle<S>& turn,
+                  postures<S>& all) {
   all.size = raw.size;
-  constexpr std::size_t lanes = tree::lanes_of<S>::count;
-  const std::size_t full = (raw.size + lanes - 1) / lanes * lanes;
+  const std::size_t full = raw.padded(raw.size);
   for (std::size_t k = 0; k < static_cast<std::size_t>(s.arm.n); ++k) {
     const auto j = s.joint(k);
-    for (std::size_t a = 0; a < full; ++a) {
-      const auto& x = raw.all[a < raw.size ? a : 0];
-      all.sine[j][a] = S(s.sign[k]) * x.turn.sine[k] + S(0), all.cosine[j][a] = x.turn.cosine[k];  // pi, never -pi
-      if (s.arm.slides[k]) all.t[j][a] = S(s.sign[k]) * x.slide;
+    const S sign = S(s.sign[k]);
+    if (s.arm.slides[k]) {
+      for (std::size_t a = 0; a < full; ++a) all.t[j][a] = sign * raw.slide[a];
+      continue;
     }
-    if (!s.arm.slides[k]) atan2_each(all.sine[j].data(), all.cosine[j].data(), all.t[j].data(), full);
+    for (std::size_t a = 0; a < full; ++a) {
+      all.sine[j][a] = sign * raw.sine[k][a] + S(0);  // pi, never -pi
+      all.cosine[j][a] = raw.cosine[k][a];
+    }
+    atan2_each(all.sine[j].data(), all.cosine[j].data(), all.t[j].data(), full);
   }
   if (s.held >= 0) {
     const auto j = static_cast<std::size_t>(s.held);
     all.sine[j].fill(turn.sin), all.cosine[j].fill(turn.cos), all.t[j].fill(value);
   }
-  return all;
 }
 
-/// Newton's steps where roots of equations of degree four are worse than rounding, as long as they bring nearer: next
-/// to double roots with damping. And where axes are not quite as formulas have them (a tolerance was given), more of
-/// them, and longer.
+/// Whether answers need `polish`: where roots of equations of degree four are worse than rounding, and where axes are
+/// not quite as formulas have them (a tolerance was given).
+constexpr bool is_loose(const arm_structure& s) { return s.tolerance > arm_structure::strict && s.original.n >= 6; }
+constexpr bool is_rough(const arm_structure& s) {
+  return is_loose(s) || s.form == closed_form::wrist_general || s.form == closed_form::parallel_general;
+}
+
+/// Newton's steps for answer a, as long as they bring nearer: next to double roots with damping. And where axes are not
+/// quite as formulas have them, more of them, and longer.
 template <class S>
-void polish(const arm_structure& s, const plain_pose_of<S>& wanted, solved_answer<S>& y) {
-  const bool loose = s.tolerance > arm_structure::strict && s.original.n >= 6;
-  if (!loose && s.form != closed_form::wrist_general && s.form != closed_form::parallel_general) return;
+void polish(const arm_structure& s, const plain_pose_of<S>& wanted, solved_answers<S>& all, std::size_t a) {
+  const bool loose = is_loose(s);
   const std::size_t first = s.held == 0 ? 1 : 0;
   const auto far = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
   const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
   const auto at = [&](const by_joint<S>& t) { return gap_between(tool_pose(s.original, t), wanted); };
-  const auto towards = [&] { return towards_pose(s.original, first, wanted, y.t, s.reach); };
-  for (int k = 0; k < (loose ? 8 : 2) && far(y.gap) > least; ++k) {
-    auto t = y.t;
+  auto best = all.at.posture(a);
+  pose_gap<S> gap{all.position[a], all.rotation[a]};
+  const auto towards = [&] { return towards_pose(s.original, first, wanted, best, s.reach); };
+  const auto take = [&](const by_joint<S>& t, const pose_gap<S>& now) { best = t, gap = now; };
+  for (int k = 0; k < (loose ? 8 : 2) && far(gap) > least; ++k) {
+    auto t = best;
     newton_step(towards(), first, t, loose ? 0.1 : 1e-3);
-    const auto gap = at(t);
-    if (!loose && !(far(gap) < far(y.gap))) break;
-    y.t = t, y.gap = gap;
+    const auto now = at(t);
+    if (!loose && !(far(now) < far(gap))) break;
+    take(t, now);
   }
-  for (int k = 0; k < 30 && far(y.gap) > least && far(y.gap) < 1e-4; ++k) {
-    auto t = y.t;
+  for (int k = 0; k < 30 && far(gap) > least && far(gap) < 1e-4; ++k) {
+    auto t = best;
     damped_step(towards(), first, t);
-    const auto gap = at(t);
-    if (!(far(gap) < 0.9 * far(y.gap))) return;
-    y.t = t, y.gap = gap;
+    const auto now = at(t);
+    if (!(far(now) < 0.9 * far(gap))) break;
+    take(t, now);
   }
+  for (std::size_t j = 0; j < static_cast<std::size_t>(s.original.n); ++j) all.at.t[j][a] = best[j];
+  all.position[a] = gap.position, all.rotation[a] = gap.rotation;
 }
 
 /// All answers of an arm; angles that are free are as in `seed`. `extra` is the arm angle, or the value of the joint
@@ -133,21 +143,13 @@ solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<
   for (std::size_t k = 0; k < n; ++k) start[k] = S(s.sign[k]) * seed[s.joint(k)];
   const auto turn = angle_of(extra);
   const auto raw = answers_by_formulas(s, pose_for_formulas(s, wanted, extra, turn), turns_of(start), turn);
-  const auto found = postures_of(s, raw, extra, turn);
-  std::array<pose_gap<S>, raw_answers<S>::most> gap;
-  found.look_at_gaps(s.original, wanted, gap);
-
   solved_answers<S> out;
-  out.size = raw.size;
-  for (std::size_t a = 0; a < raw.size; ++a) {
-    auto& y = out.all[a];
-    y.t = {}, y.branch = raw.all[a].branch, y.free = 0, y.gap = gap[a];
-    for (std::size_t j = 0; j < static_cast<std::size_t>(s.original.n); ++j) y.t[j] = found.t[j][a];
-    if (raw.all[a].free != 0)
-      for (std::size_t k = 0; k < n; ++k)
-        if (raw.all[a].free >> k & 1u) y.free |= 1u << s.joint(k);
-    polish(s, wanted, y);
-  }
+  put_postures(s, raw, extra, turn, out.at);
+  out.at.look_at_gaps(s.original, wanted, out.position, out.rotation);
+  out.branch = raw.branch, out.free = raw.free;
+  if constexpr (!has_lanes<S>)
+    if (is_rough(s))
+      for (std::size_t a = 0; a < out.at.size; ++a) polish(s, wanted, out, a);
   return out;
 }
 

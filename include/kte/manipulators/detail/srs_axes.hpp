@@ -38,53 +38,68 @@ template <class S>
 vec3<S> unit_vector_along(const vec3<S>& v, const vec3<S>& otherwise) {
   using std::sqrt;
   const S n = sqrt(dot(v, v));
-  return n > S(0) ? vec3<S>((S(1) / n) * v) : otherwise;
+  const truth<S> some = n > S(0);
+  return chosen(some, vec3<S>((S(1) / select(some, n, S(1))) * v), otherwise);
 }
 
+/// The side of the first of the elbow's angles, where l1.(h x v) < 0, or of the second.
 template <class S>
-std::array<elbow_side<S>, 2> elbow_sides(const arm_structure& s, const vec3<S>& position) {
-  using std::sqrt;
+elbow_side<S> elbow_side_of(const arm_structure& s, const vec3<S>& position, const truth<S>& second) {
   const vec3<>& h = s.h(3);
   const vec3<> across = s.p(4) - s.p(3);
   const vec3<S> w = position - as<S>(s.p(0));
   const vec3<S> l1 = as<S>(s.p(3) - s.p(0)), l2 = as<S>(normal_part(across, h));
-  const S offset = S(dot(across, h)), square = dot(w, w) - offset * offset;
-  const auto q4 = elbow_angles(h, l1, l2, S(sqrt(square > S(0) ? square : S(0))));
+  const S offset = S(dot(across, h));
+  const auto q4 = elbow_angles(h, l1, l2, root_or_none(S(dot(w, w) - offset * offset)));
   const vec3<S> t = as<S>(vec3<>(-s.h(0))), r = as<S>(any_normal(s.h(0)));
-  std::array<elbow_side<S>, 2> both;
-  for (const std::size_t b : {0u, 1u}) {
-    auto& x = both[b];
-    x.q4 = b == 0 ? q4.plus : q4.minus, x.slack = q4.slack;
-    x.w = unit_vector_along(w, vec3<S>(-t));
-    x.ex = unit_vector_along(vec3<S>(cross(cross(vec3<S>(x.w - t), r), x.w)), r);
-    x.ey = cross(x.w, x.ex);
-    const vec3<S> v = l1 + turned(h, x.q4, as<S>(across));
-    x.v = unit_vector_along(v, vec3<S>(unit_vector_along(l1, r)));
-    const vec3<S> side = unit_vector_along(vec3<S>(cross(as<S>(h), x.v)), r);
-    x.f = b == 0 ? vec3<S>(-side) : side;  // l1.(h x v) < 0 for the first of the elbow's angles
-    x.g = cross(x.v, x.f);
-  }
-  return both;
+  elbow_side<S> x;
+  x.q4 = chosen(second, q4.minus, q4.plus), x.slack = q4.slack;
+  x.w = unit_vector_along(w, vec3<S>(-t));
+  x.ex = unit_vector_along(vec3<S>(cross(cross(vec3<S>(x.w - t), r), x.w)), r);
+  x.ey = cross(x.w, x.ex);
+  const vec3<S> v = l1 + turned(h, x.q4, as<S>(across));
+  x.v = unit_vector_along(v, vec3<S>(unit_vector_along(l1, r)));
+  const vec3<S> side = unit_vector_along(vec3<S>(cross(as<S>(h), x.v)), r);
+  x.f = chosen(second, side, vec3<S>(-side));
+  x.g = cross(x.v, x.f);
+  return x;
+}
+/// Both.
+template <class S>
+std::array<elbow_side<S>, 2> elbow_sides(const arm_structure& s, const vec3<S>& position) {
+  const truth<S> second = S(0) < S(1);
+  return {elbow_side_of(s, position, truth<S>(!second)), elbow_side_of(s, position, second)};
 }
 
 /// R07 and the place of the wrist for one arm angle psi: q1..q3 from R03, q5..q7 from R47 = (R03 R34)^T R07.
 template <class S>
 raw_answers<S> shoulder_and_wrist(const arm_structure& s, const rotation_matrix<S>& R07, const vec3<S>& position,
                                   const solved_angle<S>& psi, const joint_turns<S>& seed) {
-  const auto sides = elbow_sides(s, position);
-  raw_answers<S> out;
-  for (const std::size_t b : {0u, 1u}) {
-    const auto& side = sides[b];
-    const auto R03 = side.R03(psi);
-    const auto R47 = turned_matrix(s.h(3), -side.q4, rotation_matrix<S>(transpose(R03) * R07));
-    raw_answer<S> x{};
+  using L = typename answer_lanes<S>::type;
+  const auto R = as<L>(R07);
+  const auto start = in_lanes<L>(seed);
+  const solved_angle<L> angle{L(psi.cos), L(psi.sin)};
+  struct begun {
+    std::array<raw_answer<L>, 2> both;
+    meeting_axes<L> shoulder;
+  };
+  const auto begin = [&](const truth<L>& down) {
+    const auto side = elbow_side_of(s, as<L>(position), down);
+    const auto R03 = side.R03(angle);
+    const meeting_axes<L> shoulder(s, 0, R03, start.at(0));
+    raw_answer<L> x{};
     x.turn.put(3, side.q4);
-    x.branch = b == 0 ? 0u : elbow_bit;
-    with_meeting_axes(s, 0, R03, x, seed, shoulder_bit, [&](const raw_answer<S>& y) {
-      with_meeting_axes(s, 4, R47, y, seed, wrist_bit, [&out](const raw_answer<S>& z) { out.add(z); });
-    });
-  }
-  return out;
+    x.free = free_if<L>(shoulder.first.free, 5u);
+    const auto R47 = turned_matrix(s.h(3), -side.q4, rotation_matrix<L>(transpose(R03) * R));
+    return begun{both_of_meeting_axes(s, 4, R47, x, start), shoulder};
+  };
+  const auto end = [](const begun& b, const truth<L>& behind) {
+    auto both = b.both;
+    b.shoulder.put(chosen(behind, b.shoulder.first.minus, b.shoulder.first.plus), both[0]);
+    for (const std::size_t k : {0u, 1u, 2u}) both[1].turn.put(k, both[0].turn.at(k));
+    return both;
+  };
+  return eight_answers<S>(7, elbow_bit, shoulder_bit, wrist_bit, begin, end);
 }
 
 }  // namespace kte::detail

@@ -30,23 +30,23 @@ plain_pose_of<S> checked_pose(plain_pose_of<S> x) {
   auto& R = x.rotation;
   const vec3<S>& p = x.position;
   const S finite = p.x * S(0) + p.y * S(0) + p.z * S(0);
-  if (!(finite == S(0))) raise<bad_argument>("kte: inverse kinematics: the position is not finite");
+  if (!all(finite == S(0))) raise<bad_argument>("kte: inverse kinematics: the position is not finite");
   const S eps = S(std::numeric_limits<S>::epsilon());
-  const S most = eps > S(1e-9) ? S(S(1000) * eps) : S(1e-6);
+  const S most = select(eps > S(1e-9), S(S(1000) * eps), S(1e-6));
   const auto off = [&R] {
     S worst(0);
-    const auto look = [&worst](S d) {
-      if (d < S(0)) d = -d;
-      if (!(d <= worst)) worst = d;
+    const auto look = [&worst](const S& d) {
+      const S size = size_of(d);
+      worst = select(size <= worst, worst, size);
     };
     look(dot(R.x, R.x) - S(1)), look(dot(R.y, R.y) - S(1)), look(dot(R.z, R.z) - S(1));
     look(dot(R.x, R.y)), look(dot(R.y, R.z)), look(dot(R.z, R.x));
     return worst;
   };
   const S far = off();
-  if (!(far <= most) || !(dot(R.x, cross(R.y, R.z)) > S(0)))
+  if (!all(both<truth<S>>(far <= most, dot(R.x, cross(R.y, R.z)) > S(0))))
     raise<bad_argument>("kte: inverse kinematics: the rotation must be orthonormal and right-handed");
-  if (far > S(8) * eps)
+  if (any(far > S(8) * eps))
     for (int k = 0; k < 2; ++k) R = as<S>(S(0.5) * (R * as<S>(diagonal_matrix(S(3)) - transpose(R) * R)));
   return x;
 }

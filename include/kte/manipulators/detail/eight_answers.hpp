@@ -1,0 +1,61 @@
+#pragma once
+
+#include <kte/manipulators/detail/raw_answers.hpp>
+
+namespace kte::detail {
+
+/// The numbers of two choices in each of `lanes` of the four ways from `way` on: 0 or 1.
+template <class L, class S>
+struct lanes_of_ways {
+  static constexpr std::size_t lanes = answer_lanes<S>::count;
+  std::array<unsigned, lanes> first, second;
+
+  explicit lanes_of_ways(unsigned way) {
+    for (unsigned l = 0; l < lanes; ++l) first[l] = (way + l) >> 1 & 1u, second[l] = (way + l) & 1u;
+  }
+  static truth<L> is_one(const std::array<unsigned, lanes>& choice) {
+    std::array<S, lanes> x;
+    for (std::size_t l = 0; l < lanes; ++l) x[l] = S(static_cast<int>(choice[l]));
+    return L(0.5) < lanes_at(x.data());
+  }
+};
+
+/// Answers of three choices between two, in the order of their branches; `first`, `second`, `third` are the bits of the
+/// choices. `begin(f)` is what is to be known of the first choice, the second of its two where f holds;
+/// `end(begun, s)` has both answers of the third by that and the second. As many ways at a time as registers take.
+template <class S, class Begin, class End>
+raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit second, branch_bit third,
+                             const Begin& begin, const End& end) {
+  using L = typename answer_lanes<S>::type;
+  constexpr std::size_t lanes = answer_lanes<S>::count;
+  raw_answers<S> out;
+  out.size = 8;
+  const auto add = [&](const lanes_of_ways<L, S>& way, const std::array<raw_answer<L>, 2>& both) {
+    for (const std::size_t b : {0u, 1u}) {
+      std::array<std::size_t, lanes> name;
+      for (std::size_t l = 0; l < lanes; ++l) {
+        name[l] = (way.first[l] * first) | (way.second[l] * second) | (b == 0 ? 0u : third);
+        out.branch[name[l]] = static_cast<unsigned>(name[l]);
+      }
+      const auto put = [&](const L& x, auto& row) {
+        std::array<S, lanes> y;
+        put_lanes(x, y.data());
+        for (std::size_t l = 0; l < lanes; ++l) row[name[l]] = y[l];
+      };
+      for (std::size_t k = 0; k < joints; ++k)
+        put(both[b].turn.sine[k], out.sine[k]), put(both[b].turn.cosine[k], out.cosine[k]);
+      put(both[b].slide, out.slide), put(both[b].free, out.free);
+    }
+  };
+  for (unsigned way = 0; way<4; way += lanes> 2 ? 4 : 2) {
+    const lanes_of_ways<L, S> one(way);
+    const auto begun = begin(one.is_one(one.first));
+    for (unsigned k = way; k < way + 2; k += lanes) {
+      const lanes_of_ways<L, S> both(k);
+      add(both, end(begun, both.is_one(both.second)));
+    }
+  }
+  return out;
+}
+
+}  // namespace kte::detail
