@@ -74,32 +74,34 @@ bool same_posture(const double* a, const std::vector<double>& b) {
   return true;
 }
 
-void time(benchmark::State& state, const std::string& model, wanted what, answer_call f) {
+void time(benchmark::State& state, const std::string& model, wanted what, answer_call f, std::size_t together) {
   const arm_numbers& arm = arm_of(model);
   const questions asked = ask(model);
-  std::array<double, 16 * kte::detail::arm_geometry::most> q{};
+  std::vector<double> q(together * room_for_answers);
+  std::vector<int> count(together);
   double error = 0, found = 0, answers = 0;
   for (std::size_t k = 0; k < asked.all.size(); ++k) {
-    const int n = f(asked.all[k], q.data());
+    const std::size_t one = k % together;
+    if (one == 0) f(&asked.all[k], q.data(), count.data());
     bool known = false;
-    for (int i = 0; i < n; ++i) {
-      const double* at = q.data() + i * arm.geometry.n;
+    for (int i = 0; i < count[one]; ++i) {
+      const double* at = q.data() + one * room_for_answers + i * arm.geometry.n;
       const double e = error_of(arm, at, asked.all[k]);
       error = e >= error || e != e ? e : error;
       known |= what == wanted::any || same_posture(at, asked.postures[k]);
     }
-    found += known, answers += n;
+    found += known, answers += count[one];
   }
   std::size_t next = 0;
-  for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(f(asked.all[next], q.data()));
+  while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(together))) {
+    f(&asked.all[next], q.data(), count.data());
     benchmark::ClobberMemory();
-    next = (next + 1) % asked.all.size();
+    next = (next + together) % asked.all.size();
   }
-  const auto count = static_cast<double>(asked.all.size());
+  const auto all = static_cast<double>(asked.all.size());
   state.counters["error"] = error;
-  state.counters["found"] = found / count;
-  state.counters["answers"] = answers / count;
+  state.counters["found"] = found / all;
+  state.counters["answers"] = answers / all;
 }
 
 }  // namespace
@@ -111,9 +113,9 @@ const arm_numbers& arm_of(const std::string& model) {
   return all.at(model);
 }
 
-void add_arm(const std::string& how, const std::string& model, wanted what, answer_call f) {
+void add_arm(const std::string& how, const std::string& model, wanted what, answer_call f, std::size_t together) {
   benchmark::RegisterBenchmark(("inverse_kinematics/" + how + "/" + model).c_str(),
-                               [=](benchmark::State& state) { time(state, model, what, f); });
+                               [=](benchmark::State& state) { time(state, model, what, f, together); });
 }
 
 }  // namespace bench

@@ -26,8 +26,10 @@ struct arm_question {
   const double* start;  ///< within limits
   double arm_angle;
 };
-/// Answers it, out of line: joint angles, answer after answer, at most 16, to q; how many there are.
-using answer_call = int (*)(const arm_question& x, double* q);
+/// Answers `together` questions, out of line: joint angles, answer after answer, at most 16, to q, of each question
+/// `room_for_answers` behind those of the last; how many there are to `count`.
+using answer_call = void (*)(const arm_question* x, double* q, int* count);
+inline constexpr std::size_t room_for_answers = 16 * kte::detail::arm_geometry::most;
 
 /// Whether a way is to find the posture of which the pose was made, or any.
 enum class wanted { posture, any };
@@ -36,6 +38,6 @@ enum class wanted { posture, any };
 /// random within limits. Counters: `error`, the largest of all answers, of the position relative to the reach or of the
 /// rotation in rad, by kinematics in extended precision; `found`, the share of questions that have what is wanted among
 /// the answers; `answers`, how many there are to a question.
-void add_arm(const std::string& how, const std::string& model, wanted what, answer_call f);
+void add_arm(const std::string& how, const std::string& model, wanted what, answer_call f, std::size_t together = 1);
 
 }  // namespace bench

@@ -4,6 +4,8 @@
 #include <kte/manipulators/three_r_three_r.hpp>
 #include <kte/manipulators/ur.hpp>
 
+#include <algorithm>
+#include <array>
 #include <span>
 
 #include "arm_timing.hpp"
@@ -11,10 +13,31 @@
 namespace bench {
 namespace {
 
-using pose = kte::pose<kte::mat3<kte::vec3<>>, kte::vec3<>>;
-pose pose_of(const arm_question& x) {
-  const auto& r = x.rotation;
-  return {{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}}, {x.position[0], x.position[1], x.position[2]}};
+template <class S>
+using pose = kte::pose<kte::mat3<kte::vec3<S>>, kte::vec3<S>>;
+
+/// Of as many questions as S has lanes.
+template <class S, class Number>
+pose<S> pose_of(const Number& number) {
+  const auto row = [&](std::size_t i) {
+    const auto entry = [&](std::size_t j) {
+      return number([=](const arm_question& x) { return x.rotation[3 * i + j]; });
+    };
+    return kte::vec3<S>{entry(0), entry(1), entry(2)};
+  };
+  const auto place = [&](std::size_t i) { return number([=](const arm_question& x) { return x.position[i]; }); };
+  return {{row(0), row(1), row(2)}, {place(0), place(1), place(2)}};
+}
+pose<double> pose_of(const arm_question& x) {
+  return pose_of<double>([&](const auto& entry) { return entry(x); });
+}
+using eight = kte::pack<double, 8>;
+pose<eight> poses_of(const arm_question* x) {
+  return pose_of<eight>([&](const auto& entry) {
+    std::array<double, 8> lanes;
+    for (std::size_t l = 0; l < 8; ++l) lanes[l] = entry(x[l]);
+    return eight::load(lanes.data());
+  });
 }
 template <class Q>
 double* put(const Q& q, double* to) {
@@ -24,26 +47,41 @@ double* put(const Q& q, double* to) {
 
 template <class Model>
 struct arm_calls {
-  [[gnu::noinline]] static int closed(const arm_question& x, double* q) {
-    int count = 0;
+  static constexpr bool has_arm_angle = Model::arm.family() == kte::arm_family::srs;
+
+  [[gnu::noinline]] static void closed(const arm_question* x, double* q, int* count) {
+    *count = 0;
     const auto take = [&](const auto& all) {
       for (const auto& a : all)
-        if (a.exact) q = put(a.q, q), ++count;
+        if (a.exact) q = put(a.q, q), ++*count;
     };
-    if constexpr (Model::arm.family() == kte::arm_family::srs)
-      take(kte::inverse_kinematics(Model::arm, pose_of(x), kte::arm_angle(x.arm_angle)));
+    if constexpr (has_arm_angle)
+      take(kte::inverse_kinematics(Model::arm, pose_of(*x), kte::arm_angle(x->arm_angle)));
     else
-      take(kte::inverse_kinematics(Model::arm, pose_of(x)));
-    return count;
+      take(kte::inverse_kinematics(Model::arm, pose_of(*x)));
   }
-  [[gnu::noinline]] static int numeric(const arm_question& x, double* q) {
-    const std::span start(x.start, static_cast<std::size_t>(Model::arm.dofs));
-    const auto r = kte::clik(Model::arm, kte::reach(kte::arm_names::tool, pose_of(x)), start, {.numeric = true});
+  /// Eight poses at once (of seven axes at arm angle 0).
+  [[gnu::noinline]] static void closed_pack8(const arm_question* x, double* q, int* count) {
+    std::fill_n(count, 8, 0);
+    for (const auto& a : kte::inverse_kinematics(Model::arm, poses_of(x))) {
+      std::array<double, 8> exact;
+      select(a.exact, eight(1), eight(0)).store(exact.data());
+      for (std::size_t l = 0; l < 8; ++l) {
+        if (exact[l] == 0) continue;
+        double* to = q + l * room_for_answers + count[l]++ * Model::arm.dofs;
+        for (Eigen::Index i = 0; i < a.q.size(); ++i) *to++ = a.q[i][l];
+      }
+    }
+  }
+  [[gnu::noinline]] static void numeric(const arm_question* x, double* q, int* count) {
+    const std::span start(x->start, static_cast<std::size_t>(Model::arm.dofs));
+    const auto r = kte::clik(Model::arm, kte::reach(kte::arm_names::tool, pose_of(*x)), start, {.numeric = true});
     put(r.q, q);
-    return r.status == kte::clik_status::reached;
+    *count = r.status == kte::clik_status::reached;
   }
   static void add() {
     add_arm("closed", Model::name, wanted::posture, closed);
+    add_arm("closed_pack8", Model::name, has_arm_angle ? wanted::any : wanted::posture, closed_pack8, 8);
     add_arm("numeric", Model::name, wanted::any, numeric);
   }
 };

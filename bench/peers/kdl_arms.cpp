@@ -59,8 +59,12 @@ struct kdl_arm {
     std::copy_n(s.q.data.data(), s.q.rows(), q);
     return reached;
   }
-  [[gnu::noinline]] static int lma(const arm_question& x, double* q) { return solve(made(), made().lma, x, q); }
-  [[gnu::noinline]] static int newton(const arm_question& x, double* q) { return solve(made(), made().newton, x, q); }
+  [[gnu::noinline]] static void lma(const arm_question* x, double* q, int* count) {
+    *count = solve(made(), made().lma, *x, q);
+  }
+  [[gnu::noinline]] static void newton(const arm_question* x, double* q, int* count) {
+    *count = solve(made(), made().newton, *x, q);
+  }
   static void add() {
     add_arm("numeric_kdl_lma", arms[M], wanted::any, lma);
     add_arm("numeric_kdl_nr_jl", arms[M], wanted::any, newton);

@@ -47,10 +47,11 @@ raw_answers<S> eight_answers(std::size_t joints, branch_bit first, branch_bit se
       put(both[b].slide, out.slide), put(both[b].free, out.free);
     }
   };
-  for (unsigned way = 0; way<4; way += lanes> 2 ? 4 : 2) {
+  constexpr unsigned together = lanes == 1 ? 2 : 4;  // ways with one beginning
+  for (unsigned way = 0; way < 4; way += together) {
     const lanes_of_ways<L, S> one(way);
     const auto begun = begin(one.is_one(one.first));
-    for (unsigned k = way; k < way + 2; k += lanes) {
+    for (unsigned k = way; k < way + together; k += lanes) {
       const lanes_of_ways<L, S> both(k);
       add(both, end(begun, both.is_one(both.second)));
     }
