@@ -7,17 +7,16 @@
 #include <kte/math/dual.hpp>
 #include <kte/math/pack.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include "catch.hpp"
 #include "chain/models.hpp"
+#include "digits50.hpp"
 #include "random.hpp"
 
 // Runtime chains in other scalars than double: the same loops over records, each against 50 digits.
 
 using namespace kte;
+using kte::test::digits50;
 using kte::test::within;
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
 inline constexpr struct trunk_pose_ final : pose_3D_key<"trunk pose"> {

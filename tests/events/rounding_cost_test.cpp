@@ -9,7 +9,7 @@
 #include "catch.hpp"
 #include "events/sliding_block.hpp"
 
-// What rounding costs, of states and of late times: [long], as tolerances are tight.
+// What rounding costs, of states and of late times: long tests, as tolerances are tight.
 
 using namespace kte;
 using namespace kte::test;

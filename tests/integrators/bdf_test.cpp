@@ -42,7 +42,7 @@ TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k 
   for (const bdf_formula formula : {ndf, plain}) {
     for (int k = 1; k <= 5; ++k) {
       std::vector<double> tolerance, steps, errors, between;
-      for (int i = 0; i <= 12; ++i) {
+      for (int i = 0; i <= 12; i += 2) {
         const long double tol = std::pow(10.0L, -loosest[k - 1] - i / 3.0L);
         bdf solver(f, 0.0L, one<long double>(1.0L), {.absolute = 1e-6L * tol, .relative = tol}, {k, formula});
         solver.integrate(6);
@@ -69,7 +69,7 @@ TEST_CASE("BDF: with order k, errors are as steps^-k, steps as tolerance^(-1/(k 
 
 TEST_CASE("BDF: the NDF need fewer steps at orders 1 to 3, as their error constants say") {
   const auto steps = [](int order, bdf_formula formula) {
-    bdf solver(towards_cosine(1.0), 0.0, one<double>(1.0), {.absolute = 1e-8, .relative = 1e-8}, {order, formula});
+    bdf solver(towards_cosine(1.0), 0.0, one<double>(1.0), {.absolute = 1e-7, .relative = 1e-7}, {order, formula});
     solver.integrate(10);
     return static_cast<double>(solver.statistics().steps);
   };

@@ -5,9 +5,6 @@
 #include <kte/integrators/tr_bdf2.hpp>
 #include <kte/integrators/trapezoidal.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include "catch.hpp"
 #include "integrators/implicit_conditions.hpp"
 #include "integrators/rotating_body.hpp"

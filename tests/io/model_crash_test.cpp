@@ -11,7 +11,7 @@
 #  include <sys/wait.h>
 #  include <unistd.h>
 
-TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one") {
+TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long]") {
   kte::model_record models[2];
   for (int i = 0; i < 2; ++i)
     for (int n = 0; n < 300 + 100 * i; ++n)

@@ -1,8 +1,6 @@
 #include <kte/math/dual.hpp>
 #include <kte/math/matrix.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -11,10 +9,11 @@
 
 #include "catch.hpp"
 #include "chain/models.hpp"
+#include "digits50.hpp"
 #include "math/draw.hpp"
 
 using kte::dual, kte::seeded, kte::constant, kte::zero, kte::one;
-using big = boost::multiprecision::cpp_bin_float_50;
+using big = kte::test::digits50;
 
 namespace {
 

@@ -1,10 +1,9 @@
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <limits>
 #include <numbers>
 #include <vector>
 
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "math/packs.hpp"
 
 // Sines and cosines of packs against those of more digits.
@@ -13,8 +12,6 @@ using namespace kte;
 using namespace kte::test;
 
 namespace {
-
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 template <class T>
 double off(T value, const digits50& truth) {

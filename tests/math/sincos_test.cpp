@@ -1,13 +1,12 @@
 #include <kte/math/atan2.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <array>
 #include <limits>
 #include <numbers>
 #include <vector>
 
 #include "catch.hpp"
+#include "digits50.hpp"
 #include "math/draw.hpp"
 
 using namespace kte;
@@ -179,7 +178,7 @@ TEST_CASE("each of n sines is exact, whichever of them is large", "[math][sincos
 }
 
 TEST_CASE("other scalars use their own functions", "[math][sincos]") {
-  using digits50 = boost::multiprecision::cpp_bin_float_50;
+  using kte::test::digits50;
   const auto r = sincos_all<digits50, 4>([](std::size_t i) { return digits50(i) / 3; });
   const auto f = sincos_all<float, 4>([](std::size_t i) { return static_cast<float>(i) / 3; });
   for (std::size_t i = 0; i < 4; ++i) {
