@@ -98,6 +98,22 @@ box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vecto
       for (Eigen::Index j = 0; j < n; ++j) r[i] += h(i, j) * x[j];
     }
   };
+  const S rounding = S(8) * S(n) * std::numeric_limits<S>::epsilon();
+  const auto size_of_terms = [&](Eigen::Index i) {
+    S size = abs(g[i]);
+    for (Eigen::Index j = 0; j < n; ++j) size += abs(h(i, j) * x[j]);
+    return size;
+  };
+  if (at.isZero(0)) {  // mostly: within bounds, and one step along the same factors is enough
+    gradient(), free.solve(r, step);
+    x -= step;
+    gradient();
+    out.optimal = true;
+    for (Eigen::Index i = 0; i < n; ++i)
+      out.optimal &= abs(r[i]) <= rounding * size_of_terms(i) && x[i] >= lower[i] && x[i] <= upper[i];
+    if (out.optimal) return out;
+    x = x.cwiseMax(lower).cwiseMin(upper);
+  }
   const int most = 20 * static_cast<int>(n) + 20;
   bool refined = false;  // the free part of (2) to rounding: by a second step along the same factors
   if (!at.isZero(0)) free.factorise(h, at);
@@ -123,15 +139,11 @@ box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vecto
     S most_wrong(0);
     for (Eigen::Index i = 0; i < n; ++i) {
       if (at[i] == 0 || lower[i] == upper[i]) continue;
-      S size = abs(g[i]);
-      for (Eigen::Index j = 0; j < n; ++j) size += abs(h(i, j) * x[j]);
-      const S wrong = (at[i] < 0 ? -r[i] : r[i]) / (size > 0 ? size : S(1));
-      if (wrong > S(8) * S(n) * std::numeric_limits<S>::epsilon() && wrong > most_wrong) most_wrong = wrong, worst = i;
+      const S size = size_of_terms(i), wrong = (at[i] < 0 ? -r[i] : r[i]) / (size > 0 ? size : S(1));
+      if (wrong > rounding && wrong > most_wrong) most_wrong = wrong, worst = i;
     }
-    if (worst < 0 && refined) {
-      out.optimal = true;
-      return out;
-    }
+    out.optimal = worst < 0 && refined;
+    if (out.optimal) return out;
     refined = worst < 0;
     if (worst >= 0) at[worst] = 0, free.factorise(h, at);
   }

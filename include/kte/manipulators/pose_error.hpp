@@ -16,6 +16,23 @@ auto quaternion_of(const R& rotation) {
     return to_quaternion(matrix(rotation));
   }
 }
+
+/// log(R_wanted R^T) of matrices that are rotations. With s the axial vector of E = R_wanted R^T, of length 2 sin t,
+///
+///   log E = s t/|s|,   t = 2 atan2(|s|, 1 + tr E)          (2)
+///
+/// and by the quaternion where s loses digits, near half a turn.
+template <class S>
+vec3<S> turn_between(const mat3<vec3<S>>& now, const mat3<vec3<S>>& wanted) {
+  using std::atan2;
+  using std::sqrt;
+  const auto E = as<S>(wanted * transpose(now));
+  const S w = S(1) + E.x.x + E.y.y + E.z.z;
+  if (!(w > S(0.5))) return to_rotation_vector(to_quaternion(E));
+  const vec3<S> s{E.z.y - E.y.z, E.x.z - E.z.x, E.y.x - E.x.y};
+  const S size = sqrt(dot(s, s));
+  return (size > S(0) ? S(S(2) * atan2(size, w) / size) : S(0.5)) * s;
+}
 }  // namespace detail
 
 /// How far a pose is from a wanted one, in axes of the world, as Jacobians and twists are:

@@ -30,27 +30,36 @@ using tool_name = decltype(tool_named(std::declval<const T&>()));
 
 template <class Tool>
 struct reach_goal : goal_of_tool<Tool> {
-  pose<unit_quaternion<double>, vec3<>> wanted;
+  pose<mat3<vec3<>>, vec3<>> wanted;
   pose_weights weights;
 
+  /// `pose_error`, of a pose that needs no check.
+  template <class S>
+  std::array<S, 6> error(const pose<mat3<vec3<S>>, vec3<S>>& now) const {
+    const vec3<S> p = as<S>(wanted.position) - now.position, w = turn_between(now.rotation, as<S>(wanted.rotation));
+    return {p.x, p.y, p.z, w.x, w.y, w.z};
+  }
   /// sum(e, weight, row): each error, and as a function of k its derivative by v_k, with the other sign.
   template <class At, class Sum>
   void add_to(const At& at, Sum& sum) const {
     using S = typename At::scalar;
     const auto t = at.index_of(this->tool);
-    const auto e = pose_error(at.poses[t], wanted);
+    const auto e = error(at.poses[t]);
     const S turns = S(weights.rotation) * at.length * at.length;
-    for (int r = 0; r < 6; ++r) {
+    for (std::size_t r = 0; r < 6; ++r) {
       const S w = r < 3 ? S(weights.position) : turns;
-      if (w > S(0)) sum(e[r], w, [&](Eigen::Index k) { return at.jacobian(6 * static_cast<Eigen::Index>(t) + r, k); });
+      if (w > S(0)) sum(e[r], w, [&](Eigen::Index k) { return at.jacobian(static_cast<Eigen::Index>(6 * t + r), k); });
     }
   }
   template <class At>
   auto miss(const At& at) const {
-    const auto e = pose_error(at.poses[at.index_of(this->tool)], wanted);
+    using std::sqrt;
     using S = typename At::scalar;
-    return goal_miss<S>{weights.position > 0 ? S(e.template head<3>().norm()) : S(0),
-                        weights.rotation > 0 ? S(e.template tail<3>().norm()) : S(0)};
+    const auto e = error(at.poses[at.index_of(this->tool)]);
+    const auto length = [&e](std::size_t i) {
+      return S(sqrt(e[i] * e[i] + e[i + 1] * e[i + 1] + e[i + 2] * e[i + 2]));
+    };
+    return goal_miss<S>{weights.position > 0 ? length(0) : S(0), weights.rotation > 0 ? length(3) : S(0)};
   }
 };
 
@@ -106,8 +115,9 @@ struct look_at_goal : goal_of_tool<Tool> {
 template <class Tool, class R, class P>
 auto reach(const Tool& tool, const pose<R, P>& wanted, const pose_weights& weights = {}) {
   const auto p = detail::finite_place(wanted.position);
-  return detail::reach_goal<detail::tool_name<Tool>>{
-      {detail::tool_named(tool)}, {as<double>(detail::quaternion_of(wanted.rotation)), p}, detail::checked(weights)};
+  return detail::reach_goal<detail::tool_name<Tool>>{{detail::tool_named(tool)},
+                                                     {as<double>(matrix(detail::quaternion_of(wanted.rotation))), p},
+                                                     detail::checked(weights)};
 }
 /// The tool's origin at a point in axes of the world, whatever its rotation.
 template <class Tool, class P>
