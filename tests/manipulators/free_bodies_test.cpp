@@ -1,5 +1,6 @@
 #include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/nearest.hpp>
+#include <kte/manipulators/poses_of_tools.hpp>
 #include <kte/manipulators/uav.hpp>
 
 #include "arms.hpp"
@@ -90,6 +91,64 @@ TEST_CASE("limits of a free body are those of its position") {
       inverse_kinematics(turning, forward_kinematics(turning, std::array{0.0, 0.0, 0.5}, planar_arm_names::tool));
   CHECK(one[0].within_limits);
   CHECK(one[0].q[2] == within(0.5 + 2 * M_PI, 4 * eps));
+}
+
+TEST_CASE("a free body with several tools at their poses, static and runtime") {
+  static constexpr struct left_ final : frame_3D_key<"left"> {
+  } left;
+  const auto chain = kte::chain(free_floater_chain(vec3{0.2, -0.1, 0.4}),
+                                rigid_link_3D(arm_names::body, left, vec3{-1.0, 0.3, 0.0}, quarter_turn_x));
+  const auto check = [](const auto& arm) {
+    random_numbers random(6);
+    for (int k = 0; k < 50; ++k) {
+      auto q = neutral_configuration(arm);
+      const auto turn = random_rotation(random);
+      q << random(5), random(5), random(5), turn.w, turn.x, turn.y, turn.z;
+      auto wanted = arm.getDependentPoses(q);
+      const auto all = inverse_kinematics(arm, wanted);
+      REQUIRE(all.size() == 1);
+      CHECK(all[0].exact);
+      CHECK(all[0].position <= 100 * eps);  // lengths up to 10 m
+      CHECK(all[0].rotation <= 16 * eps);
+      // 0.2 m farther apart than they are: each misses 0.1 m, and no rotation.
+      const vec3<> way = wanted[1].position - wanted[0].position;
+      wanted[1].position = wanted[1].position + vec3<>(0.2 / std::sqrt(dot(way, way)) * way);
+      const auto best = inverse_kinematics(arm, wanted)[0];
+      CHECK(!best.exact);
+      CHECK(best.position == within(0.1, 100 * eps));
+      CHECK(best.rotation <= 16 * eps);
+    }
+  };
+  check(manipulator(chain, tool, left));
+  check(manipulator(models::registered(record_of(chain)), {"tool", "left"}));
+  const manipulator arm(models::registered(record_of(chain)), {"tool", "base"});
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, arm.getDependentPoses(std::vector{1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0})),
+                       no_closed_form, says("tool 2"));
+  const pose somewhere{mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, vec3<>{1, 2, 3}};
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, std::array{somewhere}), bad_argument, says("2 tools"));
+}
+
+TEST_CASE("a pose fitted to points is that of the body, and never a reflection") {
+  random_numbers random(7);
+  std::vector<vec3<>> body, measured;
+  for (int k = 0; k < 6; ++k) body.push_back(random_position(random));
+  const pose x{random_rotation(random), vec3<>{1e6, -2e6, 3e6}};
+  const auto put = [&](const pose<unit_quaternion<double>, vec3<>>& at) {
+    measured.clear();
+    for (const auto& p : body) measured.push_back(at.rotation * p + at.position);
+  };
+  put(x);
+  const auto found = fitted_pose(body, measured);
+  CHECK(arms::between(pose{mat3<vec3<>>(matrix(found.rotation)), found.position},
+                      pose{mat3<vec3<>>(matrix(x.rotation)), x.position})
+            .rotation <= 1e6 * 4 * eps);  // of points known to 4e-10 m
+  for (auto& p : measured) p = vec3<>{p.x, p.y, -p.z};
+  const auto r = matrix(fitted_pose(body, measured).rotation);
+  CHECK(dot(r.x, cross(r.y, r.z)) == within(1, 4 * eps));
+  body.pop_back();
+  CHECK_THROWS_AS(fitted_pose(body, measured), bad_argument);
+  body.push_back({NAN, 0, 0});
+  CHECK_THROWS_MATCHES(fitted_pose(body, measured), bad_argument, says("point 6"));
 }
 
 TEST_CASE("clik of a free body begins with the answer") {
