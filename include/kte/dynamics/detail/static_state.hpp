@@ -50,9 +50,8 @@ using record_number = std::conditional_t<has_plain_parameters<Plain, Chain>, Pla
 /// Coordinates, signals, and the frames that elements act on.
 template <class S, class Chain>
 class static_state {
-  using wiring = typename Chain::wiring;
-
  public:
+  using wiring = typename Chain::wiring;
   using scalar = S;
   using parameter = record_number<S, Chain>;
   using tree_type = chain_tree<parameter, const std::remove_cvref_t<decltype(static_plan<Chain>)>&>;
