@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint.hpp>
+#include <kte/detail/numbers_where.hpp>
 #include <kte/dynamics/detail/silent.hpp>
 #include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/static_chain.hpp>
@@ -106,23 +107,8 @@ inline constexpr bool is_known<Rates, motion<P, R, V, W, A, AL>> =
 template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
 struct writing;
 template <class Chain, std::size_t... E>
-struct writing<Chain, std::index_sequence<E...>> {
-  static constexpr std::size_t count = [] {
-    std::size_t n = 0;
-    for (const bool w : {has_output<core_of<Chain, E>>..., false}) n += w;
-    return n;
-  }();
-  static constexpr auto list = [] {
-    const bool writes[]{has_output<core_of<Chain, E>>..., false};
-    std::array<std::size_t, count> all{};
-    for (std::size_t e = 0, n = 0; n < count; ++e)
-      if (writes[e]) all[n++] = e;
-    return all;
-  }();
-  template <std::size_t... N>
-  static auto listed(std::index_sequence<N...>) -> std::index_sequence<list[N]...>;
-  using type = decltype(listed(std::make_index_sequence<count>{}));
-};
+struct writing<Chain, std::index_sequence<E...>>
+    : numbers_where<std::array<bool, sizeof...(E) + 1>{has_output<core_of<Chain, E>>...}> {};
 
 /// The types of what flows in one evaluation of a chain; `Given` is explained at `local_pass`.
 template <class Chain, class Given>
