@@ -105,9 +105,9 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
     if constexpr (stiff<place.element>) {
       return no_load<K>();
     } else if constexpr (puts_early<core_t<place.element>>) {
-      return boost::hana::at_c<place.index>(static_cast<const early<place.element>&>(*this).value);
+      return nth<place.index>(static_cast<const early<place.element>&>(*this).value);
     } else {
-      return boost::hana::at_c<place.index>(this->chain_.template core<place.element>().doForce(
+      return nth<place.index>(this->chain_.template core<place.element>().doForce(
           this->template get<K, Slot, types::template shown<place.element, 0>>()));
     }
   }

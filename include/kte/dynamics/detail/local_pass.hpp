@@ -133,8 +133,7 @@ class local_pass<Chain, Given, std::index_sequence<E...>>
   template <kind K, int Slot, std::size_t... N>
   KTE_INLINE constexpr auto sum(std::index_sequence<N...>) const {
     constexpr auto& places = loads_on<wiring, K, Slot>;
-    return (no_load<K>() + ... +
-            boost::hana::at_c<places[N].index>(static_cast<const loads<places[N].element>&>(*this).value));
+    return (no_load<K>() + ... + nth<places[N].index>(static_cast<const loads<places[N].element>&>(*this).value));
   }
 
  public:

@@ -206,7 +206,7 @@ struct local_types {
   template <std::size_t I, class Inputs = inputs<I>>
   struct loads;
   template <std::size_t I, std::size_t Index>
-  using load_at = std::remove_cvref_t<decltype(boost::hana::at_c<Index>(std::declval<typename loads<I>::type>()))>;
+  using load_at = std::remove_cvref_t<decltype(nth<Index>(std::declval<const typename loads<I>::type&>()))>;
   template <std::size_t I, std::size_t... P>
   struct loads<I, std::index_sequence<P...>> {
     using put = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
