@@ -185,6 +185,6 @@ static_assert(detail::load_index<signal_first, 1> == 0 && detail::load_index<sig
 static_assert(!detail::has_skip<double> && !detail::has_skip<vec3<>> && !detail::has_skip<wrench<vec3<>, zero3>>);
 static_assert(detail::has_skip<skip> && detail::has_skip<vec3<double, skip, double>>);
 static_assert(detail::has_skip<wrench<vec3<>, vec3<double, double, skip>>>);
-static_assert(detail::has_skip<boost::hana::tuple<double, skip>> && !detail::has_skip<boost::hana::tuple<double>>);
+static_assert(detail::has_skip<values<double, skip>> && !detail::has_skip<values<double>>);
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST_CASE("a motor within its torque-speed line", "[actuators]") {
   CHECK(at(2, 29) == 1);
   CHECK(at(2, 31) == -1);
   CHECK(at(2, -39) == 1);
-  CHECK(c.doForce(coordinate{zero, zero, zero, skip{}, skip{}}, zero)[boost::hana::size_c<0>] == 0);
+  CHECK(nth<0>(c.doForce(coordinate{zero, zero, zero, skip{}, skip{}}, zero)) == 0);
   CHECK(complaint([] {
           (void)torque_speed_motor_gen("q", "u", {.max_torque = 1, .max_speed = 0});
         }).find("max_speed must be finite and positive, got 0") != std::string::npos);

@@ -146,7 +146,7 @@ TEST_CASE("nor are derivatives NaN where the ends of a spring coincide", "[eleme
   const auto force = [](const auto& spring, double length) {
     frame_3D<sloped> a, b;
     b.position.x = sloped(length, 1);
-    const auto f = boost::hana::at_c<0>(spring.core.doForce(a, b)).force.x;
+    const auto f = nth<0>(spring.core.doForce(a, b)).force.x;
     return std::pair{f.value, f.slope};
   };
   const auto energy = [](const auto& spring) {

@@ -92,7 +92,7 @@ TEST_CASE("a spring with typed constants is limited too", "[elements][spring]") 
   CHECK(pull(spring_gen("a", "b", zero, 8.0, one), 7.0) == 1.0);
   const auto core = spring_gen("a", "b", one, one, 0.5).core;
   const coordinate rest{zero, zero, zero, one, zero};
-  CHECK(boost::hana::at_c<0>(core.doForce(rest, rest)) == -0.5);
+  CHECK(nth<0>(core.doForce(rest, rest)) == -0.5);
   CHECK(core.potential_energy(rest, rest) == 0.375);  // 0.5 N along 1 m, but for the first half
 }
 

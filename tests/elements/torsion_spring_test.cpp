@@ -195,7 +195,7 @@ TEST_CASE("a torsion spring has derivatives, at rest too", "[elements][torsion_s
     const double c = std::cos(angle), s = std::sin(angle);
     frame_3D<sloped> a, b;
     b.rotation = as<sloped>(matrix(rotation_2D{sloped(c, -s), sloped(s, c)}));
-    return boost::hana::at_c<0>(spring.core.doForce(a, b)).torque.z.slope;
+    return nth<0>(spring.core.doForce(a, b)).torque.z.slope;
   };
   for (const double angle : {0.0, 1e-200, 1e-20, 1e-8, 1e-3, 1.0, 3.0, -3.0}) {
     CHECK(std::abs(slope(torsion_spring_3D("a", "b", 4.0), angle) - 4.0) <= 4 * rounding<double>);

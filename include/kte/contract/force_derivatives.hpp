@@ -73,7 +73,7 @@ struct force_derivatives {
   void subtract(const Loads& loads) const {
     if constexpr (at<P>.what == kind::gen) {
       auto& r = state.work.of_forces;
-      subtract_variation<S>(boost::hana::at_c<load_index<Core, P>>(loads), r.by_q, r.by_v, r.by_a, row<P>(), row<L>());
+      subtract_variation<S>(nth<load_index<Core, P>>(loads), r.by_q, r.by_v, r.by_a, row<P>(), row<L>());
     }
   }
 };

@@ -3,11 +3,9 @@
 #include <kte/contract/checks.hpp>
 #include <kte/contract/port.hpp>
 #include <kte/contract/thing.hpp>
+#include <kte/detail/numbered.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/math/sincos.hpp>
-
-#include <boost/hana/at.hpp>
-#include <boost/hana/tuple.hpp>
 
 #include <utility>
 
@@ -42,8 +40,8 @@ KTE_INLINE constexpr const auto& rate_of_kept(const Rate& rate) {
   return rate;
 }
 template <std::size_t N, class... R>
-KTE_INLINE constexpr const auto& rate_of_kept(const boost::hana::tuple<R...>& rates) {
-  return boost::hana::at_c<N>(rates);
+KTE_INLINE constexpr const auto& rate_of_kept(const values<R...>& rates) {
+  return nth<N>(rates);
 }
 
 /// A motion or a coordinate without its accelerations, as elements that write signals see it.
@@ -65,7 +63,7 @@ inline constexpr bool has_skip<vec3<X, Y, Z>> = has_skip<X> || has_skip<Y> || ha
 template <class F, class T>
 inline constexpr bool has_skip<wrench<F, T>> = has_skip<F> || has_skip<T>;
 template <class... L>
-inline constexpr bool has_skip<boost::hana::tuple<L...>> = (has_skip<L> || ...);
+inline constexpr bool has_skip<values<L...>> = (has_skip<L> || ...);
 
 /// Where the ports of an element lead, as a list of indices.
 struct by_index {
@@ -272,9 +270,9 @@ struct stored_element {
     if constexpr (at<P>.what == kind::gen) {
       auto& x = stored<P>();
       using S = std::remove_cvref_t<decltype(x.f)>;
-      x.f = S(x.f + boost::hana::at_c<load_index<Core, P>>(l));  // parameters may be of more digits
+      x.f = S(x.f + nth<load_index<Core, P>>(l));  // parameters may be of more digits
     } else if constexpr (!is_signal(at<P>.what)) {
-      add_load(stored<P>(), boost::hana::at_c<load_index<Core, P>>(l));
+      add_load(stored<P>(), nth<load_index<Core, P>>(l));
     }
   }
   template <std::size_t P>

@@ -1,26 +1,27 @@
 #pragma once
 
 #include <kte/contract/element.hpp>
+#include <kte/detail/numbered.hpp>
 #include <kte/frames/motion.hpp>
 
-#include <boost/hana/tuple.hpp>
+#include <type_traits>
 
 namespace kte {
 
 /// The loads an element puts on its input ports, in their order: a number for a coordinate (N or Nm, along it), a
 /// wrench for a frame (at its origin, in its axes). Signals (inputs, internal states) get none.
 template <class... L>
-using loads = boost::hana::tuple<L...>;
+using loads = values<L...>;
 
 template <class... L>
 KTE_INLINE constexpr auto make_loads(const L&... l) {
-  return boost::hana::tuple<L...>{l...};
+  return values<L...>{{{l}...}};
 }
 
 /// The rates that `z_dot` of an element with several internal states gives, in their order.
 template <class... R>
 KTE_INLINE constexpr auto make_rates(const R&... r) {
-  return boost::hana::tuple<R...>{r...};
+  return values<R...>{{{r}...}};
 }
 
 namespace detail {

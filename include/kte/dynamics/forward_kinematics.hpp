@@ -15,9 +15,12 @@ KTE_INLINE constexpr auto motion_by(const Chain& c, const Given& g, std::index_s
   if constexpr (writes_freely<core_of<Chain, I>>) {
     return Types::template written_freely<I>(
         c.template core<I>(), motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...);
-  } else {
-    return Types::template finish<I>(c.template core<I>().doMotion(
+  } else if constexpr (Types::template turns<I>) {
+    return with_angle(c.template core<I>().doMotion(
         motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...));
+  } else {
+    return c.template core<I>().doMotion(
+        motion_of<Types, Types::template what<I, P>, Chain::wiring::slot(I, P)>(c, g)...);
   }
 }
 template <class Types, kind K, int Slot, class Chain, class Given>

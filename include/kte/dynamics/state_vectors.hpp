@@ -20,18 +20,46 @@ KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
   };
   all(std::make_index_sequence<wiring::freedoms>{});
 }
-/// The same in a loop, for states that list their `freedoms()`.
+/// Whether a state may have things of kind K. States of static chains know, and nothing is instantiated for what they
+/// have not.
+template <class State, kind K>
+inline constexpr bool may_have = [] {
+  if constexpr (requires { typename State::wiring; }) {
+    return State::wiring::count(K) > 0;
+  } else {
+    return true;
+  }
+}();
+/// visit(coordinate `slot` of kind k).
+template <class State, class Visit>
+KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) {
+  switch (k) {
+    case kind::gen:
+      if constexpr (may_have<State, kind::gen>) visit(s.template get<kind::gen>(slot));
+      return;
+    case kind::rotation_3D:
+      if constexpr (may_have<State, kind::rotation_3D>) visit(s.template get<kind::rotation_3D>(slot));
+      return;
+    case kind::pose_2D:
+      if constexpr (may_have<State, kind::pose_2D>) visit(s.template get<kind::pose_2D>(slot));
+      return;
+    default:
+      if constexpr (may_have<State, kind::pose_3D>) visit(s.template get<kind::pose_3D>(slot));
+  }
+}
+/// visit(frame `index` of kind k).
+template <class State, class Visit>
+KTE_INLINE void with_frame(State& s, kind k, int index, const Visit& visit) {
+  if (k == kind::frame_2D) {
+    if constexpr (may_have<State, kind::frame_2D>) visit(s.template get<kind::frame_2D>(index));
+  } else {
+    if constexpr (may_have<State, kind::frame_3D>) visit(s.template get<kind::frame_3D>(index));
+  }
+}
+/// `for_each_freedom` in a loop, for states that list their `freedoms()`.
 template <class State, class Visit>
 void for_each_listed_freedom(State& s, const Visit& visit) {
-  for (const freedom& f : s.freedoms())
-    if (f.what == kind::gen) [[likely]]
-      visit(s.template get<kind::gen>(f.slot), f);
-    else if (f.what == kind::rotation_3D)
-      visit(s.template get<kind::rotation_3D>(f.slot), f);
-    else if (f.what == kind::pose_2D)
-      visit(s.template get<kind::pose_2D>(f.slot), f);
-    else
-      visit(s.template get<kind::pose_3D>(f.slot), f);
+  for (const freedom& f : s.freedoms()) with_coordinate(s, f.what, f.slot, [&](auto& c) { visit(c, f); });
 }
 /// Which numbers of a coordinate, and where they begin in a vector.
 enum class vector_of { q, v, a, f };

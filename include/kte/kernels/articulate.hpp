@@ -72,7 +72,7 @@ KTE_INLINE constexpr auto for_axes(const F& f) {
 }
 template <int K, class T>
 KTE_INLINE constexpr const auto& axis_at(const T& t) {
-  return boost::hana::at_c<std::size_t{K}>(t);
+  return nth<std::size_t{K}>(t);
 }
 /// I - U gain^T
 template <int K, int N, class I, class U, class G>

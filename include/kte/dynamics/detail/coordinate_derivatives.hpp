@@ -72,8 +72,8 @@ class coordinate_derivatives {
   template <std::size_t I, std::size_t P, std::size_t L, class Loads>
   KTE_INLINE void put(const Loads& loads) const {
     if constexpr (free<I, P>)
-      subtract_variation<S>(boost::hana::at_c<load_index<typename types::template core<I>, P>>(loads), by_q, by_v, by_a,
-                            row<I, P>, row<I, L>);
+      subtract_variation<S>(nth<load_index<typename types::template core<I>, P>>(loads), by_q, by_v, by_a, row<I, P>,
+                            row<I, L>);
   }
 };
 

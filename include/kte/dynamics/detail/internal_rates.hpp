@@ -77,7 +77,11 @@ class outside {
 template <class Chain, class Given>
 struct inside : local_motion<Chain, Given> {
   using local_motion<Chain, Given>::local_motion;
-  using local_motion<Chain, Given>::seen;
+  using typename local_motion<Chain, Given>::types;
+  template <std::size_t I, std::size_t P>
+  decltype(auto) seen() const {
+    return this->template get<types::template what<I, P>, Chain::wiring::slot(I, P), types::template shown<I, P>>();
+  }
 };
 
 /// z_dot[i] of every internal state i, at what elements see.

@@ -19,12 +19,37 @@ inline constexpr bool gives_way_under = [] {
   }
 }();
 
+/// What an element puts that has several ports; that of one with a single port is made when it is wanted.
+template <class Core>
+inline constexpr bool puts_early = !is_transmission<Core> && (port_count<Core> > 1);
+template <class Types, std::size_t I>
+struct early_loads {
+  static constexpr bool usable = true;
+};
+template <class Types, std::size_t I>
+requires puts_early<typename Types::template core<I>>
+struct early_loads<Types, I> {
+  static constexpr bool usable = Types::template loads<I>::usable;
+  typename Types::template loads<I>::type value{};
+};
+/// How joint I answers forces, if it moves under them.
+template <class S, class Chain, class Given, std::size_t I>
+struct response_of {};
+template <class S, class Chain, class Given, std::size_t I>
+requires gives_way_under<Chain, Given, I>
+struct response_of<S, Chain, Given, I> {
+  joint_response<S, joint_dofs<core_of<Chain, I>>> value{};
+};
+
 /// Articulated inertias up the tree, accelerations down the tree. `Given` has positions and rates (`rates_only`).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class local_articulated;
 
 template <class S, class Chain, class Given, std::size_t... E>
-class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected local_motion<Chain, Given> {
+class local_articulated<S, Chain, Given, std::index_sequence<E...>>
+    : protected local_motion<Chain, Given>,
+      protected early_loads<local_types<Chain, Given>, E>...,
+      protected response_of<S, Chain, Given, E>... {
  protected:
   using typename local_motion<Chain, Given>::types;
   using typename local_motion<Chain, Given>::wiring;
@@ -65,36 +90,25 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     (void)done;
   }
 
-  // ---- what elements put on frames and coordinates: that of an element with a single port is made when it is wanted
+  // ---- what elements put on frames and coordinates
   template <std::size_t I>
-  static constexpr bool waits = !stiff<I> && port_count<core_t<I>> > 1;
-  template <std::size_t I>
-  struct load_of_element {
-    static constexpr bool usable = true;
-    using type = nothing;
-  };
-  template <std::size_t I>
-  requires(waits<I>) struct load_of_element<I> {
-    static constexpr bool usable = types::template loads<I>::usable;
-    using type = typename types::template loads<I>::type;
-  };
+  using early = early_loads<types, I>;
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
-    if constexpr (waits<I>) {
-      if constexpr (load_of_element<I>::usable)
-        boost::hana::at_c<I>(loads_) = this->chain_.template core<I>().doForce(this->template seen<I, P>()...);
-    }
+    if constexpr (puts_early<core_t<I>> && early<I>::usable)
+      static_cast<early<I>&>(*this).value = this->chain_.template core<I>().doForce(
+          this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
   }
   template <kind K, int Slot, std::size_t N>
   KTE_INLINE constexpr auto load() const {
     constexpr auto place = loads_on<wiring, K, Slot>[N];
     if constexpr (stiff<place.element>) {
       return no_load<K>();
-    } else if constexpr (waits<place.element>) {
-      return boost::hana::at_c<place.index>(boost::hana::at_c<place.element>(loads_));
+    } else if constexpr (puts_early<core_t<place.element>>) {
+      return nth<place.index>(static_cast<const early<place.element>&>(*this).value);
     } else {
-      return boost::hana::at_c<place.index>(
-          this->chain_.template core<place.element>().doForce(this->template seen<place.element, 0>()));
+      return nth<place.index>(this->chain_.template core<place.element>().doForce(
+          this->template get<K, Slot, types::template shown<place.element, 0>>()));
     }
   }
   template <kind K, int Slot, std::size_t... N>
@@ -121,13 +135,9 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   template <std::size_t I>
   static constexpr int row_of = wiring::template at<kind_of<I>, slot_of<I>>.v;
   template <std::size_t I>
-  struct response_of_element {
-    using type = nothing;
-  };
-  template <std::size_t I>
-  requires(yields<I>) struct response_of_element<I> {
-    using type = joint_response<S, joint_dofs<core_t<I>>>;
-  };
+  KTE_INLINE constexpr auto& response() {
+    return static_cast<response_of<S, Chain, Given, I>&>(*this).value;
+  }
   /// The further mass on the coordinate of joint I.
   template <std::size_t I>
   KTE_INLINE constexpr auto mass_on() const {
@@ -181,8 +191,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
       unmoved_.at(number_of_freedom<k, slot>);
       return carried_by_joint<S>(
           this->chain_.template core<I>(), this->template joint_coordinate<I>(), bias<I>(), b,
-          [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(),
-          boost::hana::at_c<I>(responses_), unmoved_);
+          [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(), response<I>(),
+          unmoved_);
     } else {
       return carried_stiffly(this->template joint_pose<I>(), bias<I>(), b);
     }
@@ -210,10 +220,10 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
     const auto before = carried_acceleration(this->template joint_pose<I>(), bias<I>(), base);
     if constexpr (yields<I>) {
       constexpr int v = wiring::template at<kind_of<I>, slot_of<I>>.v;
-      accelerate_all<k, end>(accelerated(this->chain_.template core<I>(), this->template joint_coordinate<I>(),
-                                         boost::hana::at_c<I>(responses_), mass_on<I>(), before,
-                                         [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
-                             readers<k, end>);
+      accelerate_all<k, end>(
+          accelerated(this->chain_.template core<I>(), this->template joint_coordinate<I>(), response<I>(),
+                      mass_on<I>(), before, [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
+          readers<k, end>);
     } else {
       if constexpr (gives_way<Chain, I>) put_given<I>(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
       accelerate_all<k, end>(before, readers<k, end>);
@@ -253,11 +263,9 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>> : protected 
   const vector* tau_ = nullptr;
   vector* a_ = nullptr;
   unmoved unmoved_;
-  boost::hana::tuple<typename load_of_element<E>::type...> loads_;
-  boost::hana::tuple<typename response_of_element<E>::type...> responses_;
 
  public:
-  using need = typename types::template need<first_false({load_of_element<E>::usable..., false})>::type;  // local_pass
+  using need = typename types::template need<first_false({early<E>::usable..., false})>::type;  // local_pass
 };
 
 }  // namespace kte::detail

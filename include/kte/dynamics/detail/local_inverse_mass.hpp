@@ -77,7 +77,7 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   KTE_INLINE void load_down(const W& load, std::array<S, std::size_t{axes<I>}> force, vector& left, vector& rate) {
     constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, port_count<core_t<I>> - 2));
     if constexpr (yields<I>) {
-      auto& response = boost::hana::at_c<I>(this->responses_);
+      auto& response = this->template response<I>();
       const auto w = transmitted_by_joint<S>(this->chain_.template core<I>(), base::template joint_coordinate<I>(),
                                              base::template mass_on<I>(), load, force, response);
       for (int n = 0; n < axes<I>; ++n) {

@@ -6,34 +6,44 @@
 /// has its own type, with typed constants and `skip` where nothing is to be computed, and lives in registers.
 namespace kte::detail {
 
+/// What an evaluation is of, for bases that are made by it.
+template <class Chain, class Given>
+struct local_source {
+  const Chain& chain_;
+  const Given& given_;
+};
+
 /// The motion of a chain on local variables. `Given` says what comes from outside:
 ///   given.template coordinate<K, i>()  coordinate i of kind K, which is a degree of freedom (or several)
 ///   given.template fixed<i>()          coordinate i, which no element writes and which is no degree of freedom
 ///   given.template base<K, i>()        frame i of kind K, which no element writes
 ///   given.template input<i>()          input i, which no element writes; vector<i>() of three numbers
-template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
+template <class Chain, class Given, class Elements = typename writing<Chain>::type>
 class local_motion;
 
 template <class Chain, class Given, std::size_t... E>
-class local_motion<Chain, Given, std::index_sequence<E...>> {
+class local_motion<Chain, Given, std::index_sequence<E...>>
+    : protected local_source<Chain, Given>, protected local_types<Chain, Given>::template written<E>... {
  protected:
   using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
+  template <std::size_t I>
+  using written = typename types::template written<I>;
 
  public:
   /// doMotion of all elements.
-  KTE_INLINE constexpr local_motion(const Chain& c, const Given& g) : chain_(c), given_(g) {
-    const int done[]{(move<E>(typename types::template inputs<E>{}), 0)..., 0};
-    (void)done;
-  }
+  KTE_INLINE constexpr local_motion(const Chain& c, const Given& g)
+      : local_source<Chain, Given>{c, g}, written<E>{move<E>(typename types::template inputs<E>{})}... {}
   /// Thing Slot of kind K: a coordinate, a frame, an input.
-  template <kind K, int Slot>
+  template <kind K, int Slot, view V = view::whole>
   KTE_INLINE constexpr decltype(auto) get() const {
     constexpr int writer = types::template writer<K, Slot>;
-    if constexpr (writer >= 0) {
-      return (boost::hana::at_c<std::size_t{writer}>(motions_));
+    if constexpr (V != view::whole) {
+      return viewed<V>(get<K, Slot>());
+    } else if constexpr (writer >= 0) {
+      return (static_cast<const written<std::size_t{writer}>&>(*this).value);
     } else {
-      return types::template given<K, Slot>(given_);
+      return types::template given<K, Slot>(this->given_);
     }
   }
 
@@ -46,91 +56,89 @@ class local_motion<Chain, Given, std::index_sequence<E...>> {
   template <std::size_t I>
   KTE_INLINE constexpr auto joint_pose() const {
     if constexpr (coordinates_of<typename types::template core<I>> == 0) {
-      return chain_.template core<I>().relative();
+      return this->chain_.template core<I>().relative();
     } else {
-      return chain_.template core<I>().relative(position_only(joint_coordinate<I>()));
+      return this->chain_.template core<I>().relative(position_only(joint_coordinate<I>()));
     }
   }
   /// Axis N of joint I, in axes of its end.
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto joint_axis() const {
-    return axis_of<N>(chain_.template core<I>(), joint_coordinate<I>());
+    return axis_of<N>(this->chain_.template core<I>(), joint_coordinate<I>());
   }
-
- protected:
-  /// What port P of element I sees.
-  template <std::size_t I, std::size_t P>
-  KTE_INLINE constexpr decltype(auto) seen() const {
-    constexpr kind k = types::template what<I, P>;
-    if constexpr (types::template as_it_is<I, k>) {
-      return get<k, wiring::slot(I, P)>();
-    } else {
-      return types::template shown<I, k>(get<k, wiring::slot(I, P)>());
-    }
-  }
-  const Chain& chain_;
-  const Given& given_;
 
  private:
   template <std::size_t I, std::size_t... P>
-  KTE_INLINE constexpr void move(std::index_sequence<P...>) {
-    if constexpr (has_output<typename types::template core<I>>)
-      boost::hana::at_c<I>(motions_) = types::template finish<I>(chain_.template core<I>().doMotion(seen<I, P>()...));
+  KTE_INLINE constexpr typename written<I>::type move(std::index_sequence<P...>) const {
+    const auto& core = this->chain_.template core<I>();
+    if constexpr (writes_freely<typename types::template core<I>>) {
+      return types::template written_freely<I>(
+          core, get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
+    } else if constexpr (types::template turns<I>) {
+      return with_angle(
+          core.doMotion(get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...));
+    } else {
+      return core.doMotion(get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
+    }
   }
-  boost::hana::tuple<typename types::template written<E>::type...> motions_;
 };
 
 /// Motion, then forces, of a chain on local variables.
 template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class local_pass;
 
+/// Loads are its bases from the last element to the first: made in this order, and none of their types has to wait for
+/// a long row of others, as compilers limit the depth of templates.
 template <class Chain, class Given, std::size_t... E>
-class local_pass<Chain, Given, std::index_sequence<E...>> : public local_motion<Chain, Given> {
+class local_pass<Chain, Given, std::index_sequence<E...>>
+    : public local_motion<Chain, Given>, local_types<Chain, Given>::template loads<Chain::size - 1 - E>... {
  protected:
   using typename local_motion<Chain, Given>::types;
   using typename local_motion<Chain, Given>::wiring;
+  template <std::size_t I>
+  using loads = typename types::template loads<I>;
 
  public:
   using chain_type = Chain;
   /// doMotion, then doForce of all elements.
-  KTE_INLINE constexpr local_pass(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
+  KTE_INLINE constexpr local_pass(const Chain& c, const Given& g)
+      : local_motion<Chain, Given>(c, g),
+        loads<Chain::size - 1 - E>{
+            push<Chain::size - 1 - E>(typename types::template inputs<Chain::size - 1 - E>{})}... {
     static_assert(sizeof(need) > 0);
-    const int done[]{(push<Chain::size - 1 - E>(typename types::template inputs<Chain::size - 1 - E>{}), 0)..., 0};
-    (void)done;
   }
   /// The sum of the loads that elements have put on thing Slot of kind K.
   template <kind K, int Slot>
   KTE_INLINE constexpr auto load() const {
-    return sum<K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+    return sum<K, Slot>(typename types::template readers<K, Slot>{});
   }
 
  private:
   template <std::size_t I, std::size_t... P>
-  KTE_INLINE constexpr void push(std::index_sequence<P...>) {
-    const auto& core = this->chain_.template core<I>();
-    if constexpr (writes_signal<typename types::template core<I>>) {
-      (void)core;
-    } else if constexpr (has_output<typename types::template core<I>>) {
-      boost::hana::at_c<I>(loads_) = core.doForce(
-          this->template seen<I, P>()..., load<types::template output_kind<I>, types::template output_slot<I>>());
-    } else if constexpr (types::template loads<I>::usable) {
-      boost::hana::at_c<I>(loads_) = core.doForce(this->template seen<I, P>()...);
+  KTE_INLINE constexpr typename loads<I>::type push(std::index_sequence<P...>) const {
+    using core = typename types::template core<I>;
+    if constexpr (writes_signal<core> || !loads<I>::usable) {
+      return {};
+    } else if constexpr (has_output<core>) {
+      constexpr kind k = types::template output_kind<I>;
+      constexpr int slot = types::template output_slot<I>;
+      return this->chain_.template core<I>().doForce(
+          this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...,
+          sum<k, slot>(typename types::template readers<k, slot>{}));
+    } else {
+      return this->chain_.template core<I>().doForce(
+          this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
     }
   }
   template <kind K, int Slot, std::size_t... N>
   KTE_INLINE constexpr auto sum(std::index_sequence<N...>) const {
     constexpr auto& places = loads_on<wiring, K, Slot>;
-    return (no_load<K>() + ... + boost::hana::at_c<places[N].index>(boost::hana::at_c<places[N].element>(loads_)));
+    return (no_load<K>() + ... + nth<places[N].index>(static_cast<const loads<places[N].element>&>(*this).value));
   }
-
-  // Asks for the types from the last element to the first, so that none has to wait for a long row of others: compilers
-  // limit the depth of templates.
-  static_assert(sizeof(void (*)(typename types::template loads<Chain::size - 1 - E>::type*...)) > 0);
-  boost::hana::tuple<typename types::template loads<E>::type...> loads_;
 
  public:
   /// A rule about what elements need. Functions that users call ask for it, so that little stands above its sentence.
-  using need = typename types::template need<first_false({types::template loads<E>::usable..., false})>::type;
+  using need = typename types::template need<first_false({loads<E>::usable..., false})>::type;
 };
 
 }  // namespace kte::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint.hpp>
+#include <kte/detail/numbers_where.hpp>
 #include <kte/dynamics/detail/silent.hpp>
 #include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/static_chain.hpp>
@@ -58,6 +59,41 @@ KTE_INLINE constexpr auto with_angle(const coordinate<Q, QD, QDD, C, S>& c) {
   }
 }
 
+template <bool Turns, class C>
+struct with_angle_if {
+  using type = C;
+};
+template <class C>
+struct with_angle_if<true, C> {
+  using type = decltype(with_angle(std::declval<const C&>()));
+};
+
+/// What an element sees of a thing.
+enum class view { whole, no_accelerations, rates };
+/// By an element that knows no accelerations, or where only rates are wanted: then frames have none.
+constexpr view view_of(kind k, bool knows_none, bool rates_only) {
+  if (is_signal(k)) return view::whole;
+  if (knows_none) return view::no_accelerations;
+  return is_frame(k) && rates_only ? view::rates : view::whole;
+}
+template <view V, class M>
+KTE_INLINE constexpr auto viewed(const M& m) {
+  if constexpr (V == view::no_accelerations) {
+    return without_accelerations(m);
+  } else {
+    static_assert(V == view::rates);
+    return motion{m.position, m.rotation, m.velocity, m.ang_velocity, zero3{}, zero3{}};
+  }
+}
+template <view V, class T>
+struct viewed_type {
+  using type = decltype(viewed<V>(std::declval<const T&>()));
+};
+template <class T>
+struct viewed_type<view::whole, T> {
+  using type = T;
+};
+
 /// Whether positions, and on request rates, of what an element sees are evaluated.
 template <bool Rates, class X>
 inline constexpr bool is_known = !has_skip<X>;
@@ -66,6 +102,13 @@ inline constexpr bool is_known<Rates, coordinate<Q, QD, QDD, C, S>> = !has_skip<
 template <bool Rates, class P, class R, class V, class W, class A, class AL>
 inline constexpr bool is_known<Rates, motion<P, R, V, W, A, AL>> =
     !has_skip<P> && !has_skip<R> && (!Rates || (!has_skip<V> && !has_skip<W>));
+
+/// The elements of a chain that write something, as an index_sequence.
+template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
+struct writing;
+template <class Chain, std::size_t... E>
+struct writing<Chain, std::index_sequence<E...>>
+    : numbers_where<std::array<bool, sizeof...(E) + 1>{has_output<core_of<Chain, E>>...}> {};
 
 /// The types of what flows in one evaluation of a chain; `Given` is explained at `local_pass`.
 template <class Chain, class Given>
@@ -102,17 +145,12 @@ struct local_types {
   template <kind K, int Slot>
   static constexpr int writer = K == kind::internal ? -1 : wiring::writer(K, Slot);
 
-  /// A coordinate that turns a joint gets its sine and cosine.
-  template <std::size_t I, class M>
-  KTE_INLINE static constexpr auto finish(const M& m) {
-    if constexpr (output_kind<I> == kind::gen && wiring::angle(output_slot<I>)) {
-      return with_angle(m);
-    } else {
-      return m;
-    }
-  }
+  /// Whether element I writes a coordinate that turns a joint: it gets its sine and cosine.
+  template <std::size_t I>
+  static constexpr bool turns = output_kind<I> == kind::gen&& wiring::angle(output_slot<I>);
 
-  /// What doMotion of element I gives, `nothing` if it writes nothing.
+  /// What doMotion of element I gives; there is none if it writes nothing. A pass has these as its bases: tuples, whose
+  /// constructors and functions compilers have to make for each chain, cost more than all else.
   template <std::size_t I, class Inputs = inputs<I>>
   struct written {
     using type = nothing;
@@ -126,39 +164,18 @@ struct local_types {
   requires(writer<K, Slot> < 0) struct thing<K, Slot> {
     using type = std::remove_cvref_t<decltype(given<K, Slot>(std::declval<const Given&>()))>;
   };
-  /// A frame without accelerations, which elements see where only rates are wanted.
-  template <kind K>
-  static constexpr bool rates_only_of = is_frame(K) && Given::rates_only;
-  template <class M>
-  KTE_INLINE static constexpr auto rates_of(const M& m) {
-    return motion{m.position, m.rotation, m.velocity, m.ang_velocity, zero3{}, zero3{}};
-  }
-  /// How element I sees a thing of kind K.
-  template <std::size_t I, kind K>
-  static constexpr bool as_it_is = is_signal(K) ||
-                                   (!rates_only_of<K> && (!writes_signal<core<I>> || reads_accelerations<core<I>>));
-  template <std::size_t I, kind K, class M>
-  KTE_INLINE static constexpr auto shown(const M& m) {
-    if constexpr (writes_signal<core<I>> && !reads_accelerations<core<I>>) {
-      return without_accelerations(m);
-    } else {
-      return rates_of(m);
-    }
-  }
-  template <std::size_t I, kind K, class T>
-  struct shown_type {
-    using type = decltype(shown<I, K>(std::declval<const T&>()));
-  };
-  template <std::size_t I, kind K, class T>
-  requires(as_it_is<I, K>) struct shown_type<I, K, T> {
-    using type = T;
-  };
+  /// How element I sees what port P leads to.
   template <std::size_t I, std::size_t P>
-  using seen = typename shown_type<I, what<I, P>, typename thing<what<I, P>, wiring::slot(I, P)>::type>::type;
+  static constexpr view shown = view_of(what<I, P>, writes_signal<core<I>> && !reads_accelerations<core<I>>,
+                                        Given::rates_only);
+  template <std::size_t I, std::size_t P>
+  using seen = typename viewed_type<shown<I, P>, typename thing<what<I, P>, wiring::slot(I, P)>::type>::type;
 
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>> && !writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
-    using type = decltype(finish<I>(std::declval<const core<I>&>().doMotion(std::declval<const seen<I, P>&>()...)));
+    using moved = decltype(std::declval<const core<I>&>().doMotion(std::declval<const seen<I, P>&>()...));
+    using type = typename with_angle_if<turns<I>, std::remove_cvref_t<moved>>::type;
+    type value;
   };
   /// What doMotion gives of an element that writes freely: it is asked only where all is known that it may read.
   template <std::size_t I, class... Seen>
@@ -178,24 +195,30 @@ struct local_types {
   requires(writes_freely<core<I>>) struct written<I, std::index_sequence<P...>> {
     using type = decltype(local_types::template written_freely<I>(std::declval<const core<I>&>(),
                                                                   std::declval<const seen<I, P>&>()...));
+    type value;
   };
+  /// The numbers of the loads on a thing.
+  template <kind K, int Slot>
+  using readers = std::make_index_sequence<loads_on<wiring, K, Slot>.size()>;
   /// The sum of the loads on a thing, and what doForce of element I gives.
   template <kind K, int Slot>
   struct total;
   template <std::size_t I, class Inputs = inputs<I>>
   struct loads;
   template <std::size_t I, std::size_t Index>
-  using load_at = std::remove_cvref_t<decltype(boost::hana::at_c<Index>(std::declval<typename loads<I>::type>()))>;
+  using load_at = std::remove_cvref_t<decltype(nth<Index>(std::declval<const typename loads<I>::type&>()))>;
   template <std::size_t I, std::size_t... P>
   struct loads<I, std::index_sequence<P...>> {
     using put = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...));
     static constexpr bool usable = !has_skip<put>;
     using type = typename std::conditional_t<usable, std::type_identity<put>, no_loads<core<I>>>::type;
+    type value;
   };
   template <std::size_t I, std::size_t... P>
   requires(writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
     static constexpr bool usable = true;
     using type = typename no_loads<core<I>>::type;
+    type value;
   };
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>> && !writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
@@ -203,6 +226,7 @@ struct local_types {
     using load = typename total<output_kind<I>, output_slot<I>>::type;
     using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
                                                                  std::declval<const load&>()));
+    type value;
   };
   /// The rule that element I, the first whose forces depend on what is left out, has broken; none is where I is `size`.
   template <std::size_t I>
@@ -219,7 +243,7 @@ struct local_types {
     static auto sum(std::index_sequence<I...>) -> decltype((
         no_load<K>() + ... +
         std::declval<load_at<loads_on<wiring, K, Slot>[I].element, loads_on<wiring, K, Slot>[I].index>>()));
-    using type = decltype(sum(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{}));
+    using type = decltype(sum(readers<K, Slot>{}));
   };
 };
 

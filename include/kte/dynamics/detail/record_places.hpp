@@ -9,21 +9,7 @@
 /// dynamics/detail/record_loops.hpp.
 namespace kte::detail {
 
-/// visit(coordinate `slot` of kind k).
-template <class State, class Visit>
-KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) {
-  switch (k) {
-    case kind::gen:
-      return visit(s.template get<kind::gen>(slot));
-    case kind::rotation_3D:
-      return visit(s.template get<kind::rotation_3D>(slot));
-    case kind::pose_2D:
-      return visit(s.template get<kind::pose_2D>(slot));
-    default:
-      return visit(s.template get<kind::pose_3D>(slot));
-  }
-}
-/// The same of a record.
+/// visit(coordinate of a record).
 template <class State, class P, class Visit>
 KTE_INLINE void with_coordinate(State& s, const tree::record<P>& r, const Visit& visit) {
   with_coordinate(s, r.what, r.slot, visit);
@@ -162,10 +148,7 @@ void for_each_base(State& s, const Visit& visit) {
   for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
     const auto [k, index] = t.plan.bases[i];
     const auto slot = static_cast<std::size_t>(t.slot_of_base[i]);
-    if (k == kind::frame_2D)
-      visit(spatial(s.template get<kind::frame_2D>(index)), slot);
-    else
-      visit(spatial(s.template get<kind::frame_3D>(index)), slot);
+    with_frame(s, k, index, [&](const auto& x) { visit(spatial(x), slot); });
   }
 }
 /// The axes of the base at a slot.

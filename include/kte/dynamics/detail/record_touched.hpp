@@ -10,6 +10,10 @@
 /// dynamics/detail/record_loops.hpp.
 namespace kte::detail {
 
+template <class State>
+void clear_frame(State& s, kind k, int index) {
+  with_frame(s, k, index, [](auto& x) { clear_load(x); });
+}
 /// Frames that elements act on, where their bodies have them.
 template <class State>
 void place_touched_frames(State& s, bool accelerated) {
@@ -21,40 +25,31 @@ void place_touched_frames(State& s, bool accelerated) {
     const auto& place = s.work.world[static_cast<std::size_t>(at.slot)];
     if (at.slot < t.forest.bases) {  // its own motion is in the state, unless it is fixed to the base by links
       if (std::find(t.plan.bases.begin(), t.plan.bases.end(), std::pair{k, index}) != t.plan.bases.end()) {
-        if (k == kind::frame_2D)
-          clear_load(s.template get<kind::frame_2D>(index));
-        else
-          clear_load(s.template get<kind::frame_3D>(index));
+        clear_frame(s, k, index);
         continue;
       }
     }
     tree::body_motion<S> moves = b;
     if (!accelerated) moves.acceleration = moves.ang_acceleration = {};
     const auto m = motion_of_frame(place, moves, at.at);
-    if (k == kind::frame_2D) {
-      auto& x = s.template get<kind::frame_2D>(index);
-      const auto flat = [](const vec3<S>& u) { return vec3{u.x, u.y, zero}; };
-      const auto normal = [](const vec3<S>& u) { return vec3{zero, zero, u.z}; };
-      set_motion(x, motion{flat(m.position), rotation_2D{m.rotation.x.x, m.rotation.y.x}, flat(m.velocity),
-                           normal(m.ang_velocity), flat(m.acceleration), normal(m.ang_acceleration)});
+    with_frame(s, k, index, [&m](auto& x) {
+      if constexpr (requires { x.rotation.x; }) {
+        set_motion(x, m);
+      } else {
+        const auto flat = [](const vec3<S>& u) { return vec3{u.x, u.y, zero}; };
+        const auto normal = [](const vec3<S>& u) { return vec3{zero, zero, u.z}; };
+        set_motion(x, motion{flat(m.position), rotation_2D{m.rotation.x.x, m.rotation.y.x}, flat(m.velocity),
+                             normal(m.ang_velocity), flat(m.acceleration), normal(m.ang_acceleration)});
+      }
       clear_load(x);
-    } else {
-      auto& x = s.template get<kind::frame_3D>(index);
-      set_motion(x, m);
-      clear_load(x);
-    }
+    });
   }
 }
 /// Frames and signals that elements write when bodies are in place.
 template <class Elements, class State>
 void move_late(const Elements& c, State& s) {
   for (const int e : s.tree().late) c.move(e, s);
-  for (const auto& [k, index] : s.tree().written) {
-    if (k == kind::frame_2D)
-      clear_load(s.template get<kind::frame_2D>(index));
-    else
-      clear_load(s.template get<kind::frame_3D>(index));
-  }
+  for (const auto& [k, index] : s.tree().written) clear_frame(s, k, index);
 }
 /// f(slot, wrench at the origin of its body) for what elements put on frames.
 template <class State, class F>
@@ -65,13 +60,10 @@ void for_each_frame_load(State& s, const F& f) {
     const auto& at = t.forest.frame(k, index);
     if (at.slot < t.forest.bases) continue;
     tree::dense_wrench<S> w;
-    if (k == kind::frame_2D) {
-      const auto x = load_of(s.template get<kind::frame_2D>(index));
-      w = {as<S>(x.force), as<S>(x.torque)};
-    } else {
-      const auto x = load_of(s.template get<kind::frame_3D>(index));
-      w = {x.force, x.torque};
-    }
+    with_frame(s, k, index, [&w](const auto& x) {
+      const auto load = load_of(x);
+      w = {as<S>(load.force), as<S>(load.torque)};
+    });
     const auto seen = transmit(at.at, w);
     f(static_cast<std::size_t>(at.slot), tree::dense_wrench<S>{as<S>(seen.force), as<S>(seen.torque)});
   }

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <kte/contract/transmission.hpp>
-
-#include <boost/hana/flatten.hpp>
+#include <kte/detail/numbers_where.hpp>
 
 #include <utility>
 
@@ -18,6 +17,9 @@ constexpr auto no_load() {
   }
 }
 
+template <class Core>
+struct no_loads;
+
 /// An element that puts no loads.
 template <class Core>
 struct silent {
@@ -26,29 +28,28 @@ struct silent {
 
   template <class... Inputs>
   KTE_INLINE constexpr auto doForce(const Inputs&...) const {
-    return none(std::make_index_sequence<sizeof...(Inputs)>{});
-  }
-
-  template <std::size_t... P>
-  KTE_INLINE static constexpr auto none(std::index_sequence<P...>) {
-    return boost::hana::flatten(boost::hana::make_tuple(none<P>()...));
+    return none(loaded{});
   }
 
  private:
-  template <std::size_t P>
-  KTE_INLINE static constexpr auto none() {
-    if constexpr (is_signal(Core::ports[P].what)) {
-      return boost::hana::tuple<>{};
-    } else {
-      return boost::hana::make_tuple(no_load<Core::ports[P].what>());
-    }
+  friend no_loads<Core>;
+  /// Its inputs that are no signals.
+  static constexpr auto takes_load = [] {
+    std::array<bool, port_count<Core>> is{};
+    for (std::size_t p = 0; p < input_count<Core>; ++p) is[p] = !is_signal(Core::ports[p].what);
+    return is;
+  }();
+  using loaded = typename numbers_where<takes_load>::type;
+  template <std::size_t... P>
+  KTE_INLINE static constexpr auto none(std::index_sequence<P...>) {
+    return make_loads(no_load<Core::ports[P].what>()...);
   }
 };
 
 /// The type of what it puts.
 template <class Core>
 struct no_loads {
-  using type = decltype(silent<Core>::none(std::make_index_sequence<input_count<Core>>{}));
+  using type = decltype(silent<Core>::none(typename silent<Core>::loaded{}));
 };
 
 }  // namespace kte::detail

@@ -11,12 +11,66 @@
 /// with scalars that are functions, by each call.
 namespace kte::detail {
 
-/// The elements of a static chain in the loops over records: one function for each type of element core, however many
-/// elements there are of it.
+/// What elements do in the loops over records: one function for each type of element core, however many elements there
+/// are of it, on chains of any kind.
+template <class Core>
+using inputs_of = std::make_index_sequence<input_count<Core>>;
+template <class Core, class State>
+auto passes_of(const Core& core, State& s, const int* index) {
+  return stored_element<Core, State, by_index>{core, s, {index}};
+}
+struct move_step {
+  template <class Core, class State>
+  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+    passes_of(core, s, index).motion(inputs_of<Core>{});
+  }
+};
+struct push_step {
+  template <class Core, class State>
+  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+    passes_of(core, s, index).force(inputs_of<Core>{});
+  }
+};
+struct mass_step {
+  template <class Core, class State>
+  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+    passes_of(core, s, index).mass_force(inputs_of<Core>{});
+  }
+};
+struct derivative_step {
+  template <class Core, class State>
+  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
+    subtract_force_derivatives(core, s, index);
+  }
+};
+
+/// The elements of a chain that do something there, as an index_sequence.
+template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
+struct acting_elements;
+template <class Chain, std::size_t... E>
+struct acting_elements<Chain, std::index_sequence<E...>>
+    : numbers_where<std::array<bool, sizeof...(E) + 1>{acts<core_of<Chain, E>>...}> {};
+
+template <class Step, std::size_t I, class Chain, class State>
+void do_step(const Chain& c, State& s) {
+  using wiring = typename Chain::wiring;
+  Step::apart(c.template core<I>(), s, wiring::table.slot.data() + wiring::first[I]);
+}
+/// By number of the element.
+template <class Step, class Chain, class State>
+inline constexpr auto steps_of = []<std::size_t... I>(std::index_sequence<I...>) {
+  std::array<void (*)(const Chain&, State&), Chain::size> all{};
+  const int done[]{(all[I] = &do_step<Step, I, Chain, State>, 0)..., 0};
+  (void)done;
+  return all;
+}
+(typename acting_elements<Chain>::type{});
+
+/// The elements of a static chain in the loops over records.
 template <class Chain, class Given>
 struct static_elements {
   const Chain& chain;
-  const Given& given;
+  const Given& given;  ///< to be blamed
   using wiring = typename Chain::wiring;
 
   static std::span<const port> ports(int e) { return static_connections<Chain>{}.ports(static_cast<std::size_t>(e)); }
@@ -25,34 +79,20 @@ struct static_elements {
 
   template <class State>
   void move(int e, State& s) const {
-    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
-      passes_of(core, state, index).motion(inputs_of<Core>{});
-    });
-    run(steps, e, s);
+    run<move_step>(e, s);
   }
   template <class State>
   void push(int e, State& s) const {
-    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
-      passes_of(core, state, index).force(inputs_of<Core>{});
-    });
-    run(steps, e, s);
+    run<push_step>(e, s);
   }
   template <class State>
   void derive(int e, State& s) const {
-    static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
-      subtract_force_derivatives(core, state, index);
-    });
-    run(steps, e, s);
+    run<derivative_step>(e, s);
   }
   // Of what only chains of rare shapes have: nothing of these is instantiated for others.
   template <class State>
   void mass_loads(int e, State& s) const {
-    if constexpr (!Chain::common) {
-      static constexpr auto steps = steps_of<State>([]<class Core>(const Core& core, State& state, const int* index) {
-        passes_of(core, state, index).mass_force(inputs_of<Core>{});
-      });
-      run(steps, e, s);
-    }
+    if constexpr (!Chain::common) run<mass_step>(e, s);
   }
   template <class State>
   bool holds(int e, State& s) const {
@@ -87,39 +127,9 @@ struct static_elements {
     }
     (std::make_index_sequence<Chain::size>{});
   }
-  template <class Core>
-  using inputs_of = std::make_index_sequence<input_count<Core>>;
-  template <class Core, class State>
-  static auto passes_of(const Core& core, State& s, const int* index) {
-    return stored_element<Core, State, by_index>{core, s, {index}};
-  }
-  template <class State>
-  using step = void (*)(const Chain&, State&);
-  /// What all elements do, by number: each as f<Core>.
-  template <class State, class F>
-  static constexpr auto steps_of(F) {
-    return []<std::size_t... I>(std::index_sequence<I...>) {
-      return std::array<step<State>, Chain::size>{step_of<State, F, I>()...};
-    }
-    (std::make_index_sequence<Chain::size>{});
-  }
-  template <class State, class F, std::size_t I>
-  static constexpr step<State> step_of() {
-    if constexpr (!acts<core_of<Chain, I>>) {
-      return nullptr;
-    } else {
-      return [](const Chain& c, State& s) {
-        apart<F>(c.template core<I>(), s, wiring::table.slot.data() + wiring::first[I]);
-      };
-    }
-  }
-  template <class F, class Core, class State>
-  [[gnu::noinline]] static void apart(const Core& core, State& s, const int* index) {
-    F{}(core, s, index);
-  }
-  template <class Steps, class State>
-  void run(const Steps& steps, int e, State& s) const {
-    steps[static_cast<std::size_t>(e)](chain, s);
+  template <class Step, class State>
+  void run(int e, State& s) const {
+    steps_of<Step, Chain, State>[static_cast<std::size_t>(e)](chain, s);
   }
 };
 template <class Chain, class Given>
@@ -151,7 +161,8 @@ auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
     if (by_passes) c.doMotion(s), c.clearForce(s), c.doForce(s);
   if (!by_passes) {
     check_regular(c, s);
-    forces_on_coordinates(static_elements{c, g}, s, acting::all);
+    // Which has nothing to blame: so that it is the same for whatever is given.
+    forces_on_coordinates(static_elements<Chain, nothing>{c, {}}, s, acting::all);
   }
   joint_vector<typename State::scalar, Chain::dofs> f;
   read_listed_numbers<vector_of::f>(s, f);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint.hpp>
+#include <kte/detail/numbers_where.hpp>
 #include <kte/math/dual_number.hpp>
 #include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/static_chain.hpp>
@@ -29,21 +30,28 @@ inline constexpr bool is_unrolled = Chain::unrolled&& is_a_few_instructions<S>;
 template <class Chain, class S>
 inline constexpr bool has_unrolled_passes = unrolls_passes<Chain::size>&& is_a_few_instructions<S>;
 
+/// The things of kind K that come from outside and are no degrees of freedom, as an index_sequence.
+template <class Wiring, kind K>
+inline constexpr auto is_given = [] {
+  std::array<bool, std::size_t{Wiring::count(K)} + 1> is{};
+  for (int s = 0; s < Wiring::count(K); ++s)
+    is[static_cast<std::size_t>(s)] =
+        Wiring::writer(K, s) < 0 && !(is_coordinate(K) && Wiring::freedom_of(K, s).what == K);
+  return is;
+}();
+template <class Wiring, kind K>
+using given_things = typename numbers_where<is_given<Wiring, K>>::type;
+
 /// f<K, Slot>() for every frame that no element writes.
 template <class Wiring, class F>
 KTE_INLINE void for_each_base(const F& f) {
-  const auto one = [&f]<kind K, int Slot>() KTE_INLINE_LAMBDA {
-    if constexpr (Wiring::writer(K, Slot) < 0) f.template operator()<K, Slot>();
-    return 0;
-  };
   const auto all =
-      [&one]<int... P, int... Q>(std::integer_sequence<int, P...>, std::integer_sequence<int, Q...>) KTE_INLINE_LAMBDA {
-    const int done[]{one.template operator()<kind::frame_2D, P>()..., one.template operator()<kind::frame_3D, Q>()...,
-                     0};
+      [&f]<std::size_t... P, std::size_t... Q>(std::index_sequence<P...>, std::index_sequence<Q...>) KTE_INLINE_LAMBDA {
+    const int done[]{(f.template operator()<kind::frame_2D, int{P}>(), 0)...,
+                     (f.template operator()<kind::frame_3D, int{Q}>(), 0)..., 0};
     (void)done;
   };
-  all(std::make_integer_sequence<int, Wiring::count(kind::frame_2D)>{},
-      std::make_integer_sequence<int, Wiring::count(kind::frame_3D)>{});
+  all(given_things<Wiring, kind::frame_2D>{}, given_things<Wiring, kind::frame_3D>{});
 }
 
 }  // namespace kte::detail

@@ -50,9 +50,8 @@ using record_number = std::conditional_t<has_plain_parameters<Plain, Chain>, Pla
 /// Coordinates, signals, and the frames that elements act on.
 template <class S, class Chain>
 class static_state {
-  using wiring = typename Chain::wiring;
-
  public:
+  using wiring = typename Chain::wiring;
   using scalar = S;
   using parameter = record_number<S, Chain>;
   using tree_type = chain_tree<parameter, const std::remove_cvref_t<decltype(static_plan<Chain>)>&>;
@@ -67,9 +66,9 @@ class static_state {
   template <class Given>
   void take(const Given& g) {
     take_coordinates(g, std::make_index_sequence<wiring::freedoms>{});
-    take_fixed(g, std::make_integer_sequence<int, wiring::count(kind::gen)>{});
-    take_inputs(g, std::make_integer_sequence<int, wiring::count(kind::input)>{});
-    take_vectors(g, std::make_integer_sequence<int, wiring::count(kind::vector)>{});
+    take_fixed(g, given_things<wiring, kind::gen>{});
+    take_inputs(g, given_things<wiring, kind::input>{});
+    take_vectors(g, given_things<wiring, kind::vector>{});
     take_internals(g, std::make_integer_sequence<int, wiring::count(kind::internal)>{});
     for_each_base<wiring>([&]<kind K, int Slot>() { take_base(get<K>(Slot), g.template base<K, Slot>()); });
   }
@@ -137,32 +136,19 @@ class static_state {
         0};
     (void)done;
   }
-  template <class Given, int... I>
-  void take_fixed(const Given& g, std::integer_sequence<int, I...>) {
-    [[maybe_unused]] const auto one = [&]<int Slot>() {
-      if constexpr (wiring::writer(kind::gen, Slot) < 0 && !wiring::template is_free<kind::gen, Slot>)
-        take_coordinate(get<kind::gen>(Slot), g.template fixed<Slot>());
-      return 0;
-    };
-    const int done[]{one.template operator()<I>()..., 0};
+  template <class Given, std::size_t... I>
+  void take_fixed(const Given& g, std::index_sequence<I...>) {
+    const int done[]{(take_coordinate(get<kind::gen>(I), g.template fixed<int{I}>()), 0)..., 0};
     (void)done;
   }
-  template <class Given, int... I>
-  void take_inputs(const Given& g, std::integer_sequence<int, I...>) {
-    [[maybe_unused]] const auto one = [&]<int Slot>() {
-      if constexpr (wiring::writer(kind::input, Slot) < 0) get<kind::input>(Slot) = as<S>(g.template input<Slot>());
-      return 0;
-    };
-    const int done[]{one.template operator()<I>()..., 0};
+  template <class Given, std::size_t... I>
+  void take_inputs(const Given& g, std::index_sequence<I...>) {
+    const int done[]{(get<kind::input>(I) = as<S>(g.template input<int{I}>()), 0)..., 0};
     (void)done;
   }
-  template <class Given, int... I>
-  void take_vectors(const Given& g, std::integer_sequence<int, I...>) {
-    [[maybe_unused]] const auto one = [&]<int Slot>() {
-      if constexpr (wiring::writer(kind::vector, Slot) < 0) get<kind::vector>(Slot) = as<S>(g.template vector<Slot>());
-      return 0;
-    };
-    const int done[]{one.template operator()<I>()..., 0};
+  template <class Given, std::size_t... I>
+  void take_vectors(const Given& g, std::index_sequence<I...>) {
+    const int done[]{(get<kind::vector>(I) = as<S>(g.template vector<int{I}>()), 0)..., 0};
     (void)done;
   }
   template <class Given, int... I>
