@@ -10,7 +10,7 @@ namespace kte {
 
 struct clik_options {
   int iterations = 1000;    ///< in all
-  int draws = 8;            ///< of these, each new start is the one with the least errors
+  int draws = 16;           ///< of these, each new start is the one with the least errors
   std::uint64_t seed = 1;   ///< of new starts: the same seed gives the same answer
   double tolerance = 1e-9;  ///< of reach, and rad
   double length = 0;        ///< by which rad count as m; 0: reach/pi, by which a half turn counts as the reach
