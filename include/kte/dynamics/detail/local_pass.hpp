@@ -6,13 +6,6 @@
 /// has its own type, with typed constants and `skip` where nothing is to be computed, and lives in registers.
 namespace kte::detail {
 
-/// What an evaluation is of, for bases that are made by it.
-template <class Chain, class Given>
-struct local_source {
-  const Chain& chain_;
-  const Given& given_;
-};
-
 /// The motion of a chain on local variables. `Given` says what comes from outside:
 ///   given.template coordinate<K, i>()  coordinate i of kind K, which is a degree of freedom (or several)
 ///   given.template fixed<i>()          coordinate i, which no element writes and which is no degree of freedom
@@ -23,7 +16,7 @@ class local_motion;
 
 template <class Chain, class Given, std::size_t... E>
 class local_motion<Chain, Given, std::index_sequence<E...>>
-    : protected local_source<Chain, Given>, protected local_types<Chain, Given>::template written<E>... {
+    : protected local_types<Chain, Given>::template written<E>... {
  protected:
   using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
@@ -32,8 +25,10 @@ class local_motion<Chain, Given, std::index_sequence<E...>>
 
  public:
   /// doMotion of all elements.
-  KTE_INLINE constexpr local_motion(const Chain& c, const Given& g)
-      : local_source<Chain, Given>{c, g}, written<E>{move<E>(typename types::template inputs<E>{})}... {}
+  KTE_INLINE constexpr local_motion(const Chain& c, const Given& g) : chain_(c), given_(g) {
+    const int done[]{(static_cast<written<E>&>(*this).value = move<E>(typename types::template inputs<E>{}), 0)..., 0};
+    (void)done;
+  }
   /// Thing Slot of kind K: a coordinate, a frame, an input.
   template <kind K, int Slot, view V = view::whole>
   KTE_INLINE constexpr decltype(auto) get() const {
@@ -43,7 +38,7 @@ class local_motion<Chain, Given, std::index_sequence<E...>>
     } else if constexpr (writer >= 0) {
       return (static_cast<const written<std::size_t{writer}>&>(*this).value);
     } else {
-      return types::template given<K, Slot>(this->given_);
+      return types::template given<K, Slot>(given_);
     }
   }
 
@@ -56,21 +51,25 @@ class local_motion<Chain, Given, std::index_sequence<E...>>
   template <std::size_t I>
   KTE_INLINE constexpr auto joint_pose() const {
     if constexpr (coordinates_of<typename types::template core<I>> == 0) {
-      return this->chain_.template core<I>().relative();
+      return chain_.template core<I>().relative();
     } else {
-      return this->chain_.template core<I>().relative(position_only(joint_coordinate<I>()));
+      return chain_.template core<I>().relative(position_only(joint_coordinate<I>()));
     }
   }
   /// Axis N of joint I, in axes of its end.
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto joint_axis() const {
-    return axis_of<N>(this->chain_.template core<I>(), joint_coordinate<I>());
+    return axis_of<N>(chain_.template core<I>(), joint_coordinate<I>());
   }
+
+ protected:
+  const Chain& chain_;
+  const Given& given_;
 
  private:
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr typename written<I>::type move(std::index_sequence<P...>) const {
-    const auto& core = this->chain_.template core<I>();
+    const auto& core = chain_.template core<I>();
     if constexpr (writes_freely<typename types::template core<I>>) {
       return types::template written_freely<I>(
           core, get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
@@ -87,8 +86,8 @@ class local_motion<Chain, Given, std::index_sequence<E...>>
 template <class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class local_pass;
 
-/// Loads are its bases from the last element to the first: made in this order, and none of their types has to wait for
-/// a long row of others, as compilers limit the depth of templates.
+/// Loads are its bases from the last element to the first: none of their types has to wait for a long row of others, as
+/// compilers limit the depth of templates.
 template <class Chain, class Given, std::size_t... E>
 class local_pass<Chain, Given, std::index_sequence<E...>>
     : public local_motion<Chain, Given>, local_types<Chain, Given>::template loads<Chain::size - 1 - E>... {
@@ -101,11 +100,13 @@ class local_pass<Chain, Given, std::index_sequence<E...>>
  public:
   using chain_type = Chain;
   /// doMotion, then doForce of all elements.
-  KTE_INLINE constexpr local_pass(const Chain& c, const Given& g)
-      : local_motion<Chain, Given>(c, g),
-        loads<Chain::size - 1 - E>{
-            push<Chain::size - 1 - E>(typename types::template inputs<Chain::size - 1 - E>{})}... {
+  KTE_INLINE constexpr local_pass(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
     static_assert(sizeof(need) > 0);
+    const int done[]{(static_cast<loads<Chain::size - 1 - E>&>(*this).value =
+                          push<Chain::size - 1 - E>(typename types::template inputs<Chain::size - 1 - E>{}),
+                      0)...,
+                     0};
+    (void)done;
   }
   /// The sum of the loads that elements have put on thing Slot of kind K.
   template <kind K, int Slot>
