@@ -72,8 +72,8 @@ inline pose<unit_quaternion<double>, vec3<>> fitted_pose(std::span<const vec3<>>
         std::to_string(body.size()) + " and " + std::to_string(measured.size()));
   detail::fitted_motion fit;
   for (std::size_t i = 0; i < body.size(); ++i) {
-    const vec3<> zero = 0.0 * (body[i] + measured[i]);
-    if (!(dot(zero, zero) == 0))
+    const vec3<> still = 0.0 * (body[i] + measured[i]);
+    if (!(dot(still, still) == 0))
       detail::raise<bad_argument>("kte: fitted_pose: point " + std::to_string(i + 1) + " is not finite");
     fit.add(body[i], measured[i]);
   }

@@ -20,7 +20,7 @@
 namespace kte::detail {
 
 /// Instead of an architecture of xsimd: one number is one register.
-struct plain {};
+struct plain_registers {};
 
 template <class T>
 using bits_of = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
@@ -87,7 +87,7 @@ struct pack_register {
 
 /// Arithmetic by the operators of the compiler, comparisons and what is rare by xsimd.
 template <class T, class Arch>
-requires(!std::is_same_v<Arch, plain>) struct pack_register<T, Arch> {
+requires(!std::is_same_v<Arch, plain_registers>) struct pack_register<T, Arch> {
   using batch = xsimd::batch<T, Arch>;
   using mask = xsimd::batch_bool<T, Arch>;
   static constexpr std::size_t lanes = batch::size;
@@ -125,7 +125,7 @@ requires(!std::is_same_v<Arch, plain>) struct pack_register<T, Arch> {
 /// The best of the architectures that the compiler may use (xsimd lists them best first) with a register of T of at
 /// most N lanes.
 template <class T, int N, class Archs>
-struct best_for : std::type_identity<plain> {};
+struct best_for : std::type_identity<plain_registers> {};
 template <class T, int N, class A, class... B>
 struct best_for<T, N, xsimd::arch_list<A, B...>>
     : std::conditional_t<(xsimd::batch<T, A>::size <= std::size_t{N}), std::type_identity<A>,
@@ -136,7 +136,7 @@ using pack_arch = typename best_for<T, N, xsimd::supported_architectures>::type;
 #else
 
 template <class T, int N>
-using pack_arch = plain;
+using pack_arch = plain_registers;
 
 #endif
 
