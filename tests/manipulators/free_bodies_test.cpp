@@ -119,7 +119,11 @@ TEST_CASE("a free body with several tools at their poses, static and runtime") {
       CHECK(best.rotation <= 16 * eps);
     }
   };
-  check(manipulator(chain, tool, left));
+  const manipulator far_away(chain, tool, left);
+  auto q = neutral_configuration(far_away);
+  q.head<3>() << 7e9, -2e9, 1e9;
+  CHECK(inverse_kinematics(far_away, far_away.getDependentPoses(q))[0].exact);  // 1e-6 m are a unit of the last place
+  check(far_away);
   check(manipulator(models::registered(record_of(chain)), {"tool", "left"}));
   const manipulator arm(models::registered(record_of(chain)), {"tool", "base"});
   CHECK_THROWS_MATCHES(inverse_kinematics(arm, arm.getDependentPoses(std::vector{1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0})),
@@ -142,6 +146,10 @@ TEST_CASE("a pose fitted to points is that of the body, and never a reflection")
   CHECK(arms::between(pose{mat3<vec3<>>(matrix(found.rotation)), found.position},
                       pose{mat3<vec3<>>(matrix(x.rotation)), x.position})
             .rotation <= 1e6 * 4 * eps);  // of points known to 4e-10 m
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const vec3<> off = found.rotation * body[i] + found.position - measured[i];
+    CHECK(std::sqrt(dot(off, off)) <= 4e6 * 8 * eps);
+  }
   for (auto& p : measured) p = vec3<>{p.x, p.y, -p.z};
   const auto r = matrix(fitted_pose(body, measured).rotation);
   CHECK(dot(r.x, cross(r.y, r.z)) == within(1, 4 * eps));

@@ -1,3 +1,5 @@
+#include <kte/math/atan2.hpp>
+
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -5,6 +7,7 @@
 #include "catch.hpp"
 #include "digits50.hpp"
 #include "math/packs.hpp"
+#include "random.hpp"
 
 // Sines and cosines of packs against those of more digits.
 
@@ -120,4 +123,21 @@ TEST_CASE("packs: sines of a chain", "[math][pack][sincos]") {
       CHECK(all(r.cos[i] == cos(x[i])));
     }
   });
+}
+
+TEST_CASE("angles of directions and arc sines of packs are those of their lanes") {
+  using four = pack<double, 4>;
+  random_numbers random(21);
+  for (int k = 0; k < 1000; ++k) {
+    four x, y, t;
+    for (std::size_t i = 0; i < 4; ++i) x.set(i, random()), y.set(i, random());
+    if (k % 4 == 0) y.set(1, 0.0);
+    atan2_each(&y, &x, &t, 1);
+    const four angle = atan2(y, x), arc = asin(x);
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK(std::fabs(t[i] - std::atan2(y[i], x[i])) <= 6e-16);  // 4e-16, and half an ulp of pi
+      CHECK(angle[i] == std::atan2(y[i], x[i]));
+      CHECK(arc[i] == std::asin(x[i]));
+    }
+  }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kte {
 
@@ -13,8 +14,9 @@ namespace kte {
 ///   auto r = kte::inverse_kinematics(floater, std::array{left_pose, right_pose});
 ///
 /// by (1) of frames/fitted_pose.hpp, rotations weighed by the square of the largest distance between tools (1 m if
-/// there is none). `exact` if no tool misses its pose. Throws `no_closed_form` for other arms and for tools that are
-/// not on the body, `bad_argument` for what is no pose or for another number of them.
+/// there is none). `exact` if no tool misses its pose, but by what rounding makes of positions far from the origin.
+/// Throws `no_closed_form` for other arms and for tools that are not on the body, `bad_argument` for what is no pose or
+/// for another number of them.
 template <class Chain, class Tools, class Poses>
 requires requires(const Poses& x) { x[0].rotation, x[0].position, x.size(); }
 auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wanted) {
@@ -30,10 +32,11 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wante
     raise<bad_argument>("kte: inverse kinematics of " + std::to_string(still.size()) +
                         " tools needs as many poses, got " + std::to_string(wanted.size()));
   std::vector<plain_pose_of<double>> from, to;
-  double apart = 0;
+  double apart = 0, away = 0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     from.push_back(checked_pose(plain_pose_of<double>(spatial(still[i]))));
     to.push_back(checked_pose(plain_pose_of<double>(spatial(wanted[i]))));
+    away = std::max(away, std::sqrt(dot(to[i].position, to[i].position)));
     for (const auto& x : from) {
       const vec3<> d = from[i].position - x.position;
       apart = std::max(apart, std::sqrt(dot(d, d)));
@@ -50,15 +53,17 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wante
   auto& a = all.add(start);
   place_free_body(s.original, plain_pose_of<double>(compose(moved, from[0])), a.q);
   const auto there = arm.getDependentPoses(a.q);
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * away;  // of positions far from the origin
   for (std::size_t i = 0; i < from.size(); ++i) {
     const plain_pose_of<double> tool = spatial(there[i]);
     const auto off = gap_between(tool, plain_pose_of<double>(compose(moved, from[i])));
-    if (!(off.position <= 1e-9 * (1 + apart) && off.rotation <= 1e-9))
+    if (!(off.position <= 1e-9 * (1 + apart) + rounding && off.rotation <= 1e-9))
       raise<no_closed_form>("kte: tool " + std::to_string(i + 1) + " of these is not on the body that moves freely");
     const auto gap = gap_between(tool, to[i]);
     a.position = std::max(a.position, gap.position), a.rotation = std::max(a.rotation, gap.rotation);
   }
-  a.exact = a.position <= ik_tolerance{}.position * (s.reach + apart) && a.rotation <= ik_tolerance{}.rotation;
+  a.exact = a.position <= ik_tolerance{}.position * (s.reach + apart) + rounding &&
+            a.rotation <= ik_tolerance{}.rotation + (apart > 0 ? rounding / apart : 0);
   a.within_limits = free_body_within(s.original, arm.limits(), start, a.q);
   return all;
 }
