@@ -238,30 +238,29 @@ KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const 
   }
 }
 
-/// A load W at the end of a joint alone, and a force f[n] on its axes: the rate of its response, and what reaches the
-/// base. The same as above for M^-1, where nothing else moves. f becomes e.
+/// A load W at the end of a joint alone, and a force f[n] on its axes: how fast these answer, and what reaches the
+/// base. The same as above for M^-1, where nothing else moves. f becomes e. S, or several at a time.
 ///
 ///   e = f + s . W,   rate = D^-1 e,   W' = W - gain e                                                (4)
-template <class S, class Core, class C, class M, class F, class T, int N>
+template <class S, class Core, class C, class M, class F, class T, class X, std::size_t N>
 KTE_INLINE constexpr auto transmitted_by_joint(const Core& core, const C& at, const M&, const wrench<F, T>& load,
-                                               std::array<S, std::size_t(N)>& f, joint_response<S, N>& r) {
+                                               const joint_response<S, int(N)>& r, std::array<X, N>& f,
+                                               std::array<X, N>& rate) {
   constexpr auto split = division<Core, C, M>();
-  const std::array<S, std::size_t{N}> force = f;
-  const auto add_power = [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
-    const int done[]{(f[K] = as<S>(f[K] + power(axis_of<K>(core, at), load)), 0)...};
-    (void)done;
-  };
-  add_power(std::make_integer_sequence<int, N>{});
-  for (std::size_t i = 0; i < std::size_t{N}; ++i) {
-    r.rate[i] = S(0);
-    for (std::size_t k = 0; k < std::size_t{N}; ++k) r.rate[i] += r.inverse[i][k] * f[k];
+  constexpr int axes{N};
+  const std::array<X, N> force = f;
+  for_each_number<axes>([&]<int K>() KTE_INLINE_LAMBDA { f[K] = f[K] + power(axis_of<K>(core, at), load); });
+  for (std::size_t i = 0; i < N; ++i) {
+    rate[i] = r.inverse[i][0] * f[0];
+    for (std::size_t k = 1; k < N; ++k) rate[i] += r.inverse[i][k] * f[k];
   }
-  const auto gains = for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA {
+  const auto gains = for_axes<axes>([&]<int K>() KTE_INLINE_LAMBDA {
     return wrench{f[K] * r.gain[K].force, f[K] * r.gain[K].torque};
   });
-  const auto rest_of_load = rest(split, less_all<0, N>(load, gains));
+  const auto rest_of_load = rest(split, less_all<0, axes>(load, gains));
   const auto given_force = [&]<int K>() KTE_INLINE_LAMBDA { return force[K]; };
-  return transmit(core.relative(position_only(at)), less_exact<split.exact, 0, N>(rest_of_load, core, at, given_force));
+  return transmit(core.relative(position_only(at)),
+                  less_exact<split.exact, 0, axes>(rest_of_load, core, at, given_force));
 }
 
 /// Of an element in a position x: the acceleration of the end as far as the base and the velocities make it.

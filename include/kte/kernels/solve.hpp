@@ -103,22 +103,6 @@ KTE_INLINE void for_each_four(Eigen::Index n, const F& f) {
     for (Eigen::Index i = 0; i < n; ++i) f.template operator()<1>(i);
   }
 }
-/// Column k of M^-1, from what a unit force on it leaves on all axes and how fast these answer, by (1) of
-/// dynamics/detail/local_inverse_mass.hpp. `all_left` has a row of the former for each column before; joints in order.
-template <class Left, class Vector, class Matrix>
-KTE_INLINE void add_column(Left& all_left, int k, const Vector& left, const Vector& rate, Matrix& inverse) {
-  using S = typename Matrix::Scalar;
-  const Eigen::Index n = inverse.rows();
-  auto column = inverse.col(k);
-  for_each_four<Matrix::RowsAtCompileTime>(n, [&]<int N>(Eigen::Index i) KTE_INLINE_LAMBDA {
-    Eigen::Matrix<S, N, 1> sum = Eigen::Matrix<S, N, 1>::Zero();
-    for (Eigen::Index joint = 0; joint < n; ++joint) sum += rate[joint] * all_left.col(joint).template segment<N>(i);
-    column.template segment<N>(i) = sum;
-  });
-  column[k] = left.dot(rate);
-  all_left.row(k) = left.transpose();
-  inverse.row(k) = column.transpose();
-}
 /// X = -M^-1 B, which allocates nothing.
 template <class Matrix, class X>
 KTE_INLINE void solve_by_inverse(const Matrix& inverse, const Matrix& b, X& x) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/local_articulated.hpp>
+#include <kte/dynamics/detail/unit_forces.hpp>
 
 namespace kte::detail {
 
@@ -11,7 +12,8 @@ namespace kte::detail {
 ///   (M^-1)_jk = sum_i e_ij . D_i^-1 e_ik        over the joints i below both          (1)
 ///
 /// the innovations form of M^-1 (Rodriguez, Jain and Kreutz-Delgado, Int. J. Robotics Research 10, 1991). No sum is
-/// larger than the geometric mean of two numbers of the diagonal.
+/// larger than the geometric mean of two numbers of the diagonal. Axes that stand one on the other share a register
+/// (unit_forces.hpp).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class local_inverse_mass;
 
@@ -27,6 +29,24 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   static constexpr bool yields = gives_way_under<Chain, Given, I>;
   template <std::size_t I>
   static constexpr int axes = yields<I> ? joint_dofs<core_t<I>> : 0;
+
+  using lanes = tree::lanes<S>;
+  static constexpr std::size_t width = tree::lanes_of<S>::count;
+  /// The element that writes the base of element I, or -1.
+  template <std::size_t I>
+  static constexpr int below = wiring::writer(types::template output_kind<I>,
+                                              wiring::slot(I, port_count<core_t<I>> - 2));
+  template <std::size_t I>
+  static constexpr joint_place place() {
+    if constexpr (yields<I>) {
+      return {base::template row_of<I>, axes<I>, below<I>};
+    } else if constexpr (is_transmission<core_t<I>>) {
+      return {0, 0, below<I>};
+    } else {
+      return {0, 0, -1};
+    }
+  }
+  static constexpr auto forces = side_by_side<width, Chain::dofs>(std::array{place<E>()..., joint_place{0, 0, -1}});
 
  public:
   using base::base;
@@ -52,41 +72,33 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
  private:
   template <class Matrix>
   KTE_INLINE void columns(Matrix& m) {
-    left_.setZero();
-    const int done[]{(unit_forces<E>(m, std::make_integer_sequence<int, axes<E>>{}), 0)..., 0};
-    (void)done;
+    load_all_down(std::make_index_sequence<forces.groups>{});
+    sum_answers<forces>(left_, rate_, m);
     masses_inverted(m, std::make_index_sequence<wiring::freedoms>{});
   }
-  /// The columns of joint I. Joints in order: what those to come add is zero here, and put by them.
-  template <std::size_t I, class Matrix, int... N>
-  KTE_INLINE void unit_forces(Matrix& m, std::integer_sequence<int, N...>) {
-    const int done[]{(unit_force<I, N>(m), 0)..., 0};
+  template <std::size_t... G>
+  KTE_INLINE void load_all_down(std::index_sequence<G...>) {
+    const int done[]{(load_down<std::size_t{forces.group[G].tip}, G>(no_wrench), 0)..., 0};
     (void)done;
   }
-  template <std::size_t I, int N, class Matrix>
-  KTE_INLINE void unit_force(Matrix& m) {
-    constexpr int row = base::template row_of<I> + N;
-    std::array<S, std::size_t{axes<I>}> force{};
-    force[std::size_t{N}] = S(1);
-    vector left = vector::Zero(), rate = vector::Zero();
-    load_down<I>(no_wrench, force, left, rate);
-    add_column(left_, row, left, rate, m);
-  }
-  /// A load at the end of element I, and forces on its axes, down to its base and further.
-  template <std::size_t I, class W>
-  KTE_INLINE void load_down(const W& load, std::array<S, std::size_t{axes<I>}> force, vector& left, vector& rate) {
-    constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, port_count<core_t<I>> - 2));
+  /// The loads at the end of element I that the forces of group G make, and its forces on the axes of I, down to the
+  /// base and further.
+  template <std::size_t I, std::size_t G, class W>
+  KTE_INLINE void load_down(const W& load) {
     if constexpr (yields<I>) {
-      auto& response = this->template response<I>();
-      const auto w = transmitted_by_joint<S>(this->chain_.template core<I>(), base::template joint_coordinate<I>(),
-                                             base::template mass_on<I>(), load, force, response);
-      for (int n = 0; n < axes<I>; ++n) {
-        left[base::template row_of<I> + n] = force[static_cast<std::size_t>(n)];
-        rate[base::template row_of<I> + n] = response.rate[static_cast<std::size_t>(n)];
+      auto force = forces.template units<lanes, S, G, base::template row_of<I>, axes<I>>();
+      std::array<lanes, std::size_t{axes<I>}> rate;
+      const auto w =
+          transmitted_by_joint<S>(this->chain_.template core<I>(), base::template joint_coordinate<I>(),
+                                  base::template mass_on<I>(), load, this->template response<I>(), force, rate);
+      for (std::size_t n = 0; n < std::size_t{axes<I>}; ++n) {
+        const auto row = std::size_t{base::template row_of<I>} + n;
+        tree::store<S>(force[n], left_[row].data() + width * G);
+        tree::store<S>(rate[n], rate_[row].data() + width * G);
       }
-      if constexpr (below >= 0) load_down<std::size_t{below}>(w, {}, left, rate);
-    } else if constexpr (below >= 0) {
-      load_down<std::size_t{below}>(transmit(base::template joint_pose<I>(), load), {}, left, rate);
+      if constexpr (below<I> >= 0) load_down<std::size_t{below<I>}, G>(w);
+    } else if constexpr (below<I> >= 0) {
+      load_down<std::size_t{below<I>}, G>(transmit(base::template joint_pose<I>(), load));
     }
   }
 
@@ -99,13 +111,15 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   KTE_INLINE void mass_inverted(Matrix& m) {
     constexpr freedom at = wiring::template free<F>;
     if constexpr (base::template moves_no_joint<F>()) {
-      m.col(at.v).setZero();
+      m.col(at.v).setZero(), m.row(at.v).setZero();
       m(at.v, at.v) =
           S(1) / as<S>(this->template coordinate_mass<at.what, at.slot>(base::template readers<at.what, at.slot>));
     }
   }
 
-  joint_matrix<S, Chain::dofs> left_;  ///< e_ij: row j of column i
+  template <std::size_t N>
+  using rows = std::array<std::array<S, N>, std::size_t{Chain::dofs}>;
+  rows<forces.groups * width> left_, rate_;  ///< e_ij and D_i^-1 e_ij: row i, the column of j
 };
 
 }  // namespace kte::detail

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <kte/kernels/joint_vector.hpp>
+#include <kte/tree/lanes.hpp>
+
+/// Unit forces on the axes of a tree that go down to its base side by side, in the lanes of a register.
+namespace kte::detail {
+
+/// Of an element: its axes that are degrees of freedom, in the rows from the first on; the element that it stands on,
+/// or -1.
+struct joint_place {
+  int row, axes, below;
+};
+
+/// Axes on one way down, at most `Width` of them.
+template <std::size_t Width>
+struct force_group {
+  int tip = 0;  ///< the element farthest from the base
+  std::size_t count = 0;
+  std::array<int, Width> row{};
+};
+
+/// The axes of a tree of N degrees of freedom in groups.
+template <std::size_t Width, std::size_t N>
+struct unit_forces {
+  static constexpr std::size_t width = Width;
+  std::size_t groups = 0;
+  std::array<force_group<Width>, N> group{};
+  std::array<std::array<int, N>, N> way{};  ///< of a group: all rows from the base to its tip
+  std::array<std::array<std::size_t, N>, N>
+      shared{};  ///< of two groups: how many first rows of their ways are the same
+
+  /// The forces of group G on the axes in rows from Row on.
+  template <class Lanes, class S, std::size_t G, int Row, int Axes>
+  KTE_INLINE constexpr std::array<Lanes, std::size_t{Axes}> units() const {
+    std::array<Lanes, std::size_t{Axes}> force{};
+    for (std::size_t k = 0; k < group[G].count; ++k)
+      if (const int n = group[G].row[k] - Row; n >= 0 && n < Axes) {
+        if constexpr (Width == 1)
+          force[static_cast<std::size_t>(n)] = S(1);
+        else
+          force[static_cast<std::size_t>(n)][k] = S(1);
+      }
+    return force;
+  }
+};
+
+/// From the tips inward: a group takes what is left on the way to the base. Elements stand on earlier ones; the last of
+/// `places` is none.
+template <std::size_t Width, std::size_t N, std::size_t E>
+constexpr unit_forces<Width, N> side_by_side(const std::array<joint_place, E>& places) {
+  unit_forces<Width, N> f;
+  std::array<bool, N + 1> taken{};
+  std::array<std::size_t, N + 1> length{};
+  for (std::size_t e = E; e-- > 0;) {
+    for (;;) {
+      auto& g = f.group[f.groups < N ? f.groups : 0];
+      int left = 0;
+      for (int a = 0; a < places[e].axes; ++a) left += !taken[static_cast<std::size_t>(places[e].row + a)];
+      if (left == 0) break;
+      g.tip = static_cast<int>(e);
+      auto& way = f.way[f.groups];
+      std::size_t& n = length[f.groups];
+      for (int at = g.tip; at >= 0; at = places[static_cast<std::size_t>(at)].below) {
+        const joint_place& p = places[static_cast<std::size_t>(at)];
+        for (int row = p.row + p.axes; row-- > p.row;) {
+          way[n++] = row;
+          if (g.count == Width || taken[static_cast<std::size_t>(row)]) continue;
+          taken[static_cast<std::size_t>(row)] = true;
+          g.row[g.count++] = row;
+        }
+      }
+      for (std::size_t i = 0; 2 * i + 1 < n; ++i) {
+        const int swapped = way[i];
+        way[i] = way[n - 1 - i], way[n - 1 - i] = swapped;
+      }
+      ++f.groups;
+    }
+  }
+  for (std::size_t g = 0; g < f.groups; ++g)
+    for (std::size_t h = 0; h < f.groups; ++h)
+      while (f.shared[g][h] < length[g] && f.shared[g][h] < length[h] &&
+             f.way[g][f.shared[g][h]] == f.way[h][f.shared[g][h]])
+        ++f.shared[g][h];
+  return f;
+}
+
+/// The numbers of (1) of local_inverse_mass.hpp between the axes of groups G and H of `Forces`, from e and D^-1 e: row
+/// i, a register of columns for each group.
+template <const auto& Forces, std::size_t G, std::size_t H, class Rows, class Matrix>
+KTE_INLINE void sum_answers_between(const Rows& left, const Rows& rate, Matrix& inverse) {
+  using S = typename Matrix::Scalar;
+  constexpr std::size_t width = Forces.width;
+  constexpr auto &g = Forces.group[G], &h = Forces.group[H];
+  std::array<tree::lanes<S>, g.count> sum{};
+  for (std::size_t i = 0; i < Forces.shared[G][H]; ++i) {
+    const auto row = static_cast<std::size_t>(Forces.way[G][i]);
+    tree::lanes<S> e;
+    tree::load<S>(e, left[row].data() + width * H);
+    for (std::size_t k = 0; k < g.count; ++k) sum[k] += rate[row][width * G + k] * e;
+  }
+  for_each_number<int{g.count}>([&]<int K>() KTE_INLINE_LAMBDA {
+    std::array<S, width> numbers;
+    tree::store<S>(sum[K], numbers.data());
+    constexpr std::size_t first = G == H ? K : 0;
+    for_each_number<int{h.count - first}>([&]<int L>() KTE_INLINE_LAMBDA {
+      inverse(h.row[first + L], g.row[K]) = inverse(g.row[K], h.row[first + L]) = numbers[first + L];
+    });
+  });
+}
+template <const auto& Forces, class Rows, class Matrix>
+KTE_INLINE void sum_answers(const Rows& left, const Rows& rate, Matrix& inverse) {
+  for_each_number<int{Forces.groups}>([&]<int G>() KTE_INLINE_LAMBDA {
+    for_each_number<int{Forces.groups} - G>(
+        [&]<int H>() KTE_INLINE_LAMBDA { sum_answers_between<Forces, G, G + H>(left, rate, inverse); });
+  });
+}
+
+}  // namespace kte::detail
