@@ -199,3 +199,25 @@ TEST_CASE("a coordinate that hybrid dynamics has prescribed is free in the next 
   (void)hybrid_dynamics(c, s, rest, rest, rest, {layout(c)[1].name});
   CHECK(mass_matrix_inverse(c, s, rest) == free);
 }
+
+TEST_CASE("the inverse of the mass matrix owes nothing to a call that found no finite number",
+          "[mass_matrix_inverse][runtime][errors]") {
+  // Brothers, and trees side by side: their common numbers are zeros that no joint writes.
+  const kte_map_chain c = element_by_element(tree_3D);
+  auto s = c.make_state();
+  random_numbers random(16);
+  const trial<std::remove_cvref_t<decltype(tree_3D)>> x(random);
+  const Eigen::MatrixXd good = mass_matrix_inverse(c, s, x.q);
+  int refused = 0;
+  for (Eigen::Index i = 0; i < x.q.size(); ++i) {
+    auto far = x.q;
+    far[i] = 1e200;
+    try {
+      (void)mass_matrix_inverse(c, s, far);
+    } catch (const error&) {
+      ++refused;
+    }
+    CHECK(mass_matrix_inverse(c, s, x.q) == good);
+  }
+  CHECK(refused > 2);  // positions whose squares are no numbers
+}

@@ -18,7 +18,6 @@ class axis_rows {
     stride_ = axes + most_lanes;
     numbers_.resize(rows * stride_);
   }
-  void clear() { std::fill(numbers_.begin(), numbers_.end(), S(0)); }
   KTE_INLINE std::size_t stride() const { return stride_; }
   KTE_INLINE S* operator[](int row) { return numbers_.data() + static_cast<std::size_t>(row) * stride_; }
   KTE_INLINE const S* operator[](int row) const { return numbers_.data() + static_cast<std::size_t>(row) * stride_; }

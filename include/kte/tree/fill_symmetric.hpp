@@ -10,7 +10,10 @@ template <class P, class S, class Matrix>
 void fill_symmetric(const forest<P>& f, int coordinates, const axis_rows<S>& rows, bool all, Matrix& m) {
   const int axes = static_cast<int>(f.axes());
   if (f.in_order && axes == coordinates) [[likely]] {
-    m.setZero(axes, axes);
+    if (all)
+      m.resize(axes, axes);
+    else
+      m.setZero(axes, axes);
     S* const x = m.data();
     for (const record<P>& r : f.records)
       for (int j = r.first; j < r.first + r.axes; ++j) {

@@ -106,9 +106,11 @@ KTE_INLINE bool give_way_along(const record<P>& r, const S& force, const P& own_
   return good;
 }
 /// The same by a joint of several unit axes, from the last, of which the first is returned that moves nothing, or -1:
-/// on I as a matrix of 6 x 6, in rows of 8 for the sake of registers.
+/// on I as a matrix of 6 x 6, in rows of 8 for the sake of registers. On a base only the answers are wanted: axis k
+/// then needs no more than the rows of those before it.
 template <class P, class S>
-int give_way_by_several(const record<P>& r, const S* force, const P* own_mass, burden<S>& x, axis_answer<S>* answers) {
+int give_way_by_several(const record<P>& r, const S* force, const P* own_mass, burden<S>& x, axis_answer<S>* answers,
+                        bool on_base) {
   auto& [a, h, j] = x.inertia;
   alignas(32) S m[6][8]{
       {a.xx, a.xy, a.xz, h.x.x, h.x.y, h.x.z, S(0), S(0)}, {a.xy, a.yy, a.yz, h.y.x, h.y.y, h.y.z, S(0), S(0)},
@@ -131,17 +133,20 @@ int give_way_by_several(const record<P>& r, const S* force, const P* own_mass, b
       store<S>(row, u + c), store<S>(inverse * row, gain + c);
       store<S>(load_left - rate * row, w + c);
     });
-    for (int i = 0; i < 6; ++i)
+    for (int l = 0; l < (on_base ? k : 6); ++l) {
+      const int i = on_base ? r.axis[static_cast<std::size_t>(l)] : l;
       by_lanes<S>(0, 6, [&](int c) KTE_INLINE_LAMBDA {
         lanes<S> row, by;
         load<S>(row, m[i] + c), load<S>(by, gain + c);
         store<S>(row - u[i] * by, m[i] + c);
       });
+    }
     answers[k] = {{{gain[0], gain[1], gain[2]}, {gain[3], gain[4], gain[5]}}, rate, inverse};
     if (own_mass[k] != P(0)) continue;
     for (int c = 0; c < 6; ++c) m[n][c] = m[c][n] = S(0);  // nothing at all is left
     w[n] = -force[k];
   }
+  if (on_base) return bad;
   x.inertia = {{m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]},
                {{m[0][3], m[0][4], m[0][5]}, {m[1][3], m[1][4], m[1][5]}, {m[2][3], m[2][4], m[2][5]}},
                {m[3][3], m[3][4], m[3][5], m[4][4], m[4][5], m[5][5]}};
@@ -156,7 +161,7 @@ template <class P, class S>
                                bool on_base) {
   int bad = -1;
   if (yields && r.moves == joint::several)
-    bad = give_way_by_several(r, force, own_mass, x, answers);
+    bad = give_way_by_several(r, force, own_mass, x, answers, on_base);
   else if (yields && !give_way_along(r, *force, *own_mass, x, *answers))
     bad = 0;
   if (on_base) return bad;

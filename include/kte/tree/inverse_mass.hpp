@@ -3,6 +3,8 @@
 #include <kte/tree/articulated.hpp>
 #include <kte/tree/columns.hpp>
 
+#include <type_traits>
+
 namespace kte::tree {
 
 /// What M and its inverse work with.
@@ -26,7 +28,7 @@ template <class P, class S>
 void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x) {
   wrench_rows<S>& w = x.wrenches;
   w.resize(f.axes());
-  x.rows.resize(f.axes(), f.axes()), x.rows.clear();
+  x.rows.resize(f.axes(), f.axes());
   x.left.resize(6, f.axes());
   const auto give = [](wrench_lanes<S>& load, const dense_wrench<S>& gain, const lanes<S>& e) KTE_INLINE_LAMBDA {
     load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
@@ -54,7 +56,10 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       for (int l = r.first + r.axes; yields && l-- > r.first;) {
         const S* const component = w.component(r.axis[static_cast<std::size_t>(l - r.first)]);
         S* const left = x.left[l - r.first];
-        std::copy(component + l, component + r.last, left + l);
+        by_lanes<S>(l, r.last, [&](int k) KTE_INLINE_LAMBDA {
+          lanes<S> e;
+          tree::load<S>(e, component + k), store<S>(e, left + k);
+        });
         left[l] = S(1);
         w.change(l, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {
           lanes<S> e;
@@ -64,25 +69,43 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       }
       if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
     }
+    // What axes of other bodies have in common with those from here on is still to come, if anything is.
+    const int beside =
+        on_base ? static_cast<int>(f.axes()) : f.records[static_cast<std::size_t>(r.parent - f.bases)].last;
+    for (int j = r.first; j < r.last; ++j) {
+      const int known = yields || j >= r.first + r.axes ? r.last : j;
+      by_lanes<S>(known, beside, [&](int k) KTE_INLINE_LAMBDA { store<S>(lanes<S>{}, x.rows[j] + k); });
+    }
     if (!yields) continue;
     // Registers run over the end, where rows have something yet to come.
     if (static_cast<std::size_t>(r.last) < f.axes())
       for (int l = 0; l < r.axes; ++l) std::fill_n(x.left[l] + r.last, most_lanes, S(0));
+    const S* const e = x.left[0];
+    const std::size_t row = x.left.stride();
     for (int j = r.first; j < r.last; ++j) {  // (2)
       S* const to = x.rows[j];
       const int axes = std::min(r.axes, j - r.first + 1);
+      const bool own = j < r.first + r.axes;
       std::array<S, 6> rate;
-      for (int l = 0; l < axes; ++l) rate[static_cast<std::size_t>(l)] = answers[l].inverse * x.left[l][j];
-      by_lanes<S>(j, r.last, [&](int k) KTE_INLINE_LAMBDA {
-        lanes<S> sum;
-        load<S>(sum, to + k);
-        for (int l = 0; l < axes; ++l) {
-          lanes<S> e;
-          load<S>(e, x.left[l] + k);
-          sum += rate[static_cast<std::size_t>(l)] * e;
-        }
-        store<S>(sum, to + k);
-      });
+      for (int l = 0; l < axes; ++l)
+        rate[static_cast<std::size_t>(l)] = answers[l].inverse * e[static_cast<std::size_t>(l) * row + j];
+      const auto add = [&](auto count) KTE_INLINE_LAMBDA {
+        by_lanes<S>(j, r.last, [&](int k) KTE_INLINE_LAMBDA {
+          lanes<S> sum{}, e_k;
+          if (!own) load<S>(sum, to + k);
+          for (std::size_t l = 0; l < static_cast<std::size_t>(count()); ++l) {
+            load<S>(e_k, e + l * row + k);
+            sum += rate[l] * e_k;
+          }
+          store<S>(sum, to + k);
+        });
+      };
+      if (axes == 1)
+        add(std::integral_constant<int, 1>{});
+      else if (axes == 6)
+        add(std::integral_constant<int, 6>{});
+      else
+        add([axes] { return axes; });
     }
   }
 }
