@@ -104,7 +104,7 @@ TEST_CASE("arm angle intervals hold the angle of every posture within limits, an
     const auto limits = iiwa_limits(c, part);
     const manipulator arm(c, "tool", limits);
     random_numbers random(3);
-    for (int k = 0; k < 300; ++k) {
+    for (int k = 0; k < 100; ++k) {
       const auto q = within_limits(random, limits);
       const auto x = arm.getDependentPoses(q)[0];
       const double psi = arm_angle_of(arm, q);
@@ -276,7 +276,7 @@ TEST_CASE("an arm on a track, or with a slide at its tool") {
     CHECK(arm.family() == arm_family::on_track);
     const Eigen::Index slide = first ? 0 : 6;
     const std::string name = first ? "q1" : "q7";
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < 80; ++k) {
       numbers q = random_posture(random, 7);
       q[slide] = 10 + random(9);
       const auto r = check_answers(arm, q, locked(name, q[slide]));
