@@ -73,16 +73,19 @@ struct arm_calls {
       }
     }
   }
-  [[gnu::noinline]] static void numeric(const arm_question* x, double* q, int* count) {
+  /// As it is called, from the closed form where that gives finitely many answers; numerically alone.
+  template <bool Numeric>
+  [[gnu::noinline]] static void clik(const arm_question* x, double* q, int* count) {
     const std::span start(x->start, static_cast<std::size_t>(Model::arm.dofs));
-    const auto r = kte::clik(Model::arm, kte::reach(kte::arm_names::tool, pose_of(*x)), start, {.numeric = true});
+    const auto r = kte::clik(Model::arm, kte::reach(kte::arm_names::tool, pose_of(*x)), start, {.numeric = Numeric});
     put(r.q, q);
     *count = r.status == kte::clik_status::reached;
   }
   static void add() {
     add_arm("closed", Model::name, wanted::posture, closed);
     add_arm("closed_pack8", Model::name, has_arm_angle ? wanted::any : wanted::posture, closed_pack8, 8);
-    add_arm("numeric", Model::name, wanted::any, numeric);
+    add_arm("clik", Model::name, wanted::any, clik<false>);
+    add_arm("numeric", Model::name, wanted::any, clik<true>);
   }
 };
 
