@@ -249,7 +249,7 @@ KTE_INLINE constexpr auto transmitted_by_joint(const Core& core, const C& at, co
   constexpr auto split = division<Core, C, M>();
   constexpr int axes{N};
   const std::array<X, N> force = f;
-  for_each_number<axes>([&]<int K>() KTE_INLINE_LAMBDA { f[K] = f[K] + power(axis_of<K>(core, at), load); });
+  for_each_number<axes>([&]<int K>() KTE_INLINE_LAMBDA { f[K] = X(f[K] + power(axis_of<K>(core, at), load)); });
   for (std::size_t i = 0; i < N; ++i) {
     rate[i] = r.inverse[i][0] * f[0];
     for (std::size_t k = 1; k < N; ++k) rate[i] += r.inverse[i][k] * f[k];

@@ -30,8 +30,19 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   template <std::size_t I>
   static constexpr int axes = yields<I> ? joint_dofs<core_t<I>> : 0;
 
-  using lanes = tree::lanes<S>;
-  static constexpr std::size_t width = tree::lanes_of<S>::count;
+  /// Whether a wrench in numbers S is one in S again beyond element I: with parameters of other precision it is not,
+  /// and registers hold numbers of one kind.
+  template <std::size_t I>
+  static constexpr bool keeps_numbers() {
+    if constexpr (is_transmission<core_t<I>>)
+      return is_wrench_of<S,
+                          decltype(transmit(std::declval<const local_motion<Chain, Given>&>().template joint_pose<I>(),
+                                            wrench<vec3<S>, vec3<S>>{}))>;
+    else
+      return true;
+  }
+  static constexpr std::size_t width = (keeps_numbers<E>() && ...) ? tree::lanes_of<S>::count : 1;
+  using lanes = std::conditional_t<width == 1, S, tree::lanes<S>>;
   /// The element that writes the base of element I, or -1.
   template <std::size_t I>
   static constexpr int below = wiring::writer(types::template output_kind<I>,

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <kte/frames/motion.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/tree/lanes.hpp>
 
 /// Unit forces on the axes of a tree that go down to its base side by side, in the lanes of a register.
 namespace kte::detail {
+
+/// Whether a wrench has nothing but numbers S and typed constants.
+template <class S, class W>
+inline constexpr bool is_wrench_of = false;
+template <class S, class... F, class... T>
+inline constexpr bool is_wrench_of<S, wrench<vec3<F...>, vec3<T...>>> =
+    ((typed_constant<F> || std::is_same_v<F, S>)&&...) && ((typed_constant<T> || std::is_same_v<T, S>)&&...);
 
 /// Of an element: its axes that are degrees of freedom, in the rows from the first on; the element that it stands on,
 /// or -1.
@@ -92,10 +100,11 @@ KTE_INLINE void sum_answers_between(const Rows& left, const Rows& rate, Matrix& 
   using S = typename Matrix::Scalar;
   constexpr std::size_t width = Forces.width;
   constexpr auto &g = Forces.group[G], &h = Forces.group[H];
-  std::array<tree::lanes<S>, g.count> sum{};
+  using lanes = std::conditional_t<width == 1, S, tree::lanes<S>>;
+  std::array<lanes, g.count> sum{};
   for (std::size_t i = 0; i < Forces.shared[G][H]; ++i) {
     const auto row = static_cast<std::size_t>(Forces.way[G][i]);
-    tree::lanes<S> e;
+    lanes e;
     tree::load<S>(e, left[row].data() + width * H);
     for (std::size_t k = 0; k < g.count; ++k) sum[k] += rate[row][width * G + k] * e;
   }
