@@ -4,6 +4,8 @@
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/tree/lanes.hpp>
 
+#include <algorithm>
+
 /// Unit forces on the axes of a tree that go down to its base side by side, in the lanes of a register.
 namespace kte::detail {
 
@@ -20,24 +22,29 @@ struct joint_place {
   int row, axes, below;
 };
 
-/// Axes on one way down, at most `Width` of them.
-template <std::size_t Width>
+/// Axes on one way down, at most `Width` of them, of a tree of N degrees of freedom.
+template <std::size_t Width, std::size_t N>
 struct force_group {
   int tip = 0;  ///< the element farthest from the base
-  std::size_t count = 0;
+  std::size_t count = 0, length = 0;
   std::array<int, Width> row{};
+  std::array<int, N> way{};  ///< all rows from the base to the tip
 };
 
-/// The axes of a tree of N degrees of freedom in groups.
+/// The axes of a tree in groups.
 template <std::size_t Width, std::size_t N>
 struct unit_forces {
   static constexpr std::size_t width = Width;
   std::size_t groups = 0;
-  std::array<force_group<Width>, N> group{};
-  std::array<std::array<int, N>, N> way{};  ///< of a group: all rows from the base to its tip
-  std::array<std::array<std::size_t, N>, N>
-      shared{};  ///< of two groups: how many first rows of their ways are the same
+  std::array<force_group<Width, N>, N> group{};
 
+  /// How many rows the ways of two groups have in common, from the base.
+  constexpr std::size_t shared(std::size_t g, std::size_t h) const {
+    const auto &a = group[g], &b = group[h];
+    std::size_t n = 0;
+    while (n < a.length && n < b.length && a.way[n] == b.way[n]) ++n;
+    return n;
+  }
   /// The forces of group G on the axes in rows from Row on.
   template <class Lanes, class S, std::size_t G, int Row, int Axes>
   KTE_INLINE constexpr std::array<Lanes, std::size_t{Axes}> units() const {
@@ -58,38 +65,27 @@ struct unit_forces {
 template <std::size_t Width, std::size_t N, std::size_t E>
 constexpr unit_forces<Width, N> side_by_side(const std::array<joint_place, E>& places) {
   unit_forces<Width, N> f;
-  std::array<bool, N + 1> taken{};
-  std::array<std::size_t, N + 1> length{};
-  for (std::size_t e = E; e-- > 0;) {
-    for (;;) {
-      auto& g = f.group[f.groups < N ? f.groups : 0];
-      int left = 0;
-      for (int a = 0; a < places[e].axes; ++a) left += !taken[static_cast<std::size_t>(places[e].row + a)];
-      if (left == 0) break;
-      g.tip = static_cast<int>(e);
-      auto& way = f.way[f.groups];
-      std::size_t& n = length[f.groups];
-      for (int at = g.tip; at >= 0; at = places[static_cast<std::size_t>(at)].below) {
-        const joint_place& p = places[static_cast<std::size_t>(at)];
-        for (int row = p.row + p.axes; row-- > p.row;) {
-          way[n++] = row;
-          if (g.count == Width || taken[static_cast<std::size_t>(row)]) continue;
-          taken[static_cast<std::size_t>(row)] = true;
-          g.row[g.count++] = row;
-        }
+  std::array<bool, N> taken{};
+  const auto is_done = [&](const joint_place& p) {
+    for (int row = p.row; row < p.row + p.axes; ++row)
+      if (!taken[static_cast<std::size_t>(row)]) return false;
+    return true;
+  };
+  const auto start = [&](force_group<Width, N>& g, std::size_t tip) {
+    g.tip = static_cast<int>(tip);
+    for (int at = g.tip; at >= 0; at = places[static_cast<std::size_t>(at)].below) {
+      const joint_place& p = places[static_cast<std::size_t>(at)];
+      for (int row = p.row + p.axes; row-- > p.row;) {
+        g.way[g.length++] = row;
+        if (g.count == Width || taken[static_cast<std::size_t>(row)]) continue;
+        taken[static_cast<std::size_t>(row)] = true;
+        g.row[g.count++] = row;
       }
-      for (std::size_t i = 0; 2 * i + 1 < n; ++i) {
-        const int swapped = way[i];
-        way[i] = way[n - 1 - i], way[n - 1 - i] = swapped;
-      }
-      ++f.groups;
     }
-  }
-  for (std::size_t g = 0; g < f.groups; ++g)
-    for (std::size_t h = 0; h < f.groups; ++h)
-      while (f.shared[g][h] < length[g] && f.shared[g][h] < length[h] &&
-             f.way[g][f.shared[g][h]] == f.way[h][f.shared[g][h]])
-        ++f.shared[g][h];
+    std::reverse(g.way.begin(), g.way.begin() + static_cast<std::ptrdiff_t>(g.length));
+  };
+  for (std::size_t e = E; e-- > 0;)
+    while (!is_done(places[e])) start(f.group[f.groups++], e);
   return f;
 }
 
@@ -101,9 +97,10 @@ KTE_INLINE void sum_answers_between(const Rows& left, const Rows& rate, Matrix& 
   constexpr std::size_t width = Forces.width;
   constexpr auto &g = Forces.group[G], &h = Forces.group[H];
   using lanes = std::conditional_t<width == 1, S, tree::lanes<S>>;
+  constexpr std::size_t shared = Forces.shared(G, H);
   std::array<lanes, g.count> sum{};
-  for (std::size_t i = 0; i < Forces.shared[G][H]; ++i) {
-    const auto row = static_cast<std::size_t>(Forces.way[G][i]);
+  for (std::size_t i = 0; i < shared; ++i) {
+    const auto row = static_cast<std::size_t>(g.way[i]);
     lanes e;
     tree::load<S>(e, left[row].data() + width * H);
     for (std::size_t k = 0; k < g.count; ++k) sum[k] += rate[row][width * G + k] * e;
