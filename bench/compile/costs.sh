@@ -1,23 +1,18 @@
 #!/bin/sh
 # What the builds below build/ cost: the twenty dearest units and the sum of each build, in seconds, in units of one
-# `#include <Eigen/Core>` (g++ -O2) on this machine now, and in MB.
-#   sh bench/compile/costs.sh          by the logs of ninja: seconds by the clock, no MB
-#   sh bench/compile/costs.sh FILE     by what .ci/run has GNU time write into FILE: CPU seconds, peak memory
+# `#include <Eigen/Core>` (g++ -O2) on this machine, and in MB.
+#   sh bench/compile/costs.sh                by the logs of ninja: seconds by the clock, no MB
+#   sh bench/compile/costs.sh FILE UNITS     by what .ci/run has GNU time write into FILE: CPU seconds, peak memory; and
+#                                            by what unit.sh printed from time to time meanwhile, in UNITS
 set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# CPU seconds of $@, user and system.
-seconds() {
-  sh -c '"$@" || exit; times' sh "$@" | awk 'NR == 2 { split($1 "m" $2, t, /[ms]+/); print 60 * t[1] + t[2] + 60 * t[3] + t[4] }'
-}
-echo '#include <Eigen/Core>' >"$work/unit.cpp"
-unit=$(for _ in 1 2 3; do
-  # shellcheck disable=SC2046
-  seconds g++ -std=c++20 -O2 $(pkg-config --cflags eigen3) -c "$work/unit.cpp" -o "$work/unit.o"
-done | sort -n | sed -n 2p)
-echo "One #include <Eigen/Core>: $unit s"
+if [ $# -gt 1 ]; then cp "$2" "$work/units"; else sh bench/compile/unit.sh 3 >"$work/units"; fi
+unit=$(awk '{ s += $1 } END { print s / NR }' "$work/units")
+sort -n "$work/units" | awk -v unit="$unit" '
+  { s[NR] = $1 } END { printf "One #include <Eigen/Core>: %.2f s, mean of %d, from %.2f to %.2f\n", unit, NR, s[1], s[NR] }'
 
 # "seconds MB output" of every unit
 if [ $# -gt 0 ]; then
