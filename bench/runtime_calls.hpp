@@ -1,21 +1,22 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/dynamics/runtime_frames.hpp>
 
-#include <string>
+#include <string_view>
 
 #include "timing.hpp"
 
 namespace bench {
 
-/// A runtime chain, its tool, and a state that stays where it is, as in a simulation.
+/// A runtime chain, its tool, and a state and a Jacobian that stay where they are, as in a control loop.
 struct runtime_subject {
-  runtime_subject(kte::kte_map_chain c, std::string tool_name, bool is_planar = false)
-      : chain(std::move(c)), tool(std::move(tool_name)), planar(is_planar) {}
+  runtime_subject(kte::kte_map_chain c, std::string_view tool_name, bool is_planar = false)
+      : chain(std::move(c)), tool(chain.frame(tool_name)), planar(is_planar) {}
   kte::kte_map_chain chain;
-  std::string tool;
+  kte::handle tool;
   bool planar;
   kte::runtime_state state = chain.make_state();
+  kte::runtime_jacobian jacobian;
   int nq = chain.nq(), nv = chain.dofs();
 };
 

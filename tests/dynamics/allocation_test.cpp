@@ -66,6 +66,8 @@ TEST_CASE("runtime chains allocate nothing once their state is made and has room
     CHECK(during([&] { (void)kte::mass_matrix(c, s, x); }) == 0);
     CHECK(during([&] { (void)kte::forward_kinematics(c, s, frame); }) == 0);
     CHECK(during([&] { (void)kte::forward_dynamics(c, s, x, x, x); }) == 0);
+    kte::runtime_jacobian j = kte::jacobian(c, s, x, frame);
+    CHECK(during([&] { kte::jacobian(c, s, x, frame, j), kte::jacobian(c, s, frame, kte::in_world_axes, j); }) == 0);
   }
 }
 

@@ -60,6 +60,26 @@ void check_double(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
+/// What a matrix held before, of whatever size, leaves no trace.
+template <class Chain>
+void check_kept(const Chain& c, std::initializer_list<const char*> frames) {
+  random_numbers random(21);
+  const auto model = models::element_by_element(c);
+  auto s = model.make_state();
+  runtime_jacobian kept = runtime_jacobian::Constant(6, 2, std::numeric_limits<double>::quiet_NaN());
+  for (const char* frame : frames) {
+    const auto q = random_configuration<double>(c, random);
+    jacobian(model, s, q, frame, kept);
+    CHECK(kept == jacobian(model, s, q, frame));
+    jacobian(model, s, q, frame, in_world_axes, kept);
+    CHECK(kept == jacobian(model, s, q, frame, in_world_axes));
+    jacobian(model, s, frame, kept);
+    CHECK(kept == jacobian(model, s, frame));
+    jacobian(model, s, frame, in_world_axes, kept);
+    CHECK(kept == jacobian(model, s, frame, in_world_axes));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("Jacobian of a foot of solo12 against 31 digits") {
@@ -98,6 +118,11 @@ TEST_CASE("Jacobians in double, and of runtime chains") {
   check_double(models::tree, models::shank, 15);
 }
 
+TEST_CASE("Jacobians into a matrix that is kept") {
+  check_kept(floating, {"body", "aside", "ground", "tip"});
+  check_kept(geared, {"palm", "tip"});
+}
+
 TEST_CASE("Jacobian of frames that do not move") {
   const auto q = neutral_configuration(floating);
   CHECK(jacobian(floating, q, ground).isZero(0));
@@ -125,5 +150,8 @@ TEST_CASE("Jacobians of bad arguments") {
     CHECK_THROWS_AS(jacobian(c, bad, tool), bad_argument);
     CHECK_THROWS_AS(jacobian(c, bad, tool, in_world_axes), bad_argument);
     CHECK_THROWS_AS(jacobian(model, s, bad, "tool"), bad_argument);
+    runtime_jacobian kept = runtime_jacobian::Ones(6, 7);
+    CHECK_THROWS_AS(jacobian(model, s, bad, "tool", in_world_axes, kept), bad_argument);
+    CHECK(kept == runtime_jacobian::Ones(6, 7));
   }
 }

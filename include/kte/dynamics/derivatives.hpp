@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/column_groups.hpp>
 #include <kte/dynamics/detail/coordinate_derivatives.hpp>
 #include <kte/dynamics/detail/dual_derivatives.hpp>
 #include <kte/dynamics/detail/local_derivatives.hpp>
@@ -73,7 +74,10 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
   else if constexpr (!inverted)
     invert_by_factors(of_forces.by_a, r.by_tau,
                       [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
-  solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
+  if constexpr (is_unrolled<Chain, S>)
+    solve_by_groups<Chain, is_analytical<Chain>>(r.by_tau, of_forces.by_q, of_forces.by_v, r.by_q, r.by_v);
+  else
+    solve_by_inverse(r.by_tau, of_forces.by_q, r.by_q), solve_by_inverse(r.by_tau, of_forces.by_v, r.by_v);
   return r;
 }
 }  // namespace detail

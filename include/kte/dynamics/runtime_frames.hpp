@@ -144,16 +144,19 @@ basic_runtime_jacobian<S> jacobian_by_rates(const kte_map_chain& c, basic_runtim
   write_numbers<vector_of::v>(s, v, "v");
   return j;
 }
-/// At positions that are good.
+/// At positions that are good, into a matrix of the caller's, of which all numbers are written.
 template <class S>
-basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
-                                      bool world) {
+void put_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world,
+                  basic_runtime_jacobian<S>& j) {
   const auto& t = s.tree();
   const auto& place = t.forest.frame(x.what, x.index);
   if constexpr (std::is_same_v<S, double>)
-    if (place.slot < 0) [[unlikely]]
-      return jacobian_by_rates(c, s, x, world);
-  basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
+    if (place.slot < 0) [[unlikely]] {
+      j = jacobian_by_rates(c, s, x, world);
+      return;
+    }
+  if (j.cols() != t.plan.coordinates) j.resize(6, t.plan.coordinates);  // which divides, whatever the size is
+  j.setZero();
   const auto add = [begin = j.data(), row = t.forest.row.data()](int k, const auto& v, const auto& w)
                        KTE_INLINE_LAMBDA { tree::add_column<S>(begin + 6 * row[k], v, w); };
   const auto way = place_ancestors(runtime_elements{c}, s, place.slot);
@@ -164,46 +167,84 @@ basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_stat
     tree::dense_pose<S> seen;
     (void)tree::jacobian_columns(t.forest, s.work, place, seen, add);
   }
-  if (j.cols() == s.dofs()) return j;
-  return folded(c, s, std::move(j));
+  if (j.cols() != s.dofs()) j = folded(c, s, std::move(j));
 }
 template <class S>
-basic_runtime_jacobian<S> jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s,
-                                            const name_or_handle& frame, bool world) {
+basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+                                      bool world) {
+  basic_runtime_jacobian<S> j;
+  put_jacobian(c, s, x, world, j);
+  return j;
+}
+template <class S>
+void put_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, bool world,
+                           basic_runtime_jacobian<S>& j) {
   check_regular(c, s);
   const auto x = find_frame(c, frame);
   check_positions(s);
-  return jacobian_of(c, s, x, world);
+  put_jacobian(c, s, x, world, j);
 }
 template <class S, class Q>
-basic_runtime_jacobian<S> jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
-                                      const name_or_handle& frame, bool world) {
+void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const name_or_handle& frame,
+                     bool world, basic_runtime_jacobian<S>& j) {
   check_regular(c, s);
   const auto x = find_frame(c, frame);
   take(c, s, q);
-  return jacobian_of(c, s, x, world);
+  put_jacobian(c, s, x, world, j);
 }
 }  // namespace detail
 
+/// Into a matrix of the caller's, which gets the size it needs: a control loop that keeps it allocates nothing (but
+/// where coordinates follow others).
+template <class S>
+void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+              basic_runtime_jacobian<S>& j) {
+  detail::put_jacobian_at_state(c, s, frame, false, j);
+}
+template <class S>
+void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t,
+              basic_runtime_jacobian<S>& j) {
+  detail::put_jacobian_at_state(c, s, frame, true, j);
+}
+template <class S, indexable Q>
+requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                            const name_or_handle& frame, basic_runtime_jacobian<S>& j) {
+  detail::put_jacobian_at(c, s, q, frame, false, j);
+}
+template <class S, indexable Q>
+requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                            const name_or_handle& frame, in_world_axes_t,
+                                            basic_runtime_jacobian<S>& j) {
+  detail::put_jacobian_at(c, s, q, frame, true, j);
+}
+/// The same as a value.
 template <class S>
 basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
-  return detail::jacobian_at_state(c, s, frame, false);
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, frame, j);
+  return j;
 }
 template <class S>
 basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
-                                   in_world_axes_t) {
-  return detail::jacobian_at_state(c, s, frame, true);
+                                   in_world_axes_t axes) {
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, frame, axes, j);
+  return j;
 }
 template <class S, indexable Q>
 requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame) {
-  return detail::jacobian_at(c, s, q, frame, false);
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, q, frame, j);
+  return j;
 }
 template <class S, indexable Q>
 requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame,
-                                                                 in_world_axes_t) {
-  return detail::jacobian_at(c, s, q, frame, true);
+                                                                 in_world_axes_t axes) {
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, q, frame, axes, j);
+  return j;
 }
 
 #ifdef KTE_EXTERN
@@ -212,7 +253,8 @@ namespace detail {
 KTE_EXTERN template void check_state_velocities(const runtime_state&);
 KTE_EXTERN template linear_angular<double> velocity_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
 KTE_EXTERN template linear_angular<double> acceleration_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
-KTE_EXTERN template runtime_jacobian jacobian_of(const kte_map_chain&, runtime_state&, const runtime_frame&, bool);
+KTE_EXTERN template void put_jacobian(const kte_map_chain&, runtime_state&, const runtime_frame&, bool,
+                                      runtime_jacobian&);
 }  // namespace detail
 #endif
 

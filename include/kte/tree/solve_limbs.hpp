@@ -4,25 +4,42 @@
 #include <kte/tree/record.hpp>
 
 #include <algorithm>
+#include <span>
 
 /// Products with the inverse of a mass matrix that know which bodies stand on each other.
 namespace kte::tree {
 
-/// n x n by columns, as Eigen has them.
-template <class S>
+/// Rows from 0 to n; known to the compiler where n is a constant.
+template <class Size>
+struct all_rows {
+  Size n;
+  template <class F>
+  KTE_INLINE void each(const F& f) const {
+    for (int k = 0; k < n; ++k) f(k);
+  }
+};
+struct some_rows {
+  std::span<const int> rows;
+  template <class F>
+  KTE_INLINE void each(const F& f) const {
+    for (const int k : rows) f(k);
+  }
+};
+/// n x n by columns, as Eigen has them. Size: an int, or a constant.
+template <class S, class Size = int, class Rows = some_rows>
 struct solve_arguments {
-  int n;
+  Size n;
   const S *inverse, *b, *c;
   S *x, *y;
-  const std::vector<int>& rows;  ///< of b and c that are anything
+  Rows rows;  ///< of b and c that are anything
 };
 /// Rows from i on, and from `further` on, as many as go together, of columns j, j + 1 .. of X = -M^-1 B and
 /// Y = -M^-1 C.
-template <int Columns, bool Two, class Lane, class S>
-KTE_INLINE void solve_block(const solve_arguments<S>& s, int i, int further, int j) {
+template <int Columns, bool Two, class Lane, class S, class Size, class Rows>
+KTE_INLINE void solve_block(const solve_arguments<S, Size, Rows>& s, int i, int further, int j) {
   Lane x[Columns]{}, y[Columns]{}, u[Columns]{}, v[Columns]{};
   const S *const b = s.b + j * s.n, *const c = s.c + j * s.n;
-  for (const int k : s.rows) {
+  s.rows.each([&](int k) KTE_INLINE_LAMBDA {
     const S* const column = s.inverse + k * s.n;
     Lane m, o{};
     load(m, column + i);
@@ -32,15 +49,15 @@ KTE_INLINE void solve_block(const solve_arguments<S>& s, int i, int further, int
       x[a] -= of_b * m, y[a] -= of_c * m;
       if constexpr (Two) u[a] -= of_b * o, v[a] -= of_c * o;
     }
-  }
+  });
   for (int a = 0; a < Columns; ++a) {
     S *const to_x = s.x + (j + a) * s.n, *const to_y = s.y + (j + a) * s.n;
     store(x[a], to_x + i), store(y[a], to_y + i);
     if constexpr (Two) store(u[a], to_x + further), store(v[a], to_y + further);
   }
 }
-template <int Columns, class S>
-void solve_columns(const solve_arguments<S>& s, int j) {
+template <int Columns, class S, class Size, class Rows>
+void solve_together(const solve_arguments<S, Size, Rows>& s, int j) {
   constexpr int count = static_cast<int>(lanes_of<S>::count);
   if (s.n < count) {
     for (int i = 0; i < s.n; ++i) solve_block<Columns, false, S>(s, i, i, j);
@@ -50,6 +67,24 @@ void solve_columns(const solve_arguments<S>& s, int j) {
   const auto begin = [&s](int block) KTE_INLINE_LAMBDA { return std::min(block * count, s.n - count); };
   for (int k = 0; k + 1 < blocks; k += 2) solve_block<Columns, true, lanes<S>>(s, begin(k), begin(k + 1), j);
   if (blocks % 2 != 0) solve_block<Columns, false, lanes<S>>(s, begin(blocks - 1), 0, j);
+}
+
+/// Columns from `first` to `end`.
+template <class S, class Size, class Rows>
+void solve_columns(const solve_arguments<S, Size, Rows>& s, int first, int end) {
+  for (int j = first; j < end;) {
+    switch (end - j) {
+      case 1:
+        solve_together<1>(s, j), j += 1;
+        break;
+      case 2:
+      case 4:
+        solve_together<2>(s, j), j += 2;
+        break;
+      default:
+        solve_together<3>(s, j), j += 3;
+    }
+  }
 }
 
 /// X = -M^-1 B and Y = -M^-1 C for axes in order: a column of B and C has rows of bodies on the way to its own and
@@ -71,20 +106,7 @@ void solve_limbs(const forest<P>& f, bool coupled, std::vector<int>& rows, const
       slot = before.parent;
     }
     for (int k = coupled ? 0 : r.first; k < (coupled ? n : r.last); ++k) rows.push_back(k);
-    const solve_arguments<S> s{n, inverse, b, c, x, y, rows};
-    for (int j = r.first; j < end;) {
-      switch (const int left = end - j; left) {
-        case 1:
-          solve_columns<1>(s, j), j += 1;
-          break;
-        case 2:
-        case 4:
-          solve_columns<2>(s, j), j += 2;
-          break;
-        default:
-          solve_columns<3>(s, j), j += 3;
-      }
-    }
+    solve_columns(solve_arguments<S>{n, inverse, b, c, x, y, {rows}}, r.first, end);
   }
 }
 

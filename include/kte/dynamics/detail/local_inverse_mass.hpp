@@ -27,8 +27,6 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   using core_t = typename types::template core<I>;
   template <std::size_t I>
   static constexpr bool yields = gives_way_under<Chain, Given, I>;
-  template <std::size_t I>
-  static constexpr int axes = yields<I> ? joint_dofs<core_t<I>> : 0;
 
   /// Whether a wrench in numbers S is one in S again beyond element I: with parameters of other precision it is not,
   /// and registers hold numbers of one kind.
@@ -43,21 +41,9 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   }
   static constexpr std::size_t width = (keeps_numbers<E>() && ...) ? tree::lanes_of<S>::count : 1;
   using lanes = std::conditional_t<width == 1, S, tree::lanes<S>>;
-  /// The element that writes the base of element I, or -1.
   template <std::size_t I>
-  static constexpr int below = wiring::writer(types::template output_kind<I>,
-                                              wiring::slot(I, port_count<core_t<I>> - 2));
-  template <std::size_t I>
-  static constexpr joint_place place() {
-    if constexpr (yields<I>) {
-      return {base::template row_of<I>, axes<I>, below<I>};
-    } else if constexpr (is_transmission<core_t<I>>) {
-      return {0, 0, below<I>};
-    } else {
-      return {0, 0, -1};
-    }
-  }
-  static constexpr auto forces = side_by_side<width, Chain::dofs>(std::array{place<E>()..., joint_place{0, 0, -1}});
+  static constexpr joint_place place = joint_place_of<Chain, I, yields<I>>();
+  static constexpr auto forces = side_by_side<width, Chain::dofs>(std::array{joint_place(place<E>)..., joint_place{}});
 
  public:
   using base::base;
@@ -97,19 +83,19 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   template <std::size_t I, std::size_t G, class W>
   KTE_INLINE void load_down(const W& load) {
     if constexpr (yields<I>) {
-      auto force = forces.template units<lanes, S, G, base::template row_of<I>, axes<I>>();
-      std::array<lanes, std::size_t{axes<I>}> rate;
+      auto force = forces.template units<lanes, S, G, place<I>.row, place<I>.axes>();
+      std::array<lanes, std::size_t{place<I>.axes}> rate;
       const auto w =
           transmitted_by_joint<S>(this->chain_.template core<I>(), base::template joint_coordinate<I>(),
                                   base::template mass_on<I>(), load, this->template response<I>(), force, rate);
-      for (std::size_t n = 0; n < std::size_t{axes<I>}; ++n) {
-        const auto row = std::size_t{base::template row_of<I>} + n;
+      for (std::size_t n = 0; n < std::size_t{place<I>.axes}; ++n) {
+        const auto row = std::size_t{place<I>.row} + n;
         tree::store<S>(force[n], left_[row].data() + width * G);
         tree::store<S>(rate[n], rate_[row].data() + width * G);
       }
-      if constexpr (below<I> >= 0) load_down<std::size_t{below<I>}, G>(w);
-    } else if constexpr (below<I> >= 0) {
-      load_down<std::size_t{below<I>}, G>(transmit(base::template joint_pose<I>(), load));
+      if constexpr (place<I>.below >= 0) load_down<std::size_t{place<I>.below}, G>(w);
+    } else if constexpr (place<I>.below >= 0) {
+      load_down<std::size_t{place<I>.below}, G>(transmit(base::template joint_pose<I>(), load));
     }
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/joint_places.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/tree/lanes.hpp>
@@ -15,12 +16,6 @@ inline constexpr bool is_wrench_of = false;
 template <class S, class... F, class... T>
 inline constexpr bool is_wrench_of<S, wrench<vec3<F...>, vec3<T...>>> =
     ((typed_constant<F> || std::is_same_v<F, S>)&&...) && ((typed_constant<T> || std::is_same_v<T, S>)&&...);
-
-/// Of an element: its axes that are degrees of freedom, in the rows from the first on; the element that it stands on,
-/// or -1.
-struct joint_place {
-  int row, axes, below;
-};
 
 /// Axes on one way down, at most `Width` of them, of a tree of N degrees of freedom.
 template <std::size_t Width, std::size_t N>
