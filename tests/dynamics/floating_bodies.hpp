@@ -1,13 +1,14 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
-
 #include "catch.hpp"
 #include "chain/models.hpp"
+#include "eigenvalues.hpp"
 #include "random.hpp"
 
 /// Bodies that float, and ball joints.
 namespace kte::test::floating_bodies {
+
+using test::eigenvalues_of;
 
 // clang-format off
 inline constexpr struct trunk_  final : pose_3D_key<"trunk">    {} trunk;
@@ -76,10 +77,5 @@ inline Eigen::Matrix3d eigen(const mat3<>& m) {
   return r;
 }
 inline Eigen::Matrix3d eigen(const sym3<>& m) { return eigen(as<double>(full(m))); }
-
-/// Of a mass matrix.
-inline Eigen::VectorXd eigenvalues_of(const Eigen::MatrixXd& M) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues();
-}
 
 }  // namespace kte::test::floating_bodies
