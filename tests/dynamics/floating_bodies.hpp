@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "eigenvalues.hpp"

@@ -15,6 +15,32 @@ KTE_INLINE articulated_inertia<S> own_inertia(const record<P>& r) {
           {{S(0), h.z, -h.y}, {-h.z, S(0), h.x}, {h.y, -h.x, S(0)}},
           as<S>(r.weight.inertia)};
 }
+/// What velocities alone make of a body: of one that moves by w, its load.
+template <class P, class S>
+KTE_INLINE dense_wrench<S> load_of_velocity(const record<P>& r, const vec3<S>& w) {
+  const rigid_body<P, vec3<P>, sym3<P>>& b = r.body;
+  const vec3<S> force = b.mass * cross(w, cross(w, b.com));
+  return {-force, -(cross(w, b.inertia * w) + cross(b.com, force))};
+}
+/// The drift of a body, and its angular velocity from that of its parent, where the joint is not one about z.
+template <class P, class S>
+KTE_INLINE void drift_by_axes(const record<P>& r, const S* rate, vec3<S>& drift, vec3<S>& ang_drift, vec3<S>& w) {
+  vec3<S> v_j{}, w_j{};
+  along_axes(r, rate, v_j, w_j);
+  drift = drift + (S(2) * cross(w, v_j) + cross(w_j, v_j));
+  ang_drift = cross(w, w_j);
+  w = w + w_j;
+}
+/// The same of one of several axes, apart as `move_by_several`.
+template <class P, class S>
+[[gnu::noinline]] void drift_by_several(const record<P>& r, const spot<S>& at, const S* rate, articulated_body<S>& x,
+                                        vec3<S>& w) {
+  const placed seat{r, at};
+  x.drift = seat.in_of_several(cross(w, cross(w, at.position)));
+  w = seat.in_of_several(w);
+  drift_by_axes(r, rate, x.drift, x.ang_drift, w);
+  x.load = load_of_velocity(r, w);
+}
 /// W of every body alone, and I of those on which several stand; what velocities alone add to accelerations, at bodies
 /// of which `yields` is false also what is given. Needs the motions of bases; without `moving` there are no velocities
 /// and nothing is given.
@@ -41,26 +67,26 @@ void start_articulated(const forest<P>& f, memory<P, S>& m, bool moving) {
     if (r.parent != at_hand) w = m.bodies[static_cast<std::size_t>(r.parent)].ang_velocity;
     at_hand = static_cast<int>(slot);
     const S* const rate = &m.rate[static_cast<std::size_t>(r.first)];
-    const S* const given = &m.acceleration[static_cast<std::size_t>(r.first)];
-    vec3<S> drift = at.in(cross(w, cross(w, m.spots[i].position))), ang_drift{};
-    w = at.in(w);
-    if (r.moves == joint::revolute) {
-      ang_drift.x = w.y * *rate, ang_drift.y = -w.x * *rate;
-      w.z += *rate;
+    if (r.moves == joint::several) [[unlikely]] {
+      body_motion<S>& motion = m.bodies[slot];
+      motion.ang_velocity = w;
+      drift_by_several(r, m.spots[i], rate, x, motion.ang_velocity);
+      w = motion.ang_velocity;
     } else {
-      vec3<S> v_j{}, w_j{};
-      along_axes(r, rate, v_j, w_j);
-      drift = drift + (S(2) * cross(w, v_j) + cross(w_j, v_j));
-      ang_drift = cross(w, w_j);
-      w = w + w_j;
+      vec3<S> drift = at.in(cross(w, cross(w, m.spots[i].position))), ang_drift{};
+      w = at.in(w);
+      if (r.moves == joint::revolute) {
+        ang_drift.x = w.y * *rate, ang_drift.y = -w.x * *rate;
+        w.z += *rate;
+      } else {
+        drift_by_axes(r, rate, drift, ang_drift, w);
+      }
+      x.drift = drift, x.ang_drift = ang_drift;
+      m.bodies[slot].ang_velocity = w;
+      x.load = load_of_velocity(r, w);
     }
-    x.drift = drift, x.ang_drift = ang_drift;
-    m.bodies[slot].ang_velocity = w;
     if (!m.yields[i]) [[unlikely]]
-      along_axes(r, given, x.drift, x.ang_drift);
-    const rigid_body<P, vec3<P>, sym3<P>>& b = r.body;
-    const vec3<S> force = b.mass * cross(w, cross(w, b.com));
-    x.load = {-force, -(cross(w, b.inertia * w) + cross(b.com, force))};
+      along_axes(r, &m.acceleration[static_cast<std::size_t>(r.first)], x.drift, x.ang_drift);
   }
 }
 
@@ -114,8 +140,8 @@ int articulate(const forest<P>& f, memory<P, S>& m) {
 
 /// (2) of `accelerate` for any joint.
 template <class P, class S>
-[[gnu::noinline]] void accelerate_axes(const record<P>& r, const axis_answer<S>* answers, const P* own_mass, S* change,
-                                       vec3<S>& a, vec3<S>& al) {
+KTE_INLINE void accelerate_axes(const record<P>& r, const axis_answer<S>* answers, const P* own_mass, S* change,
+                                vec3<S>& a, vec3<S>& al) {
   for (int k = 0; k < r.axes; ++k) {
     const auto& [gain, rate, inverse] = answers[k];
     if (r.moves == joint::screw || own_mass[k] != P(0)) {
@@ -131,6 +157,20 @@ template <class P, class S>
       change[k] = along - before;
     }
   }
+}
+
+/// The same of a body that does not turn about z alone, from the acceleration (a, al) of its parent. Apart as
+/// `move_by_several`.
+template <class P, class S>
+[[gnu::noinline]] void accelerate_by_axes(const record<P>& r, const spot<S>& at, const articulated_body<S>& x,
+                                          bool yields, const axis_answer<S>* answers, const P* own_mass, S* change,
+                                          vec3<S>& a, vec3<S>& al) {
+  const placed seat{r, at};
+  const bool several = r.moves == joint::several;
+  const vec3<S> moved = a + cross(al, at.position);
+  a = (several ? seat.in_of_several(moved) : seat.in(moved)) + x.drift;
+  al = (several ? seat.in_of_several(al) : seat.in(al)) + x.ang_drift;
+  if (yields) accelerate_axes(r, answers, own_mass, change, a, al);
 }
 
 /// The way out: accelerations of all axes from the motions of the bases,
@@ -151,18 +191,20 @@ void accelerate(const forest<P>& f, memory<P, S>& m) {
     }
     at_hand = f.bases + static_cast<int>(i);
     articulated_body<S>& x = m.articulated[static_cast<std::size_t>(at_hand)];
-    a = at.in(a + cross(al, m.spots[i].position)) + x.drift;
-    al = at.in(al) + x.ang_drift;
     S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
     const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
     const P* const own_mass = &m.own_mass[static_cast<std::size_t>(r.first)];
-    if (r.moves == joint::revolute && m.yields[i] && *own_mass == P(0)) {
-      const auto& [gain, rate, inverse] = *answers;
-      const S now = rate - (dot(gain.force, a) + (gain.torque.x * al.x + gain.torque.y * al.y));
-      *change = now - al.z, al.z = now;
-    } else if (m.yields[i]) {
+    if (r.moves == joint::revolute && *own_mass == P(0)) [[likely]] {
+      a = at.in(a + cross(al, m.spots[i].position)) + x.drift;
+      al = at.in(al) + x.ang_drift;
+      if (m.yields[i]) {
+        const auto& [gain, rate, inverse] = *answers;
+        const S now = rate - (dot(gain.force, a) + (gain.torque.x * al.x + gain.torque.y * al.y));
+        *change = now - al.z, al.z = now;
+      }
+    } else {
       vec3<S> in_memory = a, ang_in_memory = al;
-      accelerate_axes(r, answers, own_mass, change, in_memory, ang_in_memory);
+      accelerate_by_axes(r, m.spots[i], x, m.yields[i] != 0, answers, own_mass, change, in_memory, ang_in_memory);
       a = in_memory, al = ang_in_memory;
     }
     x.acceleration = a, x.ang_acceleration = al;

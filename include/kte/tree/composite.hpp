@@ -4,6 +4,19 @@
 
 namespace kte::tree {
 
+/// Of a body of several axes, from the axes `a` of its parent in the world to its own, and those of its joint. Apart,
+/// that what is seldom needed does not take registers from the rest.
+template <class P, class S>
+[[gnu::noinline]] void place_by_several(const record<P>& r, const spot<S>& at, mat3<vec3<S>>& a, world_axis<S>* axis) {
+  const placed seat{r, at};
+  a = {seat.in_of_several(a.x), seat.in_of_several(a.y), seat.in_of_several(a.z)};
+  const std::array<vec3<S>, 3> unit{vec3<S>{a.x.x, a.y.x, a.z.x}, vec3<S>{a.x.y, a.y.y, a.z.y},
+                                    vec3<S>{a.x.z, a.y.z, a.z.z}};
+  for (int k = 0; k < r.axes; ++k) {
+    const std::size_t n = r.axis[static_cast<std::size_t>(k)];
+    axis[k] = n < 3 ? world_axis<S>{unit[n], {}} : world_axis<S>{{}, unit[n - 3]};
+  }
+}
 /// Axes of all bodies in the world, their origins, and the axes of their joints.
 template <class P, class S>
 void place_in_world(const forest<P>& f, memory<P, S>& m) {
@@ -22,28 +35,21 @@ void place_in_world(const forest<P>& f, memory<P, S>& m) {
     at_hand = bases + static_cast<int>(i);
     const vec3<S> step = a * at.at.position;
     position = position + step;
-    a = at.axes_in(a);
+    world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(r.first)];
+    if (r.moves == joint::several) [[unlikely]] {
+      mat3<vec3<S>> in_memory = a;
+      place_by_several(r, m.spots[i], in_memory, axis);
+      a = in_memory;
+    } else {
+      a = at.axes_in(a);
+      const vec3<S> z{a.x.z, a.y.z, a.z.z};
+      if (r.moves == joint::revolute) [[likely]]
+        *axis = {{}, z};
+      else
+        *axis = {r.slides * z, r.turns * z};
+    }
     world_place<S>& x = m.world[static_cast<std::size_t>(at_hand)];
     x.rotation = a, x.step = step, x.position = position;
-    const vec3<S> z{a.x.z, a.y.z, a.z.z};
-    world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(r.first)];
-    switch (r.moves) {
-      case joint::revolute:
-        *axis = {{}, z};
-        break;
-      case joint::prismatic:
-        *axis = {z, {}};
-        break;
-      case joint::screw:
-        *axis = {r.slides * z, r.turns * z};
-        break;
-      case joint::several:
-        for (int k = 0; k < r.axes; ++k) {
-          const int n = r.axis[static_cast<std::size_t>(k)], c = n % 3;
-          const vec3<S> unit = c == 0 ? vec3<S>{a.x.x, a.y.x, a.z.x} : c == 1 ? vec3<S>{a.x.y, a.y.y, a.z.y} : z;
-          axis[k] = n < 3 ? world_axis<S>{unit, {}} : world_axis<S>{{}, unit};
-        }
-    }
   }
 }
 

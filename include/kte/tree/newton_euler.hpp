@@ -13,6 +13,25 @@ KTE_INLINE dense_wrench<S> wrench_of(const rigid_body<P, vec3<P>, sym3<P>>& b, c
   const vec3<S> f = b.mass * (a + (cross(al, b.com) + cross(w, cross(w, b.com))));
   return {f, b.inertia * al + (cross(w, b.inertia * w) + cross(b.com, f))};
 }
+/// (1) to (3) of a body of several axes, from the motion of its parent in its place. Apart, that what is seldom needed
+/// does not take registers from the rest.
+template <bool Velocities, class P, class S>
+[[gnu::noinline]] void move_by_several(const record<P>& r, const spot<S>& at, const S* rate, const S* change,
+                                       body_motion<S>& x) {
+  const placed seat{r, at};
+  const vec3<S> w = seat.in_of_several(x.ang_velocity);
+  vec3<S> v_j{}, w_j{}, a_j{}, al_j{};
+  along_axes(r, rate, v_j, w_j);
+  along_axes(r, change, a_j, al_j);
+  const vec3<S> swept = cross(x.ang_velocity, at.position);
+  if constexpr (Velocities) x.velocity = seat.in_of_several(x.velocity + swept) + v_j;
+  x.acceleration =
+      seat.in_of_several(x.acceleration + (cross(x.ang_acceleration, at.position) + cross(x.ang_velocity, swept))) +
+      (S(2) * cross(w, v_j) + cross(w_j, v_j) + a_j);
+  x.ang_acceleration = seat.in_of_several(x.ang_acceleration) + (cross(w, w_j) + al_j);
+  x.ang_velocity = w + w_j;
+  x.needs = wrench_of(r.body, x.acceleration, x.ang_velocity, x.ang_acceleration);
+}
 /// The motions of all bodies, and what they need for them (RNEA, first half): classical accelerations in body axes, as
 /// `compose` of frames/motion.hpp. With its parent at w, al, a, the joint at v_J, w_J relative to its seat:
 ///
@@ -35,13 +54,21 @@ void move_bodies(const forest<P>& f, memory<P, S>& m) {
       if constexpr (Velocities) v = base.velocity;
     }
     at_hand = bases + static_cast<int>(i);
+    const S* const rate = &m.rate[static_cast<std::size_t>(r.first)];
+    const S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
+    body_motion<S>& x = m.bodies[static_cast<std::size_t>(at_hand)];
+    if (r.moves == joint::several) [[unlikely]] {
+      x = {v, w, a, al, {}};
+      move_by_several<Velocities>(r, m.spots[i], rate, change, x);
+      w = x.ang_velocity, al = x.ang_acceleration, a = x.acceleration;
+      if constexpr (Velocities) v = x.velocity;
+      continue;
+    }
     const vec3<S>& p = m.spots[i].position;
     if constexpr (Velocities) v = at.in(v + cross(w, p));
     a = at.in(a + (cross(al, p) + cross(w, cross(w, p))));
     al = at.in(al);
     w = at.in(w);
-    const S* const rate = &m.rate[static_cast<std::size_t>(r.first)];
-    const S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
     if (r.moves == joint::revolute) {
       al.x += w.y * *rate, al.y -= w.x * *rate, al.z += *change;  // (2)
       w.z += *rate;
@@ -54,7 +81,6 @@ void move_bodies(const forest<P>& f, memory<P, S>& m) {
       w = w + w_j;
       if constexpr (Velocities) v = v + v_j;
     }
-    body_motion<S>& x = m.bodies[static_cast<std::size_t>(at_hand)];
     x.ang_velocity = w, x.ang_acceleration = al, x.acceleration = a;
     if constexpr (Velocities) x.velocity = v;
     x.needs = wrench_of(r.body, a, w, al);

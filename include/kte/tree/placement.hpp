@@ -53,14 +53,14 @@ struct placed {
       a = rotated(at.rotation, a);
     return seat(a);
   }
-  /// To axes of the body.
-  KTE_INLINE vec3<S> in(vec3<S> u) const {
-    if (r.turned) u = in_z(r.before, u);
-    u = in_z(at.angle, in_x(r.tilt, u));
+  /// To axes of the body; of one of several axes, inline.
+  KTE_INLINE vec3<S> in(const vec3<S>& u) const {
+    const vec3<S> x = to_seat(u);
     if (r.moves == joint::several) [[unlikely]]
-      u = rotated_back(at.rotation, u);
-    return u;
+      return rotated_back(at.rotation, x);
+    return x;
   }
+  KTE_INLINE vec3<S> in_of_several(const vec3<S>& u) const { return transpose(at.rotation) * to_seat(u); }
   /// R A: from the unit vectors of the body, as rows, to those of the parent; and back.
   template <class Row>
   KTE_INLINE mat3<Row> units_out(mat3<Row> a) const {
@@ -88,6 +88,10 @@ struct placed {
   template <class Row>
   KTE_INLINE static mat3<Row> turned(const mat3<Row>& a, const mat3<vec3<S>>& r) {
     return {combined(a, r.x), combined(a, r.y), combined(a, r.z)};
+  }
+  KTE_INLINE vec3<S> to_seat(vec3<S> u) const {
+    if (r.turned) u = in_z(r.before, u);
+    return in_z(at.angle, in_x(r.tilt, u));
   }
   template <class X>
   KTE_INLINE X seat(const X& x) const {
@@ -132,7 +136,10 @@ KTE_INLINE void along_axes(const record<P>& r, const S* x, vec3<S>& linear, vec3
       linear.z += r.slides * x[0], angular.z += r.turns * x[0];
       break;
     case joint::several:
-      for (int k = 0; k < r.axes; ++k) component(linear, angular, r.axis[static_cast<std::size_t>(k)]) += x[k];
+      if (r.axes == 6)  // a pose: all of them, in order
+        linear = linear + vec3{x[0], x[1], x[2]}, angular = angular + vec3{x[3], x[4], x[5]};
+      else
+        for (int k = 0; k < r.axes; ++k) component(linear, angular, r.axis[static_cast<std::size_t>(k)]) += x[k];
   }
 }
 /// put(k, the power of a wrench on the unit rate of axis k of a joint) for its first `count` axes.
