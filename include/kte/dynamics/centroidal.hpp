@@ -117,6 +117,7 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
                                                                "a");
                           }),
        a);
+  check_result(a.data(), static_cast<std::size_t>(a.size()), too_large{"a momentum"});
   return a;
 }
 

@@ -42,6 +42,38 @@ Eigen::Matrix<S, 6, 1> six_numbers(const W& w) {
 }
 template <class... Core>
 inline constexpr bool no_reactions_read = (!reads_reaction<Core> && ...);
+
+/// A load on a frame of a runtime chain.
+template <class S>
+struct load_on_frame {
+  runtime_frame frame;
+  Eigen::Matrix<S, 6, 1> load;
+};
+/// All that can be said before anything is computed.
+template <class S>
+std::vector<load_on_frame<S>> checked_loads(const kte_map_chain& c, const basic_runtime_state<S>& s,
+                                            const std::vector<external_wrench>& loads) {
+  check_regular(c, s);
+  if (!s.tree().readers.empty())
+    throw bad_argument(
+        "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the chain");
+  std::vector<load_on_frame<S>> all;
+  for (const auto& w : loads) all.push_back({find_frame(c, w.frame), six_numbers<S>(w)});
+  return all;
+}
+/// At positions that are good.
+template <class S>
+runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                  const std::vector<load_on_frame<S>>& loads) {
+  runtime_vector<S> sum = runtime_vector<S>::Zero(s.dofs());
+  basic_runtime_jacobian<S> j;
+  for (const auto& w : loads) {
+    put_jacobian(c, s, w.frame, false, j);
+    sum += j.transpose() * w.load;
+  }
+  check_result(sum, static_cast<std::size_t>(sum.size()), too_large{"a force"});
+  return sum;
+}
 }  // namespace detail
 
 /// The forces of virtual power of loads on frames on the degrees of freedom, N and Nm: Q of (1). Throws `bad_argument`
@@ -49,13 +81,9 @@ inline constexpr bool no_reactions_read = (!reads_reaction<Core> && ...);
 template <class S, indexable Q>
 runtime_vector<S> external_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
                                   const std::vector<external_wrench>& loads) {
-  c.check(s);
-  if (!s.tree().readers.empty())
-    throw bad_argument(
-        "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the chain");
-  runtime_vector<S> sum = runtime_vector<S>::Zero(s.dofs());
-  for (const auto& w : loads) sum += jacobian(c, s, q, w.frame).transpose() * detail::six_numbers<S>(w);
-  return sum;
+  const auto all = detail::checked_loads(c, s, loads);
+  detail::take(c, s, q);
+  return detail::forces_of_loads(c, s, all);
 }
 /// The same of a static chain.
 template <class Gravity, class... E, indexable Q, key_type... Frames>
@@ -68,6 +96,7 @@ auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wre
   joint_vector<S, static_chain<Gravity, E...>::dofs> sum;
   sum.setZero();
   ((sum += jacobian(c, q, Frames{}).transpose() * detail::six_numbers<S>(loads)), ...);
+  detail::check_result(sum, static_cast<std::size_t>(sum.size()), detail::too_large{"a force"});
   return sum;
 }
 
@@ -78,8 +107,10 @@ auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wre
 template <class S, indexable Q, indexable V, indexable A>
 runtime_vector<S> inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a, const std::vector<external_wrench>& loads) {
-  const runtime_vector<S> from_outside = external_forces(c, s, q, loads);
-  return inverse_dynamics(c, s, q, v, a) - from_outside;
+  const auto all = detail::checked_loads(c, s, loads);
+  detail::take(c, s, q, v, a);
+  const runtime_vector<S> from_outside = detail::forces_of_loads(c, s, all);
+  return inverse_dynamics(c, s) - from_outside;
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type First, key_type... Frames>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
@@ -93,8 +124,9 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 template <class S, indexable Q, indexable V, indexable T>
 runtime_vector<S> forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const T& tau, const std::vector<external_wrench>& loads) {
-  check_size(static_cast<std::size_t>(c.dofs()), tau, "tau");
-  runtime_vector<S> all = external_forces(c, s, q, loads);
+  const auto checked = detail::checked_loads(c, s, loads);
+  detail::take(c, s, q, v, detail::not_given{}, tau);
+  runtime_vector<S> all = detail::forces_of_loads(c, s, checked);
   for (Eigen::Index i = 0; i < all.size(); ++i) all[i] += static_cast<S>(tau[static_cast<std::size_t>(i)]);
   return forward_dynamics(c, s, q, v, all);
 }

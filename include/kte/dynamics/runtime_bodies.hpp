@@ -101,6 +101,7 @@ basic_runtime_jacobian<S> centroidal_map_of(const kte_map_chain& c, basic_runtim
     column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
     column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
   });
+  check_result(a.data(), static_cast<std::size_t>(a.size()), too_large{"a momentum"});
   if (a.cols() == s.dofs()) return a;
   return folded(c, s, std::move(a));
 }
