@@ -107,4 +107,14 @@ TEST_CASE("mass matrix by Jacobians: a frame and a coordinate of one name, and m
   CHECK_THROWS_MATCHES(mass_matrix_calc(c) << all_inertias, bad_argument, says("mass between several"));
   auto t = c.make_state();
   CHECK_THROWS_AS(coriolis_matrix(c, t), bad_argument);
+
+  // What throws leaves nothing behind, and no end of such a mass is left out.
+  mass_matrix_calc part(c);
+  CHECK_THROWS_MATCHES(part << inertia_on("arm"), bad_argument, says("inertial_beam_2D ('base', 'arm')"));
+  CHECK_THROWS_AS(part << inertia_on("base"), bad_argument);
+  CHECK_THROWS_AS(part << all_inertias, bad_argument);
+  part << moved_by("arm");
+  CHECK_THROWS_AS(part << all_coordinates, bad_argument);
+  CHECK((part.inertias().empty() && part.coordinates().size() == 1 && part.columns().size() == 1));
+  CHECK(part.mass_matrix(t)(0, 0) == 0);
 }

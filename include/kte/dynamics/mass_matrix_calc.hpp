@@ -25,6 +25,7 @@ class mass_matrix_calc<kte_map_chain> {
 
   /// Throws `unknown_name`; `bad_argument` where there is no mass, or it has been fed already.
   mass_matrix_calc& operator<<(const inertia_on<>& x) {
+    rollback feeding(*this);
     bool found = false;
     for (const bool frame : {false, true}) {  // both may have the name
       const kind k = chain_.wiring().kind_of(x.name, frame);
@@ -32,12 +33,16 @@ class mass_matrix_calc<kte_map_chain> {
       const int index = chain_.wiring().find(x.name, k);
       for (std::size_t e = 0; e < chain_.wiring().elements.size(); ++e) {
         const auto& at = chain_.wiring().elements[e];
-        if (at.ports[0].what == k && at.index[0] == index) found |= add_body(e);
+        if (at.ports[0].what == k && at.index[0] == index)
+          found |= add_body(e);
+        else if (at.spreads && !at.stiff)
+          for (std::size_t p = 1; p < at.ports.size(); ++p)
+            if (at.ports[p].what == k && at.index[p] == index) refuse_spread(e);
       }
     }
     if (!found) throw bad_argument("kte: mass_matrix_calc: there is no mass on '" + x.name + "'");
     inertias_.push_back(x.name);
-    return *this;
+    return feeding.kept();
   }
   /// Throws `unknown_name`; `bad_argument` for what is no degree of freedom, or has been fed already.
   mass_matrix_calc& operator<<(const moved_by<>& x) {
@@ -52,6 +57,7 @@ class mass_matrix_calc<kte_map_chain> {
   }
 
   mass_matrix_calc& operator<<(all_inertias_t) {
+    rollback feeding(*this);
     for (std::size_t e = 0; e < chain_.wiring().elements.size(); ++e)
       if (add_body(e)) {
         const auto& at = chain_.wiring().elements[e];
@@ -59,14 +65,15 @@ class mass_matrix_calc<kte_map_chain> {
             chain_.wiring().names[static_cast<std::size_t>(at.ports[0].what)][static_cast<std::size_t>(at.index[0])];
         if (std::find(inertias_.begin(), inertias_.end(), name) == inertias_.end()) inertias_.push_back(name);
       }
-    return *this;
+    return feeding.kept();
   }
   mass_matrix_calc& operator<<(all_coordinates_t) {
+    rollback feeding(*this);
     for (const auto& f : chain_.wiring().free) {
       add_coordinate(f);
       moved_by_.push_back(chain_.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)]);
     }
-    return *this;
+    return feeding.kept();
   }
 
   const kte_map_chain& chain() const { return chain_; }
@@ -126,12 +133,43 @@ class mass_matrix_calc<kte_map_chain> {
     int index;
     Eigen::MatrixXd masses;
   };
+  /// What a feeding that throws has added is taken out again.
+  class rollback {
+   public:
+    explicit rollback(mass_matrix_calc& of)
+        : of_(of),
+          bodies_(of.bodies_),
+          coordinates_(of.coordinates_),
+          inertias_(of.inertias_),
+          moved_by_(of.moved_by_) {}
+    rollback(const rollback&) = delete;
+    rollback& operator=(const rollback&) = delete;
+    ~rollback() {
+      if (kept_) return;
+      of_.bodies_.swap(bodies_), of_.coordinates_.swap(coordinates_);
+      of_.inertias_.swap(inertias_), of_.moved_by_.swap(moved_by_);
+    }
+    mass_matrix_calc& kept() {
+      kept_ = true;
+      return of_;
+    }
+
+   private:
+    mass_matrix_calc& of_;
+    std::vector<body> bodies_;
+    std::vector<detail::freedom> coordinates_;
+    std::vector<std::string> inertias_, moved_by_;
+    bool kept_ = false;
+  };
+  [[noreturn]] void refuse_spread(std::size_t e) const {
+    throw bad_argument("kte: mass_matrix_calc: " + detail::in_words(chain_.wiring().elements[e].element->record()) +
+                       " has a mass between several things");
+  }
   /// Whether it has a mass.
   bool add_body(std::size_t e) {
     const auto& at = chain_.wiring().elements[e];
     if (at.stiff) return false;
-    if (at.spreads)
-      throw bad_argument("kte: mass_matrix_calc: " + at.element->record().type + " has a mass between several things");
+    if (at.spreads) refuse_spread(e);
     const auto n = at.element->numbers();
     if (!n.has_mass && n.is != detail::part::body && n.is != detail::part::weight) return false;
     if (std::any_of(bodies_.begin(), bodies_.end(), [e](const body& b) { return b.element == e; }))

@@ -65,11 +65,15 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
     template <std::size_t>
     static constexpr bool of = true;
   };
+  template <std::size_t I, class Key>
+  static constexpr bool is_connected_to = []<class Core, class... Keys>(std::type_identity<element<Core, Keys...>>) {
+    return (std::is_same_v<Keys, Key> || ...);
+  }(std::type_identity<std::tuple_element_t<I, std::tuple<E...>>>{});
   template <class Key>
   struct mass_on {
     template <std::size_t I>
     static constexpr bool of = [] {
-      if constexpr (std::is_same_v<key<I>, Key>)
+      if constexpr (std::is_same_v<key<I>, Key> || (detail::spreads_mass<core<I>> && is_connected_to<I, Key>))
         return massive<I>;
       else
         return false;
