@@ -89,3 +89,40 @@ TEST_CASE("momentum rates of bad arguments") {
   CHECK_THROWS_AS(centre_of_mass_acceleration(none, t, std::array{0.0}, std::array{0.0}, std::array{0.0}),
                   bad_argument);
 }
+
+TEST_CASE("bases that signals move have momentum, as coordinates that they move") {
+  // A table that is moved and turned, with a mass on it and an arm: as a frame, and as a slide and a hinge at given
+  // positions.
+  const auto with = [](const auto&... table) {
+    kte_map_chain c;
+    (c << ... << table);
+    c << inertia_3D("top", point_mass(0.75, vec3{0.1, -0.2, 0.3})) << revolute_joint_3D("q", "top", "arm", axis::x)
+      << inertia_3D("arm", rigid_body{1.5, vec3{0.02, -0.03, 0.5}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}});
+    return c.gravity(vec3{0.3, -0.4, -9.81});
+  };
+  const auto frames = with(position_control_3D("p", "v", "a", "ground", "cart"),
+                           rotation_control_3D("r", "w", "al", "cart", "top"));
+  const auto coordinates = with(position_control_gen("p", "v", "a", "slide"),
+                                prismatic_joint_3D("slide", "ground", "cart", axis::x),
+                                position_control_gen("r", "w", "al", "turn"),
+                                revolute_joint_3D("turn", "cart", "top", axis::z));
+  auto s = frames.make_state(), t = coordinates.make_state();
+  const std::array q{0.4}, v{-0.7}, a{1.3};
+  const std::array<const char*, 6> signals{"p", "v", "a", "r", "w", "al"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double x = 0.3 * static_cast<double>(i + 1);
+    s.vector(signals[i]) = i < 3 ? vec3<>{x, 0.0, 0.0} : vec3<>{0.0, 0.0, x};
+    t.input(signals[i]) = x;
+  }
+  const double bound = 50 * std::numeric_limits<double>::epsilon();
+  const auto alike = [&](const vec3<>& x, const vec3<>& y) {
+    CHECK(gap(eigen(x), eigen(y)) < bound);
+    CHECK(eigen(x).norm() > 0.01);
+  };
+  const auto same = [&](const auto& x, const auto& y) { alike(x.linear, y.linear), alike(x.angular, y.angular); };
+  alike(centre_of_mass(frames, s, q).position, centre_of_mass(coordinates, t, q).position);
+  alike(centre_of_mass_velocity(frames, s, q, v), centre_of_mass_velocity(coordinates, t, q, v));
+  alike(centre_of_mass_acceleration(frames, s, q, v, a), centre_of_mass_acceleration(coordinates, t, q, v, a));
+  same(centroidal_momentum(frames, s, q, v), centroidal_momentum(coordinates, t, q, v));
+  same(centroidal_momentum_rate(frames, s, q, v, a), centroidal_momentum_rate(coordinates, t, q, v, a));
+}

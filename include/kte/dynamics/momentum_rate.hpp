@@ -59,32 +59,42 @@ auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& 
 }
 
 namespace detail {
-/// What all bodies need for the motion of coordinates, about a point of the world. After `carry`.
+/// What all bodies need for the motion of coordinates, and of bases that elements move, about a point of the world.
+/// After `carry`. Bases are accelerated by -gravity.
 template <class S>
-tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
+tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, const vec3<>& gravity,
+                                                   const vec3<S>& about) {
   const auto& f = s.tree().forest;
   auto& w = s.work;
+  const auto bases = static_cast<std::size_t>(f.bases);
   take_rates(s), rest_given_coordinates(s);
-  for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) w.bodies[b] = {};
+  for (std::size_t b = 0; b < bases; ++b) w.bodies[b] = {};
+  for_each_moved_base(s, [&](const auto& x, std::size_t slot) {
+    auto& b = w.bodies[slot];
+    b.ang_velocity = as<S>(x.ang_velocity), b.ang_acceleration = as<S>(x.ang_acceleration);
+    b.acceleration = as<S>(x.acceleration) + transpose(w.world[slot].rotation) * as<S>(gravity);
+  });
   tree::move_bodies<false>(f, w);
   tree::dense_wrench<S> sum{};
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const std::size_t slot = static_cast<std::size_t>(f.bases) + i;
+  const auto add = [&](const auto& weight, std::size_t slot) {
     const auto& x = w.bodies[slot];
     const auto& at = w.world[slot];
-    const vec3<S> h = as<S>(f.records[i].weight.moment), &u = x.ang_velocity;
-    const sym3<S> inertia = as<S>(f.records[i].weight.inertia);
-    const vec3<S> force = at.rotation * (S(f.records[i].weight.mass) * x.acceleration + cross(x.ang_acceleration, h) +
-                                         cross(u, cross(u, h)));
+    const vec3<S> h = as<S>(weight.moment), &u = x.ang_velocity;
+    const sym3<S> inertia = as<S>(weight.inertia);
+    const vec3<S> force =
+        at.rotation * (S(weight.mass) * x.acceleration + cross(x.ang_acceleration, h) + cross(u, cross(u, h)));
     const vec3<S> torque =
         at.rotation * (inertia * x.ang_acceleration + cross(u, inertia * u) + cross(h, x.acceleration));
     sum = {sum.force + force, sum.torque + torque + cross(at.position - about, force)};
-  }
+  };
+  for (std::size_t b = 0; b < bases; ++b) add(f.base_weight[b], b);
+  for (std::size_t i = 0; i < f.records.size(); ++i) add(f.records[i].weight, bases + i);
   return sum;
 }
 }  // namespace detail
 
-// ---- of runtime chains; coordinates that are given rest, as for `centroidal_momentum`
+// ---- of runtime chains; coordinates and bases that are given from outside rest, as for `centroidal_momentum`; those
+// that elements move as signals say do not
 
 template <class S>
 runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s) {
@@ -96,7 +106,7 @@ linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const auto h = detail::momentum_rate_of_coordinates(s, detail::divided_by_mass<S>(w.mass, w.moment));
+  const auto h = detail::momentum_rate_of_coordinates(s, c.gravity(), detail::divided_by_mass<S>(w.mass, w.moment));
   return detail::checked<S>(h.force, h.torque);
 }
 template <class S>

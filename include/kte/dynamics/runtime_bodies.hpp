@@ -5,7 +5,8 @@
 
 /// Bodies of runtime chains: bias forces, kinetic energy, centre of mass, momentum, under the names they have on static
 /// chains (dynamics/bias_forces.hpp, energy.hpp, centre_of_mass.hpp, centroidal.hpp). Bases stand and are accelerated
-/// as the state has them, and otherwise rest. Nothing is allocated but the matrix that `centroidal_map` returns.
+/// as the state has them, and otherwise rest, but those that elements move as signals say. Nothing is allocated but the
+/// matrix that `centroidal_map` returns.
 namespace kte {
 
 /// As on static chains. The state keeps its velocities and accelerations.

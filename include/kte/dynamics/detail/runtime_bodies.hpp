@@ -86,6 +86,17 @@ void rest_given_coordinates(basic_runtime_state<S>& s) {
     if (r.what == kind::gen && !r.yields && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
       s.work.rate[static_cast<std::size_t>(r.first)] = s.work.acceleration[static_cast<std::size_t>(r.first)] = S(0);
 }
+/// visit(motion, slot) of bases that elements move as signals say. Those that are given from outside rest.
+template <class S, class Visit>
+void for_each_moved_base(basic_runtime_state<S>& s, const Visit& visit) {
+  const auto& t = s.tree();
+  for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
+    const auto [k, index] = t.plan.bases[i];
+    if (s.made_for()->writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(index)] < 0) continue;
+    const auto slot = static_cast<std::size_t>(t.slot_of_base[i]);
+    with_frame(s, k, index, [&](const auto& x) { visit(spatial(x), slot); });
+  }
+}
 /// Momentum about a point of the world, after `carry`; coordinates that are given rest.
 template <class S>
 tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
@@ -95,6 +106,14 @@ tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const v
   tree::momenta(f, s.work, about, [&](int k, const tree::dense_wrench<S>& h) {
     const S& r = s.work.rate[static_cast<std::size_t>(k)];
     sum = {sum.force + r * h.force, sum.torque + r * h.torque};
+  });
+  for_each_moved_base(s, [&](const auto& x, std::size_t slot) {
+    const tree::dense_composite<S>& all = s.work.carried[slot];
+    const tree::world_place<S>& at = s.work.world[slot];
+    const vec3<S> v = as<S>(x.velocity), w = as<S>(x.ang_velocity);
+    const vec3<S> p = at.rotation * (all.mass * v + cross(w, all.moment));
+    const vec3<S> spin = at.rotation * (all.inertia * w + cross(all.moment, v));
+    sum = {sum.force + p, sum.torque + spin + cross(at.position - about, p)};
   });
   return sum;
 }
