@@ -291,8 +291,10 @@ KTE_FUNCTION void kte_map_chain::take(kte_map_chain& c) {
     add(c.elements_.data(), c.elements_.size(), c.gravity_);
     c.elements_.clear(), c.topology_ = {};
   }
+  // The fewer to the more, and no room is kept: a nest is as large as it is deep, not as its square.
+  if (emptied_.size() < c.emptied_.size()) emptied_.swap(c.emptied_);
   for (auto& e : c.emptied_) emptied_.push_back(std::move(e));
-  c.emptied_.clear(), c.use_ = use::emptied;
+  c.emptied_ = parts(), c.use_ = use::emptied;
 }
 #endif
 #ifdef KTE_EXTERN
