@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-enum class iteration { converged, too_long, not_finite };
+enum class iteration { converged, too_long, no_number };
 
 /// Iterates y = g(y) to rounding error: until the change no longer falls and is below 1e-3 of the square root of
 /// epsilon, relative to y. A contraction by a factor c then leaves an error of about epsilon / (1 - c).
@@ -18,7 +18,7 @@ iteration iterate(const Step& step, int most = 60) {
   S before = std::numeric_limits<S>::max();
   for (int i = 0; i < most; ++i) {
     const S change = step();
-    if (!is_finite(change)) return i > 0 && before > S(0.5) ? iteration::too_long : iteration::not_finite;
+    if (!is_finite(change)) return i > 0 && before > S(0.5) ? iteration::too_long : iteration::no_number;
     if (change <= eps || (change < small && change >= before)) return iteration::converged;
     before = change;
   }
