@@ -1,4 +1,4 @@
-// mistakes: 2
+// mistakes: 3
 // expect: error: .*kte: q has another number of entries than a configuration of the chain
 // expect: error: .*kte: an argument .v, a, tau. has another number of entries than the chain has degrees of freedom
 #include <kte/dynamics/inverse_dynamics.hpp>
@@ -14,4 +14,5 @@ constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, elbow));
 using one = std::array<double, 1>;
 using two = std::array<double, 2>;
 auto positions(const two& q, const one& v) { return kte::inverse_dynamics(arm, q, v, v); }
+double as_array(const double (&q)[2], const one& v) { return kte::inverse_dynamics(arm, q, v, v)[0]; }
 auto rates(const one& q, const two& v) { return kte::inverse_dynamics(arm, q, v, q); }

@@ -125,6 +125,8 @@ TEST_CASE("the registry refuses what it does not understand") {
   CHECK_THROWS_WITH(make(bad), contains_text("2 numbers as 'position', not 3"));
   bad = link, bad.parameters[0].values = {1, 0, 1};
   CHECK_THROWS_WITH(make(bad), contains_text("out of the plane"));
+  bad.parameters[0].values[2] = std::nan("");
+  CHECK_THROWS_MATCHES(make(bad), kte::bad_parameter, says("position must be finite, got nan"));
   bad = link, bad.parameters[1].values = {2, 0, 0, 0, 1, 0, 0, 0, 1};
   CHECK_THROWS_MATCHES(make(bad), kte::bad_file, says("'rotation' out of the plane"));
   bad.parameters[1].values = {2, 0, 0, 0, 2, 0, 0, 0, 1};

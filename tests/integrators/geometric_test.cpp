@@ -126,3 +126,23 @@ TEST_CASE("Geometric methods say what is wrong") {
   CHECK_THROWS_AS(nowhere.integrate(1), integration_failure);
   CHECK(nowhere.state() == Eigen::Vector2d(1, 0));
 }
+
+TEST_CASE("An iteration whose right-hand side is no number does not blame the step") {
+  const auto ends = [](double t, const Eigen::Vector2d& x) {
+    return Eigen::Vector2d(x[1], t < 0.5 ? -x[0] : std::nan(""));
+  };
+  implicit_midpoint solver(ends, 0.0, Eigen::Vector2d(1, 0), 0.01);
+  try {
+    solver.integrate(1);
+    CHECK(false);
+  } catch (const integration_failure& e) {
+    CHECK_THAT(e.what(), contains_text("stopped at t = 0.5: the next state is not a finite number"));
+    CHECK(e.reason == failure_reason::not_finite);
+    CHECK(e.component == 1);
+  }
+  const auto squares = [](double, const Eigen::Vector2d& x) {
+    return Eigen::Vector2d(x[0] * x[0], 0);
+  };  // (2 + k / 2)^2 = k has no solution
+  implicit_midpoint diverges(squares, 0.0, Eigen::Vector2d(2, 0), 1.0);
+  CHECK_THROWS_WITH(diverges.integrate(1), contains_text("a step of 1 does not converge: it is too long"));
+}

@@ -108,7 +108,8 @@ TEST_CASE("numbers may be texts, numbers, or lists of numbers") {
   CHECK(bad(".5").starts_with("4:5: 'p' is neither"));
   CHECK(bad("1.").starts_with("4:5: 'p' is neither"));
   CHECK(bad("1e").starts_with("4:5: 'p' is neither"));
-  CHECK(bad("01") == "4:6: ',' or '}' is due here");
+  CHECK(bad("01") == "4:5: 'p': '01' is no number of JSON");
+  CHECK(bad("[0, 0x1F]") == "4:9: 'p': '0x1F' is no number of JSON");
   CHECK(bad("1 2") == "4:7: ',' or '}' is due here");
   CHECK(bad("[1 2]") == "4:8: ',' or ']' is due here");
   CHECK(bad("[1,]") == "4:8: something is due behind the comma");
@@ -175,6 +176,7 @@ TEST_CASE("fields are known, once each, and none is missing: XML") {
 TEST_CASE("versions are whole numbers, gravity is finite") {
   const std::string rest = json_gravity + "\"elements\":[]";
   const auto version = [&](const std::string& v) { return json(json_model(rest, "\"version\":" + v + ",")); };
+  CHECK(version("0x1").ends_with("'version': '0x1' is no number of JSON"));
   CHECK(version("\"1\"").empty());
   CHECK(version("2").empty());
   CHECK(version("3") == "1:25: version 3 of the format; this library reads versions 1 and 2");
@@ -206,6 +208,9 @@ TEST_CASE("texts: escapes, blanks, remarks") {
   const auto in_json = [](const std::string& text) { return json(json_element("\"type\":\"" + text + "\"")); };
   CHECK(in_json("a\\u0000") == "3:10: this escape stands for a zero byte");
   CHECK(in_json("\\u001b[0m") == "3:9: this escape stands for a control character");
+  CHECK(in_json("\\u0085") == "3:9: this escape stands for a control character");
+  CHECK(in_json("\xC2\x85").ends_with("here is a control character"));
+  CHECK(in_json("\xC2\xA0").find("control") == std::string::npos);
   CHECK(in_json("\\ud800") == "3:9: this escape stands for no character");
   CHECK(in_json("\\udc00\\ud800") == "3:9: this escape stands for no character");
   CHECK(in_json("\\ud800\\ue000") == "3:9: this escape stands for no character");

@@ -47,7 +47,9 @@ TEST_CASE("Commas and tabs separate cells one by one, with blanks around them") 
   CHECK(message("a,b\n1 2\n", ".csv") == "line 2, column 1: '1 2' is not a number");
   CHECK(message("a,b\n1,,2\n", ".csv") == "line 2, column 2: '' is not a number");
   CHECK(message("a,,b\n", ".csv") == "line 1, column 2: '' is no name");
-  CHECK(message("a,b\n1,\n", ".csv") == "line 2: 1 numbers for 2 columns");
+  CHECK(message("a,b\n1,\n", ".csv") == "line 2, column 2: '' is not a number");
+  CHECK(message("a,b\n1,2,\n", ".csv") == "line 2, column 3: '' is one too many");
+  CHECK(message("a,b,\n1,2,\n", ".csv") == "line 1, column 3: '' is no name");
   CHECK(message("a\tb\n1,2\n", ".tsv") == "line 2, column 1: '1,2' is not a number");
 }
 

@@ -148,6 +148,7 @@ TEST_CASE("Bad names and rows of the wrong size are rejected") {
   CHECK(message({"a'"}) == "kte: the column name 'a'' has a quote or a backslash");
   CHECK(message({"a\""}) == "kte: the column name 'a\"' has a quote or a backslash");
   CHECK(message({"a\\b"}) == "kte: the column name 'a\\b' has a quote or a backslash");
+  CHECK(message({"a\xC2\x85"}) == "kte: the column name 'a\xC2\x85' has a control character");
   CHECK(message({"a\x01"}) == "kte: the column name 'a\x01' has a control character");
   CHECK(message({"a", "b", "a"}) == "kte: two columns are named 'a'");
   CHECK(file.text() == "untouched");

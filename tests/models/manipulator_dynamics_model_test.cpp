@@ -55,6 +55,9 @@ TEST_CASE("A model gives the rates of a pendulum, and takes inputs") {
   model.setInput(std::array{-1.0});
   CHECK(model(0.0, x)[1] == within_relative(-19.62 - 4, 1e-15));
   CHECK(model.computeOutput(0.0, x) == x);
+  CHECK(model.positions_of(x) == x.head(1));
+  CHECK_THROWS_WITH(model.positions_of(Eigen::VectorXd(5)),
+                    contains_text("x has 5 numbers, the chain has 2 numbers of a state"));
   const auto height = model.with_output([](const auto& s) { return s[tip].position.y; });
   CHECK(height.computeOutput(0.0, model.make_x(std::array{0.5}, std::array{0.0})) ==
         within(0.5 * std::sin(0.5), 1e-16));

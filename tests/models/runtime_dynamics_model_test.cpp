@@ -88,6 +88,10 @@ TEST_CASE("States of the chain and vectors of a model are the same numbers") {
   CHECK(height.computeOutput(0, x)[0] == moving.state_at(0, x).frame_3D("foot").position.z);
   CHECK_THROWS_WITH(moving.input("moter"), contains_text("no input 'moter'"));
   CHECK_THROWS_WITH(moving.make_x(std::array{1.0}, std::array{1.0}), contains_text("q has 1 numbers"));
+  const Eigen::VectorXd few = Eigen::VectorXd::Zero(5);
+  CHECK_THROWS_WITH(moving.positions_of(few), contains_text("x has 5 numbers, the chain has "));
+  CHECK_THROWS_WITH(moving.velocities_of(few), contains_text("x has 5 numbers, the chain has "));
+  CHECK_THROWS_WITH(moving.internals_of(few), contains_text("x has 5 numbers, the chain has "));
 }
 
 TEST_CASE("An internal state belongs to one element") {

@@ -90,6 +90,7 @@ TEST_CASE("a chain has the gravity of the first part that has one") {
   constexpr auto heavier = chain(arm, more);
   STATIC_REQUIRE(std::is_same_v<decltype(heavier.gravity()), decltype(arm.gravity())>);
   STATIC_REQUIRE(heavier.gravity() == arm.gravity());
+  STATIC_REQUIRE(pendulum.gravity({0, -9.81, 0}).gravity() == vec3{0.0, -9.81, 0.0});
   STATIC_REQUIRE(decltype(heavier)::size == 4);
   CHECK(make_state(heavier)[base].acceleration == vec2{0.0, 9.81});
   CHECK(record_of(heavier).gravity == std::vector{0.0, -9.81, 0.0});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/columns.hpp>
+#include <kte/dynamics/detail/refused_calls.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 
 namespace kte {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/detail/refused_calls.hpp>
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
 #include <kte/runtime_chain/layout.hpp>
 #include <kte/tree/jacobian.hpp>

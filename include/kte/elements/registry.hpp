@@ -72,6 +72,7 @@ class record_reader {
     return {v[0], v[1], v[2]};
   }
   vec2<> planar_vector(std::string_view parameter) const {
+    check_finite(parameter);
     const auto v = vector(parameter);
     if (v.z != 0) fail("has a '" + std::string(parameter) + "' out of the plane");
     return {v.x, v.y};
@@ -86,6 +87,7 @@ class record_reader {
     return {v[0], v[1], v[2], v[3], v[4], v[5]};
   }
   rotation_2D<> planar_rotation(std::string_view parameter) const {
+    check_finite(parameter);
     const auto m = rotation(parameter);
     const rotation_2D<> r{m.x.x, m.y.x};
     if (m != as<double>(kte::matrix(r))) fail("has a '" + std::string(parameter) + "' out of the plane");
@@ -94,6 +96,7 @@ class record_reader {
   rigid_body<> body() const { return {number("mass"), vector("com"), symmetric("inertia"), flag("as_published")}; }
   /// A body in the plane; what it has out of it must be zero.
   auto planar_body() const {
+    check_finite("com"), check_finite("inertia");
     const auto b = body();
     const auto& i = b.inertia;
     if (b.com.z != 0 || i.xx != 0 || i.xy != 0 || i.xz != 0 || i.yy != 0 || i.yz != 0)
@@ -146,6 +149,13 @@ class record_reader {
     for (const auto& p : record_.parameters)
       if (p.name == parameter) return p;
     fail("has no parameter '" + std::string(parameter) + "'");
+  }
+  /// Before what no number is not, as in the plane.
+  void check_finite(std::string_view parameter) const {
+    for (const double x : parameter_of(parameter).values)
+      if (!std::isfinite(x))
+        throw bad_parameter("kte: " + record_.type + ": " + std::string(parameter) + " must be finite, got " +
+                            detail::number(x));
   }
   const std::vector<double>& values(std::string_view parameter, std::size_t count) const {
     const auto& p = parameter_of(parameter);

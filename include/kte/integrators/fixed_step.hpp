@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/integrators/detail/fixed_point.hpp>
 #include <kte/integrators/integrator.hpp>
 
 namespace kte {
@@ -43,6 +44,14 @@ class fixed_step : public integrator<Method, F, X> {
     } else if constexpr (requires { this->system().rounding(this->x_, total_, this->next_, lost_); }) {
       this->system().rounding(this->x_, total_, this->next_, lost_);
     }
+  }
+  /// `detail::iterate` within a step h. What is not a finite number stays so, for `advance` to refuse the new state.
+  template <class Step>
+  void iterate(const S& h, const Step& step) const {
+    if (detail::iterate<S>(step) == detail::iteration::too_long) [[unlikely]]
+      this->fail(
+          "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
+          failure_reason::no_convergence);
   }
 
  private:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kte/integrators/detail/fixed_point.hpp>
 #include <kte/integrators/fixed_step.hpp>
 
 namespace kte {
@@ -43,17 +42,13 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
 
   void try_step(const S& end) {
     const S h = end - this->time_, middle = this->time_ + h / 2;
-    const bool converged = detail::iterate<S>([&] {
+    this->iterate(h, [&] {
       this->displace((h / 2) * k_);
       this->slope(middle, fresh_);
       const S size = fresh_.norm(), change = (fresh_ - k_).norm();
       k_.swap(fresh_);
       return size == S(0) ? change : S(change / size);
     });
-    if (!converged) [[unlikely]]
-      this->fail(
-          "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
-          failure_reason::no_convergence);
     this->displace_at_last(h * k_);  // (1)
   }
   static constexpr int degree() { return 1; }

@@ -11,7 +11,7 @@ constexpr const char* name_fault(std::string_view name) {
   for (std::size_t n = 0; !name.empty(); name.remove_prefix(n)) {
     n = utf8_length(name);
     if (n == 0) return "is not UTF-8";
-    if (is_control(static_cast<unsigned char>(name.front()))) return "has a control character";
+    if (begins_with_control(name)) return "has a control character";
   }
   return nullptr;
 }

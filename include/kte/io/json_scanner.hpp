@@ -129,6 +129,10 @@ class json_scanner final : public field_scanner {
     }
     return c;
   }
+  static bool is_of_number(char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '+' ||
+           c == '-' || c == '_';
+  }
   std::string number(const std::string& name) {
     start();
     const auto bad = [&] { fail("'" + name + "' is neither a number, nor a text, nor a list of numbers"); };
@@ -144,6 +148,10 @@ class json_scanner final : public field_scanner {
       ++i_;
       if (current() == '+' || current() == '-') ++i_;
       digits();
+    }
+    if (is_of_number(current())) {  // 01, 0x1, 1.5.2
+      while (is_of_number(current())) ++i_;
+      fail("'" + name + "': '" + excerpt(text_.substr(at_, i_ - at_)) + "' is no number of JSON");
     }
     return std::string(text_.substr(at_, i_ - at_));
   }

@@ -29,7 +29,7 @@ class source_text {
       if (n == 0) fail(i, "this is not UTF-8");
       if (is_blank(text_[i])) continue;
       empty = false;
-      if (const char* why = control_fault(static_cast<unsigned char>(text_[i]))) fail(i, std::string("here is ") + why);
+      if (const char* why = control_fault(text_.substr(i, n))) fail(i, std::string("here is ") + why);
     }
     if (empty) fail(0, "the file is empty");
   }
@@ -56,15 +56,16 @@ class source_text {
   /// Appends the character that an escape at `offset` stands for.
   void append(std::string& out, char32_t c, std::size_t offset) {
     if (c > 0x10FFFF || (c >= 0xD800 && c < 0xE000)) fail(offset, "this escape stands for no character");
-    if (const char* why = control_fault(c)) fail(offset, std::string("this escape stands for ") + why);
-    append_utf8(out, c);
+    std::string character;
+    append_utf8(character, c);
+    if (const char* why = control_fault(character)) fail(offset, std::string("this escape stands for ") + why);
+    out += character;
   }
 
  private:
-  static const char* control_fault(char32_t c) {
-    if (c == 0) return "a zero byte";
-    const bool bad = c < 0x80 && is_control(static_cast<unsigned char>(c)) && !is_blank(static_cast<char>(c));
-    return bad ? "a control character" : nullptr;
+  static const char* control_fault(std::string_view character) {
+    if (character[0] == '\0') return "a zero byte";
+    return begins_with_control(character) && !is_blank(character[0]) ? "a control character" : nullptr;
   }
 
   std::string_view text_;

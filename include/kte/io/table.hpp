@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/errors.hpp>
+#include <kte/io/utf8.hpp>
 
 #include <algorithm>
 #include <set>
@@ -49,8 +50,8 @@ inline const std::vector<std::string>& check_column_names(const std::vector<std:
     if (n.find_first_of(blanks) != n.npos) has("a blank");
     if (n.find(',') != n.npos) has("a comma");
     if (n.find_first_of("'\"\\") != n.npos) has("a quote or a backslash");
-    if (std::any_of(n.begin(), n.end(), [](unsigned char c) { return c < ' ' || c == 127; }))
-      has("a control character");
+    for (std::string_view rest = n; !rest.empty(); rest.remove_prefix(1))
+      if (begins_with_control(rest)) has("a control character");
     if (!known.add(n)) raise<bad_argument>("kte: two columns are named '" + n + "'");
   }
   return names;

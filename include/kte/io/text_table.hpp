@@ -101,6 +101,7 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
     if (end == text.npos) bad(text.empty() ? ": no column names" : ": no line end, the file is cut off");
     auto rest = without_blanks(text.substr(0, end));
     text.remove_prefix(end + 1);
+    const bool ends_open = separator != ' ' && rest.ends_with(separator);  // an empty cell is the last
     for (column = 0; !rest.empty(); ++column) {
       rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
       if (rest.starts_with('"')) {
@@ -111,6 +112,11 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
         cell = next_cell(rest, separator);
       }
       line == 1 ? name() : number();
+    }
+    if (ends_open) {
+      cell = {};
+      line == 1 ? name() : number();
+      ++column;
     }
     if (t.names.empty()) bad(": no column names");
     if (column != t.names.size())

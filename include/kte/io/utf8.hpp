@@ -34,7 +34,11 @@ inline void append_utf8(std::string& out, char32_t c) {
   }
 }
 
-constexpr bool is_control(unsigned char c) { return c < 0x20 || c == 0x7F; }
+/// Whether a text begins with a control character: of ASCII, or U+0080 to U+009F.
+constexpr bool begins_with_control(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0xFFu; };
+  return byte(0) < 0x20 || byte(0) == 0x7F || (byte(0) == 0xC2 && byte(1) < 0xA0);
+}
 
 /// Without the byte order mark that some editors begin a file with.
 constexpr std::string_view without_mark(std::string_view text) {

@@ -39,6 +39,9 @@ constexpr void check_size(std::size_t n, const T& x, const char* name, const cha
   if constexpr (requires { x.size(); }) {
     if (static_cast<std::size_t>(x.size()) != n) [[unlikely]]
       detail::raise_size(static_cast<std::size_t>(x.size()), n, name, what);
+  } else if constexpr (std::is_array_v<T>) {
+    if (std::extent_v<T> != n) [[unlikely]]
+      detail::raise_size(std::extent_v<T>, n, name, what);
   }
 }
 namespace detail {
@@ -51,6 +54,8 @@ inline constexpr std::ptrdiff_t count_of<T> = std::ptrdiff_t{std::tuple_size<T>:
 template <class T>
 requires requires { T::SizeAtCompileTime; }
 inline constexpr std::ptrdiff_t count_of<T> = T::SizeAtCompileTime;
+template <class T, std::size_t N>
+inline constexpr std::ptrdiff_t count_of<T[N]> = std::ptrdiff_t{N};
 /// Whether it may hold N.
 template <class T, int N>
 inline constexpr bool holds = count_of<T> < 0 || count_of<T> == N;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/call.hpp>
 #include <kte/math/axis.hpp>
 
 namespace kte {
@@ -31,6 +32,11 @@ constexpr auto point_mass(T mass) {
 template <variable T, class X, class Y, class Z>
 constexpr auto point_mass(T mass, const vec3<X, Y, Z>& com) {
   return rigid_body{real(mass), com, sym3<zero_t>{}};
+}
+template <class... None>
+requires(sizeof...(None) == 0) constexpr auto point_mass(const None&...) {
+  static_assert(detail::fit<None...>, "kte: call it as point_mass(mass) or point_mass(mass, com)");
+  return point_mass(1.0);
 }
 /// A body in the plane: the moment of inertia about its centre of mass, normal to the plane.
 template <variable T, variable U, class X = zero_t, class Y = zero_t>

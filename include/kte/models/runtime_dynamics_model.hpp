@@ -99,7 +99,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
   /// The same, with a time, if there is one, as it is in the state.
   void setJointStates(const state& x, runtime_state& s) const {
-    check(s), check_state(x);
+    check(s), checked(x);
     set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
     for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
     for (const auto& signal : wiring().signals) {
@@ -117,7 +117,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
   Eigen::VectorXd computeOutput(double t, const state& x) const {
-    check_state(x);
+    checked(x);
     if (output_) return output_(state_at(t, x));
     return x.head(nq() + dofs());
   }
@@ -169,9 +169,6 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
       if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
     throw bad_argument("kte: '" + std::string(name) +
                        "' is no input from outside: an element writes it, or it is the time");
-  }
-  void check_state(const state& x) const {
-    check_size(static_cast<std::size_t>(nq() + dofs() + internals()), x, "x", "numbers of a state");
   }
   /// doMotion of the elements that keep them, and of what these depend on.
   void rates_of_internals() const {

@@ -74,10 +74,19 @@ class state_space : public Chain {
     for (Eigen::Index i = at_z; i < end; ++i) x[i] = S(z[static_cast<std::size_t>(i - at_z)]);
     return x;
   }
-  /// The parts of x, as views.
-  auto positions_of(const state& x) const { return x.head(Eigen::fix<size::q>(numbers_q())); }
-  auto velocities_of(const state& x) const { return x.segment(numbers_q(), Eigen::fix<size::v>(velocity_count())); }
-  auto internals_of(const state& x) const { return x.tail(Eigen::fix<size::z>(internals())); }
+  /// The parts of x, as views. Throw `bad_argument` for an x of another size.
+  template <class X>
+  auto positions_of(const Eigen::MatrixBase<X>& x) const {
+    return checked(x.derived()).head(Eigen::fix<size::q>(numbers_q()));
+  }
+  template <class X>
+  auto velocities_of(const Eigen::MatrixBase<X>& x) const {
+    return checked(x.derived()).segment(numbers_q(), Eigen::fix<size::v>(velocity_count()));
+  }
+  template <class X>
+  auto internals_of(const Eigen::MatrixBase<X>& x) const {
+    return checked(x.derived()).tail(Eigen::fix<size::z>(internals()));
+  }
 
   /// Throws `bad_argument` for another count of numbers than the chain has inputs.
   template <indexable U>
@@ -108,6 +117,12 @@ class state_space : public Chain {
 
  protected:
   int numbers_q() const { return size::nq(chain()); }
+  /// x, which has as many numbers as a state.
+  template <class X>
+  const X& checked(const X& x) const {
+    check_size(static_cast<std::size_t>(numbers_q() + velocity_count() + internals()), x, "x", "numbers of a state");
+    return x;
+  }
 
   input_vector u_;
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kte/dynamics/momentum.hpp>
-#include <kte/integrators/detail/fixed_point.hpp>
 #include <kte/integrators/detail/hermite.hpp>
 #include <kte/integrators/fixed_step.hpp>
 #include <kte/models/detail/momentum_transport.hpp>
@@ -83,7 +82,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
   void advance_by(const S& h) {
     const X start = this->next_;
     vector d, half, change;
-    const bool converged = detail::iterate<S>([&] {
+    this->iterate(h, [&] {
       for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
       half = d / 2;
       displace(start, half, middle_);
@@ -106,10 +105,6 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
       v_ += v;
       return size == S(0) ? by : S(by / size);
     });
-    if (!converged) [[unlikely]]
-      this->fail(
-          "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
-          failure_reason::no_convergence);
     for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
     d += lost_q_, change += lost_p_;
     displace(start, d, this->next_);

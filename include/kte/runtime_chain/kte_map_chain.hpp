@@ -71,6 +71,11 @@ class kte_map_chain : public kte_map {
     return *this;
   }
   kte_map_chain& operator<<(detail::refused) { return *this; }
+  template <class T>
+  requires(!std::is_class_v<T>) kte_map_chain& operator<<(const T&) {
+    static_assert(detail::fit<T>, "kte: a chain is made of elements and of chains, and this is neither");
+    return *this;
+  }
   /// A runtime chain gives its elements away: what still points to it can only throw `bad_argument`.
   kte_map_chain& append(std::unique_ptr<kte_map> e) {
     if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
@@ -94,6 +99,8 @@ class kte_map_chain : public kte_map {
     put_gravity(as<double>(g)), gravity_is_written_ = true;
     return *this;
   }
+  /// `.gravity({0, 0, -9.81})`
+  kte_map_chain& gravity(const vec3<>& g) { return gravity<double, double, double>(g); }
   template <class Number>
   kte_map_chain& gravity(const Number&) {
     static_assert(detail::fit<Number>,

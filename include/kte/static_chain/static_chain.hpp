@@ -106,6 +106,8 @@ class static_chain {
     detail::check_gravity(g);
     return static_chain<vec3<X, Y, Z>, E...>(elements_, g);
   }
+  /// `.gravity({0, 0, -9.81})`
+  constexpr auto gravity(const vec3<>& g) const { return gravity<double, double, double>(g); }
   template <class Number>
   constexpr const static_chain& gravity(const Number&) const {
     static_assert(detail::fit<Number>,
@@ -192,7 +194,8 @@ constexpr auto as_elements(const element<Core, Keys...>& e) {
 /// Whether something can be part of a static chain.
 template <class E>
 struct check_part {
-  static constexpr bool passed = true;
+  static constexpr bool passed = requires(const E& e) { as_elements(e); };
+  static_assert(passed, "kte: a static chain is made of elements and of static chains, and this is neither");
 };
 template <>
 struct check_part<refused> {

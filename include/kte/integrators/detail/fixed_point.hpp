@@ -4,22 +4,25 @@
 
 namespace kte::detail {
 
+enum class iteration { converged, too_long, no_number };
+
 /// Iterates y = g(y) to rounding error: until the change no longer falls and is below 1e-3 of the square root of
 /// epsilon, relative to y. A contraction by a factor c then leaves an error of about epsilon / (1 - c).
 ///
-/// step() does one iteration and returns the size of the change, relative. Says whether it converged.
+/// step() does one iteration and returns the size of the change, relative. A change that is not finite is g's own, but
+/// where y has more than doubled before: that overflows because the iteration diverges.
 template <class S, class Step>
-bool iterate(const Step& step, int most = 60) {
+iteration iterate(const Step& step, int most = 60) {
   using std::sqrt;
   const S eps = std::numeric_limits<S>::epsilon(), small = S(1e-3) * sqrt(eps);
   S before = std::numeric_limits<S>::max();
   for (int i = 0; i < most; ++i) {
     const S change = step();
-    if (!is_finite(change)) return false;
-    if (change <= eps || (change < small && change >= before)) return true;
+    if (!is_finite(change)) return i > 0 && before > S(0.5) ? iteration::too_long : iteration::no_number;
+    if (change <= eps || (change < small && change >= before)) return iteration::converged;
     before = change;
   }
-  return false;
+  return iteration::too_long;
 }
 
 }  // namespace kte::detail

@@ -1,0 +1,17 @@
+// mistakes: 3
+// expect: error: .*kte: a static chain is made of elements and of static chains, and this is neither
+// expect: error: .*kte: a chain is made of elements and of chains, and this is neither
+// expect: error: .*kte: call it as point_mass.mass. or point_mass.mass, com
+#include <kte/kte.hpp>
+
+// clang-format off
+inline constexpr struct q_     final : kte::coord_key<"q">         {} q;
+inline constexpr struct base_  final : kte::frame_3D_key<"base">   {} base;
+inline constexpr struct hand_  final : kte::frame_3D_key<"hand">   {} hand;
+// clang-format on
+
+constexpr auto arm = kte::chain(kte::revolute_joint_3D(q, base, hand));
+
+const auto whole = kte::chain(arm, 5);
+void append(kte::kte_map_chain& c) { c << 5; }
+const auto tool = kte::inertia_3D(hand, kte::point_mass());
