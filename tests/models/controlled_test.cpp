@@ -121,3 +121,17 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
   controlled runtime(std::ref(shared), brake_by_integral, speed, Eigen::Matrix<double, 1, 1>(0.25));
   check(runtime, 1e-10);
 }
+
+TEST_CASE("The rates of a law are as many as it has states") {
+  const manipulator_dynamics_model model(gyroscope);
+  std::vector<double> rates(1);
+  controlled pid(
+      model, brake_by_integral, [&](double, const auto&, const auto&) { return rates; },
+      std::array{0.0, 0.0, 0.0, 0.0});
+  const auto x = pid.make_x(q0, v0);
+  CHECK_THROWS_MATCHES(pid(0, x), bad_argument, test::says("the rates of a law are 1 numbers, the law has 4 states"));
+  rates.resize(5);
+  CHECK_THROWS_MATCHES(pid(0, x), bad_argument, test::says("the rates of a law are 5 numbers, the law has 4 states"));
+  rates = {1, 2, 3, 4};
+  CHECK(pid(0, x)[11] == 4);
+}
