@@ -178,9 +178,17 @@ class event_loop {
     s.last_reset = t;
     s.from = e.is_one_sided && !s.rested ? s.reached : 0;
     if constexpr (E::has_rest) {
-      if (s.rested) return void(e.on_rest(t, x_));
+      if (s.rested) return e.on_rest(t, x_), check_state(e, k, t, "rest");
     }
     e.on_reset(t, x_);
+    check_state(e, k, t, "reset");
+  }
+  /// Of what an event has made x_.
+  template <class E>
+  void check_state(const E& e, std::size_t k, const S& t, const char* maker) const {
+    for (Eigen::Index i = 0; i < x_.size(); ++i)
+      if (!is_finite(S(x_[i]))) [[unlikely]]
+        watch::refuse(e, k, t, maker, " makes the state not finite", failure_reason::not_finite, i);
   }
   /// The next step is not much longer than the time between the last two actions: so ever faster ones are resolved.
   void go_on_after(const S& t) {
@@ -217,6 +225,7 @@ class event_loop {
     if constexpr (E::has_rest) {
       record_.before(k, watch::name_of(e), begin_, x_);
       e.on_rest(begin_, x_);
+      check_state(e, k, begin_, "rest");
       s.rested = true;
       s.from = 0;
       s.last_reset = begin_;
