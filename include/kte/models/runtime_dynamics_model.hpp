@@ -24,6 +24,12 @@ struct sizes_of_model<unchanging_chain> {
   static int count(const kte_map_chain& c, kind k) {
     return static_cast<int>(c.wiring().names[static_cast<std::size_t>(k)].size());
   }
+  template <class Visit>
+  static void each_input(const kte_map_chain& c, const Visit& visit) {
+    for (const auto& s : c.wiring().signals)
+      if (s.u >= 0)
+        visit(c.wiring().names[static_cast<std::size_t>(s.what)][static_cast<std::size_t>(s.slot)], s.u, nu_of(s.what));
+  }
 };
 }  // namespace detail
 
