@@ -396,6 +396,28 @@ TEST_CASE("teeth that were pressed let go where their partner jumps between two 
   CHECK(solver.state()[0] == within(0.11, 0));
 }
 
+TEST_CASE("a brake that is pulled apart is open, and a mode that is none counts by its sign", "[modes]") {
+  kte_map_chain c;
+  c << inertia_gen("x", 1.0) << joint_stiction_gen("x", "mode", {3.0, 3.0}) << brake_gen("y", "mode 2", "grip")
+    << inertia_gen("y", 1.0);
+  manipulator_dynamics_model model(c);
+  const auto rate = [&](double v, double z, double z2, double u) {
+    model.input("grip") = u;
+    return Eigen::Vector2d(
+        model(0.0, model.make_x(std::array{0.0, 0.0}, std::array{v, v}, std::array{z, z2})).segment(2, 2));
+  };
+  CHECK(rate(1, 1, 1, 2) == Eigen::Vector2d(-3, -2));
+  CHECK(rate(1, 7, 1.5, 2) == Eigen::Vector2d(-3, -2));
+  CHECK(rate(-1, -0.5, -7, 2) == Eigen::Vector2d(3, 2));
+  CHECK(rate(1, 0, 0, -5) == Eigen::Vector2d(-3, 0));
+  CHECK_THROWS_AS(rate(1, std::nan(""), 1, 2), bad_argument);
+  CHECK_THROWS_AS(rate(1, 1, 1, std::nan("")), bad_argument);
+  // nor does it hold what is at rest
+  model.input("grip") = -5;
+  const auto x = settled(model, 0.0, model.make_x(std::array{0.0, 0.0}, std::array{0.0, 0.0}));
+  CHECK(model.capacity(0.0, x, model.holders()[1].element) == 0);
+}
+
 TEST_CASE("parameters of friction that holds", "[modes]") {
   const auto says = [](const stiction_parameters& p) -> std::string {
     try {
