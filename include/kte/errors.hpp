@@ -43,7 +43,7 @@ struct bad_file : error {
 };
 /// Why an integration could not go on.
 enum class failure_reason {
-  not_finite,       ///< f, a state or a Jacobian is no finite number, or cannot be computed
+  not_finite,       ///< f, a state or a Jacobian is no finite number, or cannot be computed; or a reset's state
   step_too_short,   ///< the tolerances need steps that are lost in the rounding of time, or below the smallest one
   too_many_steps,   ///< `max_steps`
   no_convergence,   ///< of an iteration

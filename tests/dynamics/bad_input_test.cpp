@@ -2,6 +2,7 @@
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
 #include <kte/dynamics/runtime_regressor.hpp>
+#include <kte/elements/position_control.hpp>
 
 #include <limits>
 
@@ -260,6 +261,40 @@ TEST_CASE("a call that throws leaves the state as it was") {
   refused(s, [&] { frame_acceleration(c, s, one, one, one, "tpi"); });
   refused(s, [&] { hybrid_dynamics(c, s, one, one, one, {"tpi"}); });
   CHECK(forward_dynamics(c, s, one, one, one)[0] == 1.0);  // and it goes on: 0.5 Nm on 0.5 kg m^2
+}
+
+namespace {
+inline constexpr struct place_ final : kte::vector_key<"place"> { } place; }  // namespace
+namespace {
+inline constexpr struct speed_ final : kte::vector_key<"speed"> { } speed; }  // namespace
+
+TEST_CASE("signals that are no numbers are named, and frames never stand nowhere") {
+  using namespace kte;
+  constexpr auto c = chain(position_control_3D(place, speed, speed, ground, trunk), revolute_joint_3D(hip, trunk, left),
+                           inertia_3D(left, rigid_body{1.0, along_x(0.5), diagonal(1.0, 1.0, 1.0)}));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::array one{1.0};
+  auto s = make_state(c);
+  s[place].y = nan;
+  CHECK_THROWS_MATCHES(forward_kinematics(c, s, left), bad_argument,
+                       test::says("where a frame stands is no finite number: y of input 'place' is nan"));
+  s[place].y = 0, s[speed].z = nan;
+  CHECK_NOTHROW(forward_kinematics(c, s, left));
+  CHECK_THROWS_MATCHES(inverse_dynamics(c, s), bad_argument,
+                       test::says("a force is no finite number: z of input 'speed' is nan"));
+  CHECK_THROWS_MATCHES(forward_dynamics(c, s), bad_argument,
+                       test::says("an acceleration is no finite number: z of input 'speed' is nan"));
+
+  const auto model = element_by_element(c);
+  auto r = model.make_state();
+  r.vector("place").y = nan;
+  CHECK_THROWS_MATCHES(forward_kinematics(model, r), bad_argument,
+                       test::says("where frame 'trunk' stands is no finite number: y of input 'place' is nan"));
+  CHECK_THROWS_AS(forward_kinematics(model, r, one), bad_argument);
+  CHECK_THROWS_AS(forward_kinematics(model, r, "left"), bad_argument);
+  r.vector("place").y = 0, r.vector("speed").z = nan;
+  CHECK_THROWS_MATCHES(forward_dynamics(model, r), bad_argument,
+                       test::says("an acceleration is no finite number: z of input 'speed' is nan"));
 }
 
 TEST_CASE("large angles keep their digits") {

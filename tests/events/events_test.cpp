@@ -285,7 +285,17 @@ TEST_CASE("Where a function of an event is not a number, or settings make no sen
   const auto to_nan =
       event([](double t, const scalar&) { return t - 3.5; }).reset([](double, scalar& x) { x[0] = std::nan(""); });
   auto other = in_long_steps();
-  CHECK_THROWS_WITH(integrate(other, 4.0, events(to_nan)), contains_text("start state must be finite, got "));
+  try {
+    integrate(other, 4.0, events(to_nan.named("wall")));
+    FAIL();
+  } catch (const integration_failure& e) {
+    CHECK_THAT(e.what(), contains_text("kte: integration stopped before t = 3.5") &&
+                             contains_text(": the reset of event 0 'wall' makes the state not finite"));
+    CHECK(e.time == within(3.5, 1e-15));
+    CHECK(e.reason == failure_reason::not_finite);
+    CHECK(e.cause == "wall");
+    CHECK(e.component == 0);
+  }
   CHECK(other.time() == 3);  // the start of the step, before the event
   CHECK(other.state()[0] == within(3, 8 * eps));
 }

@@ -121,3 +121,38 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
   controlled runtime(std::ref(shared), brake_by_integral, speed, Eigen::Matrix<double, 1, 1>(0.25));
   check(runtime, 1e-10);
 }
+
+TEST_CASE("The rates of a law are as many as it has states") {
+  const manipulator_dynamics_model model(gyroscope);
+  std::vector<double> rates(1);
+  controlled pid(
+      model, brake_by_integral, [&](double, const auto&, const auto&) { return rates; },
+      std::array{0.0, 0.0, 0.0, 0.0});
+  const auto x = pid.make_x(q0, v0);
+  CHECK_THROWS_MATCHES(pid(0, x), bad_argument, test::says("the rates of a law are 1 numbers, the law has 4 states"));
+  rates.resize(5);
+  CHECK_THROWS_MATCHES(pid(0, x), bad_argument, test::says("the rates of a law are 5 numbers, the law has 4 states"));
+  rates = {1, 2, 3, 4};
+  CHECK(pid(0, x)[11] == 4);
+}
+
+TEST_CASE("Inputs that are no finite numbers are named") {
+  const double nan = std::nan("");
+  const auto refused = [&](auto& model, auto&& motor_of) {
+    const auto x = model.make_x(q0, v0);
+    CHECK_THROWS_MATCHES(model.setInput(std::array{nan}), bad_argument,
+                         test::says("an input of 'motor' must be finite, got nan"));
+    CHECK(model.input()[0] == 0);
+    motor_of() = HUGE_VAL;
+    CHECK_THROWS_MATCHES(model(0, x), bad_argument, test::says("is no finite number: input 'motor' is inf"));
+    motor_of() = 0;
+    controlled sick(model, [&](double t, const auto&) { return std::array{t > 0.5 ? nan : 0}; });
+    dormand_prince45 solver(std::ref(sick), 0.0, sick.make_x(q0, v0));
+    CHECK_THROWS_MATCHES(solver.integrate(1), integration_failure, test::says("input of 'motor' must be finite"));
+    CHECK(solver.time() == test::within(0.5, 1e-6));
+  };
+  manipulator_dynamics_model model(gyroscope);
+  refused(model, [&]() -> double& { return model.input(motor); });
+  manipulator_dynamics_model runtime(models::registered(record_of(gyroscope)));
+  refused(runtime, [&]() -> double& { return runtime.input("motor"); });
+}

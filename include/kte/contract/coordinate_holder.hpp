@@ -38,11 +38,12 @@ struct coordinate_holder {
   /// In which to compute with things, of which some may be typed constants.
   template <class... X>
   using number = std::remove_cvref_t<decltype((detail::as_number(std::declval<X>()) + ...))>;
-  /// 1 or -1; at the start that of the rate.
+  /// 1 or -1, also of a mode that is none; at the start that of the rate.
   template <class S>
   KTE_INLINE static constexpr S direction(const S& mode, const S& rate) {
     const S by_rate = select(rate > S(0), S(1), S(select(rate < S(0), S(-1), S(0))));
-    return select(mode == S(mode::sliding), by_rate, mode);
+    const S by_mode = select(mode < S(0), S(-1), S(select(mode == S(mode::sliding), by_rate, mode)));  // a NaN stays
+    return select(mode > S(0), S(1), by_mode);
   }
   template <class S>
   KTE_INLINE static constexpr S unless_held(const S& mode, const S& force) {

@@ -47,7 +47,20 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
   at.check();
   const auto g = given{at, same<skip>{}, same<skip>{}, base};
   using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
-  return pose_of<S, Key::what>(motion_of < types, Key::what, slot < 0 ? 0 : slot > (c, g));
+  const auto p = pose_of<S, Key::what>(motion_of < types, Key::what, slot < 0 ? 0 : slot > (c, g));
+  const auto why = [&]() KTE_INLINE_LAMBDA {
+    blame_signals<typename Chain::wiring>("where a frame stands", base);
+    blame<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+  };
+  if constexpr (Key::what == kind::frame_2D) {
+    const S numbers[]{p.position.x, p.position.y, p.rotation.cos, p.rotation.sin};
+    check_result(numbers, 4, why);
+  } else {
+    const auto& r = p.rotation;
+    const S numbers[]{p.position.x, p.position.y, p.position.z, dot(r.x, r.x), dot(r.y, r.y), dot(r.z, r.z)};
+    check_result(numbers, 6, why);
+  }
+  return p;
 }
 }  // namespace detail
 

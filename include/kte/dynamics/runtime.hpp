@@ -84,6 +84,18 @@ pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state
   });
   return in_world;
 }
+/// Throws `bad_argument` where a frame stands nowhere: signals and bases in the state may be no numbers.
+template <class S, class Pose>
+const Pose& checked_pose(const basic_runtime_state<S>& s, const Pose& m, kind k, int frame) {
+  const auto r = matrix(m.rotation);
+  const S numbers[]{as<S>(m.position.x),  as<S>(m.position.y),  as<S>(m.position.z),
+                    as<S>(dot(r.x, r.x)), as<S>(dot(r.y, r.y)), as<S>(dot(r.z, r.z))};
+  check_result(numbers, 6, [&] {
+    const std::string& name = s.made_for()->names[static_cast<std::size_t>(k)][static_cast<std::size_t>(frame)];
+    blame(("where frame '" + name + "' stands").c_str(), s);
+  });
+  return m;
+}
 }  // namespace detail
 
 /// Where a frame stands at the state's positions, in the axes in which the bases are given. Only the elements between
@@ -94,7 +106,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_positions(s);
-  return detail::pose_of(c, s, x);
+  return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index);
 }
 /// The same at q, which is put into the state.
 template <class S, indexable Q>
@@ -102,7 +114,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
                                                 const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q);
-  return detail::pose_of(c, s, x);
+  return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index);
 }
 
 /// As on static chains (dynamics/configuration_space.hpp).

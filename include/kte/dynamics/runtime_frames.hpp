@@ -34,6 +34,16 @@ Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const kte_map_chain& c, basic_runtime
 }
 }  // namespace detail
 
+namespace detail {
+template <class S>
+void check_poses(const basic_runtime_state<S>& s) {
+  const auto check = [&s]<kind K>() {
+    for (int i = 0; i < s.made_for()->count(K); ++i) checked_pose(s, spatial(s.template get<K>(i)), K, i);
+  };
+  check.template operator()<kind::frame_2D>(), check.template operator()<kind::frame_3D>();
+}
+}  // namespace detail
+
 /// All frames at the state's positions: in the state, which is returned.
 ///
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position
@@ -43,6 +53,7 @@ const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_r
   c.check(s);
   detail::check_positions(s);
   c.doMotion(s);
+  detail::check_poses(s);
   return s;
 }
 /// The same at q, which is put into the state.
@@ -52,6 +63,7 @@ requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(c
   static_assert(detail::goes_through_passes<S>);
   detail::take(c, s, q);
   c.doMotion(s);
+  detail::check_poses(s);
   return s;
 }
 

@@ -36,6 +36,18 @@ std::vector<layout_entry<>> layout_of_state(const basic_runtime_state<S>& s) {
                       f.q, nq_of(f.what), f.v, nv_of(f.what)});
   return layout;
 }
+/// Throws `bad_argument` that names a signal from outside that is no finite number, if one is.
+template <class S>
+[[gnu::cold]] void blame_signals(const char* what, const basic_runtime_state<S>& s) {
+  for (const auto& signal : s.made_for()->signals) {
+    const auto& name =
+        s.made_for()->names[static_cast<std::size_t>(signal.what)][static_cast<std::size_t>(signal.slot)];
+    if (signal.what == kind::vector)
+      raise_if_signal_is_endless(what, name, s.template get<kind::vector>(signal.slot));
+    else
+      raise_if_signal_is_endless(what, name, s.template get<kind::input>(signal.slot));
+  }
+}
 /// Throws `bad_argument` that names the number at fault, of those in the state and of `tau`.
 template <class S>
 [[noreturn, gnu::cold]] void blame(const char* what, const basic_runtime_state<S>& s,
@@ -44,6 +56,7 @@ template <class S>
   const auto q = plain_numbers(read_numbers<vector_of::q>(s)), v = plain_numbers(read_numbers<vector_of::v>(s)),
              a = plain_numbers(tau.size() > 0 ? tau : read_numbers<vector_of::a>(s));
   if (std::is_convertible_v<S, double>) raise_if_no_rotation(layout, q);
+  blame_signals(what, s);
   raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {tau.size() > 0 ? "tau" : "a", a}});
 }
 /// As on static chains: a mass of coordinate `row` that cannot be used.

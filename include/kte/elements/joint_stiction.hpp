@@ -58,7 +58,8 @@ struct joint_stiction_gen : coordinate_holder {
   }
 };
 
-/// A brake or clutch on a coordinate that is pressed by a signal: it holds, or slides with, a force of up to u.
+/// A brake or clutch on a coordinate that is pressed by a signal: it holds, or slides with, a force of up to u. Pulled
+/// apart, by u < 0, it is open, as at 0.
 struct brake_gen : coordinate_holder {
   static constexpr type_name type{"brake", kind::gen};
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
@@ -69,15 +70,22 @@ struct brake_gen : coordinate_holder {
   KTE_INLINE constexpr auto doForce(const C& c, const Z& mode, const U& force) const {
     using S = number<decltype(c.q_dot), Z, U>;
     const S z = as<S>(mode);
-    return make_loads(unless_held(z, S(-(as<S>(force) * direction(z, as<S>(c.q_dot))))));
+    return make_loads(unless_held(z, S(-(pressure(as<S>(force)) * direction(z, as<S>(c.q_dot))))));
   }
   template <class C, class Z, class U>
   KTE_INLINE constexpr auto capacity(const C&, const Z&, const U& force) const {
-    return force;
+    return pressure(as<number<Z, U>>(force));
   }
   constexpr void check(const parameter_check&) const {}
   template <class Self, class Visit>
   static constexpr void parameters(Self&, Visit&&) {}
+
+ private:
+  /// Not below 0; a NaN stays.
+  template <class S>
+  KTE_INLINE static constexpr S pressure(const S& force) {
+    return select(force < S(0), S(0), force);
+  }
 };
 
 }  // namespace core
@@ -88,7 +96,7 @@ template <class Q, class Z>
 constexpr auto joint_stiction_gen(const Q& coordinate, const Z& mode, const stiction_parameters& parameters) {
   return connect(core::joint_stiction_gen(parameters), coordinate, mode);
 }
-/// A brake on a coordinate that holds up to the signal `force`, N or Nm, which is not negative.
+/// A brake on a coordinate that holds up to the signal `force`, N or Nm; below 0 it counts as 0.
 template <class Q, class Z, class U>
 constexpr auto brake_gen(const Q& coordinate, const Z& mode, const U& force) {
   return connect(core::brake_gen{}, coordinate, mode, force);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <kte/integrators/motion_space.hpp>
+#include <kte/kernels/joint_vector.hpp>
 
 #include <functional>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace kte {
@@ -13,6 +15,15 @@ namespace detail {
 struct no_rates {};
 template <class>
 inline constexpr bool never = false;
+/// What law_rates of N states gave.
+template <int N, class Rates>
+void check_law_rates(const Rates& c_dot) {
+  static_assert(holds<Rates, N>, "kte: the rates of a law have another number of entries than the law has states");
+  if constexpr (requires { c_dot.size(); })
+    if (static_cast<int>(c_dot.size()) != N) [[unlikely]]
+      raise<bad_argument>("kte: the rates of a law are " + std::to_string(c_dot.size()) + " numbers, the law has " +
+                          std::to_string(N) + " states");
+}
 /// The numbers of a std::array, or of an Eigen vector of fixed size, as a vector.
 template <class S, std::size_t N>
 auto column_of(const std::array<S, N>& z) {
@@ -45,8 +56,8 @@ inline constexpr int size_of_column = [] {
 ///
 ///   kte::controlled arm(model, torques, errors, std::array{0.0});
 ///
-/// What a law returns has as many numbers as there are inputs, or states c, anything with operator[]; else `setInput`
-/// throws.
+/// What a law returns has as many numbers as there are inputs, or states c, anything with operator[]; else an
+/// evaluation throws `bad_argument`.
 ///
 /// `element_events(arm)` are the events of its elements under the law, `settled(arm, t, x)` the modes of its friction.
 ///
@@ -228,6 +239,7 @@ class controlled {
     } else {
       const law_state c = x.template tail<N>();
       const auto& c_dot = law_rates_(t, own_part(x), c);
+      detail::check_law_rates<N>(c_dot);
       rate_.head(rate_.size() - N) = evaluate(part_);
       for (int i = 0; i < N; ++i) rate_[rate_.size() - N + i] = S(c_dot[static_cast<std::size_t>(i)]);
       return (static_cast<const rate&>(rate_));

@@ -47,6 +47,22 @@ struct element_switching : described<Element> {
       x.head(Eigen::fix<Model::state::RowsAtCompileTime>) = model->getJointStates(s);
     }
   }
+  /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
+  template <class T, class X>
+  bool mend(const T& t, X& x) const {
+    if constexpr (holds_coordinate<core>) {
+      auto own = own_part(x);
+      if (!mend_at_start(*model, t, own, place)) return false;
+      x.head(own.size()) = own;
+      return true;
+    } else if constexpr (kept_count<core> > 0) {
+      auto after = own_part(x);
+      switch_over(t, after);
+      return mend_internals(after, x, after.size() - model->internals(), after.size());
+    } else {
+      return false;
+    }
+  }
 
  private:
   using wiring = typename Model::wiring;
@@ -140,6 +156,11 @@ struct under_law {
   void switch_over(const T& t, X& x) const {
     system->set_inputs(t, x);
     function.switch_over(t, x);
+  }
+  template <class T, class X>
+  bool mend(const T& t, X& x) const {
+    system->set_inputs(t, x);
+    return function.mend(t, x);
   }
   std::string name() const { return function.name(); }
 };

@@ -3,6 +3,8 @@
 #include <kte/contract/coordinate_holder.hpp>
 #include <kte/errors.hpp>
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -111,6 +113,30 @@ void switch_mode(const Model& model, const T& t, X& x, const holder_place& h) {
     set_mode(model, x, h, mode::held);
   }
   find_modes(model, t, x);
+}
+
+/// Where an integration begins, after an input, a parameter or the state has been changed by hand: the mode becomes
+/// what happens, where it is not. Says whether it was not.
+template <class Model, class T, class X>
+bool mend_at_start(const Model& model, const T& t, X& x, const holder_place& h) {
+  using S = typename X::Scalar;
+  const S rate = x[h.rate];
+  if (x[h.mode] != S(mode::held) && x[h.mode] * rate < S(0))
+    set_mode(model, x, h, rate > S(0) ? mode::forward : mode::backward);
+  else if (!mend_mode(model, t, x, h))
+    return false;
+  find_modes(model, t, x);
+  return true;
+}
+/// The same of what other elements keep: `switched` is what x would be after an event. A mode of 0 tells nothing of
+/// what happens, and is never wrong.
+template <class X, class Switched>
+bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::Index end) {
+  using S = typename X::Scalar;
+  bool wrong = false;
+  for (Eigen::Index i = first; i < end; ++i)
+    if (x[i] != S(0) && x[i] != switched[i]) x[i] = switched[i], wrong = true;
+  return wrong;
 }
 
 }  // namespace detail

@@ -24,6 +24,12 @@ struct sizes_of_model<unchanging_chain> {
   static int count(const kte_map_chain& c, kind k) {
     return static_cast<int>(c.wiring().names[static_cast<std::size_t>(k)].size());
   }
+  template <class Visit>
+  static void each_input(const kte_map_chain& c, const Visit& visit) {
+    for (const auto& s : c.wiring().signals)
+      if (s.u >= 0)
+        visit(c.wiring().names[static_cast<std::size_t>(s.what)][static_cast<std::size_t>(s.slot)], s.u, nu_of(s.what));
+  }
 };
 }  // namespace detail
 
@@ -140,6 +146,14 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     wiring().elements.at(which).element->switch_over(s_);
     for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
   }
+  /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
+  bool mend(double t, state& x, std::size_t which) const {
+    for (const auto& h : holders_)
+      if (h.element == which) return detail::mend_at_start(*this, t, x, h);
+    state after = x;
+    switch_over(t, after, which);
+    return detail::mend_internals(after, x, nq() + dofs(), x.size());
+  }
 
   // ---- of elements that may hold a coordinate: models/modes.hpp
   const std::vector<detail::holder_place>& holders() const { return holders_; }
@@ -198,6 +212,13 @@ struct runtime_switching {
     Eigen::VectorXd part = x.head(own());
     model->switch_over(t, part, element);
     x.head(own()) = part;
+  }
+  /// What the integration begins with.
+  bool mend(double t, Eigen::VectorXd& x) const {
+    Eigen::VectorXd part = x.head(own());
+    const bool was_wrong = model->mend(t, part, element);
+    x.head(own()) = part;
+    return was_wrong;
   }
   /// Numbers of a state, without those of a law.
   Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }

@@ -22,6 +22,13 @@ struct sizes_of_model {
   static constexpr int nv(const Chain&) { return wiring::dofs; }
   static constexpr int nu(const Chain&) { return wiring::nu; }
   static constexpr int count(const Chain&, kind k) { return wiring::count(k); }
+  /// visit(name, where it begins in u, how many numbers it has) for each input.
+  template <class Visit>
+  static void each_input(const Chain&, const Visit& visit) {
+    for (std::size_t i = 0; i < std::size_t{wiring::table.signals}; ++i)
+      if (const auto& signal = wiring::table.signal[i]; signal.u >= 0)
+        visit(signals_of_wiring<wiring>::names[i], signal.u, nu_of(signal.what));
+  }
 };
 }  // namespace detail
 
@@ -88,10 +95,11 @@ class state_space : public Chain {
     return checked(x.derived()).tail(Eigen::fix<size::z>(internals()));
   }
 
-  /// Throws `bad_argument` for another count of numbers than the chain has inputs.
+  /// Throws `bad_argument` for another count of numbers than the chain has inputs, and for those that are not finite.
   template <indexable U>
   void setInput(const U& u) {
     check_size(static_cast<std::size_t>(u_.size()), u, "u", "inputs");
+    detail::check_result(u, static_cast<std::size_t>(u_.size()), [&] { refuse_inputs(u); });
     for (Eigen::Index i = 0; i < u_.size(); ++i) u_[i] = S(u[static_cast<std::size_t>(i)]);
   }
   const input_vector& input() const { return u_; }
@@ -127,6 +135,16 @@ class state_space : public Chain {
   input_vector u_;
 
  private:
+  template <class U>
+  [[noreturn, gnu::cold, gnu::noinline]] void refuse_inputs(const U& u) const {
+    std::string text;
+    size::each_input(chain(), [&](std::string_view name, int first, int n) {
+      for (int i = first; i < first + n && text.empty(); ++i)
+        if (const double x = detail::plain_number(S(u[static_cast<std::size_t>(i)])); !std::isfinite(x))
+          text.append(" of '").append(name).append("' must be finite, got ").append(detail::number(x));
+    });
+    detail::raise<bad_argument>("kte: an input" + (text.empty() ? " must be finite" : text));
+  }
   static constexpr int vectors = size::v == Eigen::Dynamic ? Eigen::Dynamic : size::v + size::z;
   /// v and z, or their rates.
   template <class X>

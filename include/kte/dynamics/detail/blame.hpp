@@ -86,6 +86,28 @@ std::vector<double> plain_numbers(const X& x) {
   return all;
 }
 
+/// A signal from outside, one number or three.
+template <class X>
+[[gnu::cold]] void raise_if_signal_is_endless(const char* what, std::string_view name, const X& x) {
+  const auto check = [&](const char* part, const auto& number_of_it) {
+    const double y = plain_number(number_of_it);
+    if (!std::isfinite(y))
+      raise<bad_argument>(std::string("kte: ")
+                              .append(what)
+                              .append(" is no finite number: ")
+                              .append(part)
+                              .append("input '")
+                              .append(name)
+                              .append("' is ")
+                              .append(number(y)));
+  };
+  if constexpr (requires { x.x, x.y, x.z; }) {
+    check("x of ", x.x), check("y of ", x.y), check("z of ", x.z);
+  } else {
+    check("", x);
+  }
+}
+
 /// The name of the coordinate that row i of v belongs to.
 template <class Layout>
 std::string_view name_of_row(const Layout& layout, int i) {
@@ -146,6 +168,36 @@ template <class... E>
 struct layout_of_wiring<wiring<E...>> {
   static constexpr auto table = layout_of<wiring<E...>, E...>();
 };
+/// The names of the signals from outside, as the table of the wiring has them.
+template <class Wiring>
+struct signals_of_wiring;
+template <class... E>
+struct signals_of_wiring<wiring<E...>> {
+  static constexpr auto names = [] {
+    using all = wiring<E...>;
+    std::array<std::string_view, all::ports + 1> list{};
+    const auto at_ports = names_at_ports<all, E...>();
+    for (std::size_t i = 0; i < std::size_t{all::table.signals}; ++i)
+      for (std::size_t port = all::ports; port-- > 0;)
+        if (all::table.what[port] == all::table.signal[i].what && all::table.slot[port] == all::table.signal[i].slot)
+          list[i] = at_ports[port];
+    return list;
+  }();
+};
+/// Throws `bad_argument` that names a signal that is no finite number, if one of those that are given is.
+template <class Wiring, class Given>
+[[gnu::cold, gnu::noinline]] void blame_signals(const char* what, const Given& g) {
+  const auto one = [&]<std::size_t I>() {
+    constexpr auto signal = Wiring::table.signal[I];
+    if constexpr (signal.what == kind::vector) {
+      raise_if_signal_is_endless(what, signals_of_wiring<Wiring>::names[I], g.template vector<signal.slot>());
+    } else {
+      raise_if_signal_is_endless(what, signals_of_wiring<Wiring>::names[I], g.template input<signal.slot>());
+    }
+  };
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (one.template operator()<I>(), ...); }
+  (std::make_index_sequence<std::size_t{Wiring::table.signals}>{});
+}
 /// The numbers at<0>(), at<1>() ... as doubles.
 template <int N, class V>
 std::array<double, std::size_t{N} + 1> plain_numbers(const V& v) {

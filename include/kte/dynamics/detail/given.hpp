@@ -268,8 +268,10 @@ given(const At&, V, A, Base) -> given<At, V, A, Base>;
 /// Throws `bad_argument` that names the argument at fault, unless x[0] ... x[n-1], which come of `g`, are finite.
 template <class Wiring, class X, class Given>
 KTE_INLINE void check_forces(const X& x, const Given& g) {
-  check_result(x, std::size_t{Wiring::dofs},
-               [&]() KTE_INLINE_LAMBDA { blame<Wiring>("a force", g.at.q, g.v, g.a, "a"); });
+  check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
+    if constexpr (Wiring::table.signals > 0) blame_signals<Wiring>("a force", g.bases);
+    blame<Wiring>("a force", g.at.q, g.v, g.a, "a");
+  });
 }
 /// The same of a mass matrix. `zero_or_nan` is 0 where all is well, and may be NaN though it is.
 template <class Wiring, class S, class Matrix, class At>
@@ -288,6 +290,7 @@ template <class Wiring, class X, class Given, class Tau>
 KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {
   using forces = each<typename Tau::Scalar, Tau>;
   check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
+    if constexpr (Wiring::table.signals > 0) blame_signals<Wiring>("an acceleration", g.bases);
     const Tau copy = tau;  // so that nothing holds tau itself in memory
     blame<Wiring>("an acceleration", g.at.q, g.v, forces{copy}, "tau");
   });

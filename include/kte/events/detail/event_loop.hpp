@@ -34,6 +34,7 @@ class event_loop {
   event_report<X> run() {
     solver_.begin(goal_);
     obey(observer_.start(solver_));
+    if (!record_.stopped() && solver_.time() != t_end_) mend_start();
     while (!record_.stopped() && solver_.time() != t_end_) {
       if (solver_.time() == goal_) go_for(t_end_);
       take_step();
@@ -44,6 +45,27 @@ class event_loop {
  private:
   using return_path = way_back<Solver, S, X>;
 
+  /// Modes of elements that are not what happens, since inputs or the state have been changed before: events at the
+  /// start. A g that only is beyond zero there is none.
+  void mend_start() {
+    const S t = solver_.time();
+    bool any = false;
+    watch_.for_each([&](auto& e, status& s, std::size_t k) {
+      if constexpr (requires { e.function.mend(t, x_); }) {
+        if (s.value > S(0)) return;
+        safe_ = x_;
+        if (!e.function.mend(t, x_)) return;
+        any = true;
+        record_.before(k, watch::name_of(e), t, safe_);
+        record_.after(x_, false);
+      }
+    });
+    if (!any) return;
+    solver_.restart(t, x_);
+    watch_.for_each([&](auto& e, status& s, std::size_t k) { s.renew(watch_.value(e, k, t, x_)); });
+    obey(observer_.after(solver_, t, x_));
+    go_for(goal_);
+  }
   void take_step() {
     begin_ = solver_.time();
     keep(begin_, solver_.state());
@@ -156,9 +178,17 @@ class event_loop {
     s.last_reset = t;
     s.from = e.is_one_sided && !s.rested ? s.reached : 0;
     if constexpr (E::has_rest) {
-      if (s.rested) return void(e.on_rest(t, x_));
+      if (s.rested) return e.on_rest(t, x_), check_state(e, k, t, "rest");
     }
     e.on_reset(t, x_);
+    check_state(e, k, t, "reset");
+  }
+  /// Of what an event has made x_.
+  template <class E>
+  void check_state(const E& e, std::size_t k, const S& t, const char* maker) const {
+    for (Eigen::Index i = 0; i < x_.size(); ++i)
+      if (!is_finite(S(x_[i]))) [[unlikely]]
+        watch::refuse(e, k, t, maker, " makes the state not finite", failure_reason::not_finite, i);
   }
   /// The next step is not much longer than the time between the last two actions: so ever faster ones are resolved.
   void go_on_after(const S& t) {
@@ -195,6 +225,7 @@ class event_loop {
     if constexpr (E::has_rest) {
       record_.before(k, watch::name_of(e), begin_, x_);
       e.on_rest(begin_, x_);
+      check_state(e, k, begin_, "rest");
       s.rested = true;
       s.from = 0;
       s.last_reset = begin_;

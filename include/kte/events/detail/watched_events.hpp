@@ -34,11 +34,18 @@ class watched_events {
   S value(E& e, std::size_t k, const S& t, const X& x) const {
     const S y = e.function(t, x);
     if (!is_finite(y)) [[unlikely]]
-      raise<integration_failure>("kte: integration stopped before t = " + number(static_cast<double>(t)) +
-                                     ": the function of event " + std::to_string(k) + quoted(name_of(e)) +
-                                     " is not a finite number there",
-                                 static_cast<double>(t), failure_reason::event_function, std::string(name_of(e)));
+      refuse(e, k, t, "function", " is not a finite number there", failure_reason::event_function);
     return y;
+  }
+  /// "the function of event 2 'wall' is not a finite number there"
+  template <class E>
+  [[noreturn, gnu::cold, gnu::noinline]] static void refuse(const E& e, std::size_t k, const S& t, const char* part,
+                                                            const char* why, failure_reason reason,
+                                                            long long component = -1) {
+    const auto when = static_cast<double>(t);
+    raise<integration_failure>("kte: integration stopped before t = " + number(when) + ": the " + part + " of event " +
+                                   std::to_string(k) + quoted(name_of(e)) + why,
+                               when, reason, std::string(name_of(e)), component);
   }
   /// As it was `named`, else as its function says.
   template <class E>
