@@ -52,7 +52,15 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
     blame_signals<typename Chain::wiring>("where a frame stands", base);
     blame<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   };
-  if constexpr (Key::what == kind::frame_2D) {
+  if constexpr (Chain::wiring::table.signals == 0) {  // a turn by what was checked is one
+    if constexpr (Key::what == kind::frame_2D) {
+      const S numbers[]{p.position.x, p.position.y};
+      check_result(numbers, 2, why);
+    } else {
+      const S numbers[]{p.position.x, p.position.y, p.position.z};
+      check_result(numbers, 3, why);
+    }
+  } else if constexpr (Key::what == kind::frame_2D) {
     const S numbers[]{p.position.x, p.position.y, p.rotation.cos, p.rotation.sin};
     check_result(numbers, 4, why);
   } else {
