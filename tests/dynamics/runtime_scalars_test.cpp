@@ -162,5 +162,5 @@ TEST_CASE("what other scalars cannot do is said", "[runtime][scalars][errors]") 
   CHECK_NOTHROW(c.make_state());
   CHECK_THROWS_WITH(c.make_state<float>(),
                     "kte: states of runtime chains in other scalars than double are for joints, links and bodies; "
-                    "spring_gen ('hip', 'knee') acts by a law of its own");
+                    "spring_gen (anchor1 'hip', anchor2 'knee') acts by a law of its own");
 }

@@ -418,6 +418,15 @@ TEST_CASE("a brake that is pulled apart is open, and a mode that is none counts 
   CHECK(model.capacity(0.0, x, model.holders()[1].element) == 0);
 }
 
+TEST_CASE("what holds a coordinate that another moves is named when the model is made", "[modes]") {
+  kte_map_chain c;
+  c << inertia_gen("x", 1.0) << mimic_gen("x", "y", 2.0) << joint_stiction_gen("y", "mode", {1.0, 1.0});
+  const std::string text = "joint_stiction_gen (coordinate 'y', mode 'mode') holds a coordinate that is no degree";
+  CHECK_THROWS_MATCHES(manipulator_dynamics_model(c), bad_wiring, test::says(text));
+  auto s = c.make_state();
+  CHECK_THROWS_MATCHES(mass_matrix(c, s, std::array{0.0}), bad_argument, test::says(text));
+}
+
 TEST_CASE("parameters of friction that holds", "[modes]") {
   const auto says = [](const stiction_parameters& p) -> std::string {
     try {

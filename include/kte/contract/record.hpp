@@ -40,16 +40,6 @@ struct element_record {
   friend bool operator==(const element_record&, const element_record&) = default;
 };
 
-namespace detail {
-/// For messages: "spring_gen ('shoulder', 'elbow')".
-inline std::string in_words(const element_record& e) {
-  std::string text = e.type;
-  for (std::size_t i = 0; i < e.connections.size(); ++i)
-    text.append(i == 0 ? " ('" : ", '").append(e.connections[i].name).append("'");
-  return e.connections.empty() ? text : text.append(")");
-}
-}  // namespace detail
-
 /// Limits of a coordinate (models/joint_limits.hpp): `lower`, `upper`, `rate` ... as numbers of v; without is without
 /// limit.
 struct limit_record {

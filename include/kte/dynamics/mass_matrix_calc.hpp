@@ -162,7 +162,7 @@ class mass_matrix_calc<kte_map_chain> {
     bool kept_ = false;
   };
   [[noreturn]] void refuse_spread(std::size_t e) const {
-    throw bad_argument("kte: mass_matrix_calc: " + detail::in_words(chain_.wiring().elements[e].element->record()) +
+    throw bad_argument("kte: mass_matrix_calc: " + describe_element(*chain_.wiring().elements[e].element) +
                        " has a mass between several things");
   }
   /// Whether it has a mass.

@@ -46,9 +46,10 @@ struct dyad_parameters {
     const auto& [pivot, crank1, bar1, bar2, crank2, side] = lengths;
     const vec2<S> r{S(pivot.x) + S(crank2) * second.x - S(crank1) * first.x,
                     S(pivot.y) + S(crank2) * second.y - S(crank1) * first.y};
-    return {detail::dyad(r, S(bar1), S(bar2), S(side),
-                         "kte: a dyad_2D of these lengths cannot be closed at these angles of its cranks"),
-            r};
+    return {
+        detail::dyad(r, S(bar1), S(bar2), S(side),
+                     [] { return "kte: a dyad_2D of these lengths cannot be closed at these angles of its cranks"; }),
+        r};
   }
   template <class S>
   static constexpr vec2<S> direction(const S& q) {

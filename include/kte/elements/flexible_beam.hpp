@@ -102,6 +102,9 @@ struct flexible_beam {
     const auto [D, along] = detail::to_polar(m.d);
     using S = std::remove_cvref_t<decltype(m.half.s + D)>;
     const auto [y, z, twist] = stiffness<S>();
+    if (!all(D + m.d.x != S(0))) [[unlikely]]
+      detail::raise<bad_argument>(std::string("kte: ").append(type) +
+                                  ": its ends stand in one place, or its chord points backward");
     const S L = S(rest_length), h = S(2) / (D + m.d.x);
     const auto s_y = -(h * m.d.z);
     const auto s_z = h * m.d.y;  // (1)

@@ -39,13 +39,17 @@ struct four_bar_parameters {
   }
 
  protected:
-  /// From the end of the crank at c, s = cos q, sin q to the joint of coupler and rocker, and to the pivot.
+  /// At q, of which c, s = cos q, sin q, from the end of the crank to the joint of coupler and rocker, and to the
+  /// pivot.
   template <class S>
-  constexpr std::pair<vec2<S>, vec2<S>> joint(const S& c, const S& s) const {
+  constexpr std::pair<vec2<S>, vec2<S>> joint(const S& q, const S& c, const S& s) const {
     const auto& [pivot, crank, coupler, rocker, side] = lengths;
     const vec2<S> r{S(pivot.x) - S(crank) * c, S(pivot.y) - S(crank) * s};
     return {detail::dyad(r, S(coupler), S(rocker), S(side),
-                         "kte: a four_bar_2D of these lengths cannot be closed at this angle of its crank"),
+                         [&q] {
+                           return "kte: a four_bar_2D of these lengths cannot be closed at this angle of its crank" +
+                                  detail::text_of_angle(q);
+                         }),
             r};
   }
 };
@@ -62,7 +66,7 @@ struct four_bar_coupler : coordinate_follower<four_bar_coupler>, four_bar_parame
     using std::cos;
     using std::sin;
     const S c = cos(q), s = sin(q);
-    const auto [w, r] = joint(c, s);
+    const auto [w, r] = joint(q, c, s);
     return detail::angle_from(vec2<S>{c, s}, w);
   }
 };
@@ -78,7 +82,7 @@ struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_paramete
     using std::atan2;
     using std::cos;
     using std::sin;
-    const auto [w, r] = joint(S(cos(q)), S(sin(q)));
+    const auto [w, r] = joint(q, S(cos(q)), S(sin(q)));
     return atan2(S(w.y - r.y), S(w.x - r.x));
   }
 };

@@ -42,11 +42,12 @@ struct slider_crank_parameters {
  protected:
   /// From the end of the crank to the slider.
   template <class S>
-  constexpr vec2<S> along_rod(const S& s) const {
+  constexpr vec2<S> along_rod(const S& q, const S& s) const {
     using std::sqrt;
     const S b(lengths.rod), across = S(lengths.offset) - S(lengths.crank) * s, k = (b - across) * (b + across);
     if (!all(k >= S(0))) [[unlikely]]
-      detail::raise<bad_argument>("kte: the rod of a slider_crank_2D is too short for this angle of its crank");
+      detail::raise<bad_argument>("kte: the rod of a slider_crank_2D is too short for this angle of its crank" +
+                                  detail::text_of_angle(q));
     return {S(lengths.side) * S(sqrt(k)), across};  // (1)
   }
 };
@@ -62,7 +63,7 @@ struct slider_crank_slider : coordinate_follower<slider_crank_slider>, slider_cr
   constexpr S value(const S& q) const {
     using std::cos;
     using std::sin;
-    return S(lengths.crank) * S(cos(q)) + along_rod(S(sin(q))).x;
+    return S(lengths.crank) * S(cos(q)) + along_rod(q, S(sin(q))).x;
   }
 };
 /// The angle of the rod in the crank.
@@ -77,7 +78,7 @@ struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_pa
     using std::cos;
     using std::sin;
     const S c = cos(q), s = sin(q);
-    const vec2<S> w = along_rod(s);
+    const vec2<S> w = along_rod(q, s);
     return detail::angle_from(vec2<S>{c, s}, w);
   }
 };

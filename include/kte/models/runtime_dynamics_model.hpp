@@ -41,11 +41,14 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
  public:
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
-  /// Throws `bad_wiring` as `kte_map_chain::make_state` does.
+  /// Throws `bad_wiring` as `kte_map_chain::make_state` does, and where an element holds a coordinate that others move.
   explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {
     for (const int e : s_.tree().holders) {
       const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
       const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
+      if (row >= dofs())
+        throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
+                         " holds a coordinate that is no degree of freedom");
       holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
     }
   }
@@ -224,10 +227,7 @@ struct runtime_switching {
   Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }
   std::string name() const {
     const kte_element& e = *model->wiring().elements[element].element;
-    const element_record r = e.record();
-    std::vector<std::string_view> names;
-    for (const auto& c : r.connections) names.emplace_back(c.name);
-    return describe_element(r.type, e.ports(), names);
+    return describe_element(e);
   }
 };
 }  // namespace detail

@@ -8,6 +8,9 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace kte {
 
@@ -96,5 +99,13 @@ class kte_element : public kte_map {
       detail::derivative_state&,
       const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end) const = 0;
 };
+
+/// In a message.
+inline std::string describe_element(const kte_element& e) {
+  const element_record r = e.record();
+  std::vector<std::string_view> names;
+  for (const auto& c : r.connections) names.emplace_back(c.name);
+  return describe_element(r.type, e.ports(), names);
+}
 
 }  // namespace kte

@@ -43,7 +43,7 @@ void check_scalar(const topology& t, const runtime_tree<P>& tree) {
   if (std::is_same_v<S, double>) return;
   const auto refuse = [&t](int e, const char* why) {
     throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
-                       in_words(t.elements[static_cast<std::size_t>(e)].element->record()) + why);
+                       describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
   };
   if (tree.irregular >= 0) refuse(tree.irregular, tree.why);
   for (const auto* list : {&tree.followers, &tree.readers, &tree.on_coordinates, &tree.on_frames})

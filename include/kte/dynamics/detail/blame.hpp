@@ -117,9 +117,10 @@ std::string_view name_of_row(const Layout& layout, int i) {
 }
 /// Of a coordinate whose mass overflows, though no argument is too large.
 [[noreturn, gnu::cold]] inline void raise_endless_mass(std::string_view coordinate) {
-  raise<bad_argument>(std::string("kte: a mass is no finite number: what '")
-                          .append(coordinate)
-                          .append("' moves is too heavy, or too far away"));
+  raise<bad_argument>(
+      std::string("kte: a mass is no finite number: what '")
+          .append(coordinate)
+          .append("' moves is too heavy, or too far away, or infinitely fast (a loop on its dead centre)"));
 }
 /// Where nothing more is known.
 struct too_large {

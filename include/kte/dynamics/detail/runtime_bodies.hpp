@@ -48,7 +48,7 @@ template <class S>
 void refuse_spread_masses(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   if (!s.tree().spread.empty()) [[unlikely]]
     throw bad_argument("kte: this algorithm counts the masses of single frames and coordinates, and " +
-                       in_words(runtime_elements{c}.element(s.tree().spread.front()).record()) +
+                       describe_element(runtime_elements{c}.element(s.tree().spread.front())) +
                        " has a mass between several");
 }
 

@@ -66,7 +66,7 @@ void check_regular(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
   if (t.irregular >= 0) [[unlikely]]
     throw bad_argument("kte: this algorithm takes joints and links by their `relative` alone, and " +
-                       in_words(runtime_elements{c}.element(t.irregular).record()) + t.why);
+                       describe_element(runtime_elements{c}.element(t.irregular)) + t.why);
 }
 
 /// Inverse dynamics, into the state. `placed`: as for `forces_on_coordinates`.
