@@ -39,6 +39,19 @@ TEST_CASE("an arm on a table that turns, with measures and a controller: static 
     CHECK(o.numbers[0] == within(is.x, 1e-14));
   }
   CHECK(named.size() == 6);
+  kte_map_chain appended;
+  appended << c;
+  auto n = appended.make_state();
+  n.vector("r") = turn, n.vector("w") = omega, n.vector("al") = alpha, n.input("wanted") = 0.5;
+  n.internal("sum").z = 0.02;
+  set_positions(n, at), set_velocities(n, v), set_accelerations(n, a);
+  appended.doMotion(n);
+  const auto again = appended.outputs(n);
+  REQUIRE(again.size() == named.size());
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    CHECK(again[i].name == named[i].name);
+    CHECK(again[i].numbers[0] == within(named[i].numbers[0], 1e-14));
+  }
 
   const auto needed = inverse_dynamics(c, s);
   CHECK(needed[0] == within(inverse_dynamics(x, t)[0], 1e-13));

@@ -28,6 +28,14 @@ void check_laws() {
   check(plane_point_mindist_3D("a", "b", n, o));
 }
 
+// clang-format off
+inline constexpr struct x_      final : coord_key<"x">           {} x_key;
+inline constexpr struct ground_ final : frame_3D_key<"ground">   {} ground;
+inline constexpr struct mass_   final : frame_3D_key<"mass">     {} mass;
+inline constexpr struct arm_    final : frame_3D_key<"arm">      {} arm;
+inline constexpr struct foot_   final : frame_3D_key<"foot">     {} foot;
+// clang-format on
+
 /// A mass on two sliding joints across each other, tied by a spring to a nearest point.
 template <class Nearest>
 kte_map_chain tied(const Nearest& nearest) {
@@ -84,4 +92,40 @@ TEST_CASE("nearest points reject what is no direction", "[elements][line_point_m
   CHECK(complaint([] {
           plane_point_mindist_3D("a", "b", vec3<>{0, 0, 2}, vec3<>{});
         }).find("normal must have length 1") != std::string::npos);
+}
+
+TEST_CASE("the nearest point of a line under gravity is accelerated as in the world",
+          "[elements][line_point_mindist]") {
+  const bool plane = GENERATE(false, true), turned = GENERATE(false, true);
+  kte_map_chain c;
+  c.gravity(along_y(-9.75)) << prismatic_joint_3D("x", "ground", "mass", axis::x)
+                            << inertia_3D("mass", point_mass(2.0));
+  if (plane)
+    c << plane_point_mindist_3D("mass", "foot", vec3<>{0, 1, 0}, vec3<>{0, 1, 0});
+  else
+    c << line_point_mindist_3D("mass", "foot", vec3<>{1, 0, 0}, vec3<>{0, 1, 0});
+  c << line_point_mindist_3D("ground", "rest", vec3<>{0, 1, 0}, vec3<>{});
+  auto s = c.make_state();
+  vec3<> a{2, 0, 0};
+  if (turned) {  // the ground about z by 90 degrees: gravity is -x of the ground
+    s.frame_3D("ground").rotation = mat3<>{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+    s.frame_3D("ground").acceleration = {9.75, 0, 0};
+    a = {};  // along y, which neither the line nor the plane has
+  }
+  s.coordinate("x").q_ddot = 2;
+  CHECK(near(frame_acceleration(c, s, "foot").linear, a, 1e-15));
+  CHECK(near(frame_acceleration(c, s, "rest").linear, vec3<>{}, 1e-15));
+  CHECK(near(bias_acceleration(c, s, "foot").linear, vec3<>{}, 1e-15));
+  CHECK(near(frame_acceleration(c, s, "mass").linear, vec3<>{2, 0, 0}, 1e-15));
+}
+
+TEST_CASE("frames at nearest points of static chains move as their positions do", "[elements][line_point_mindist]") {
+  const auto c =
+      chain(revolute_joint_3D(x_key, ground, mass, axis::z), inertia_3D(mass, point_mass(2.0)),
+            rigid_link_3D(mass, arm, along_x(0.5)), line_point_mindist_3D(arm, foot, axis::x, vec3{0.0, 1.0, 0.0}))
+          .gravity(along_y(-9.75));
+  const std::array q{0.0}, v{2.0}, a{3.0};  // the foot stands at x = cos(q) / 2
+  CHECK(near(frame_velocity(c, q, v, foot).linear, vec3<>{}, 1e-15));
+  CHECK(near(frame_acceleration(c, q, v, a, foot).linear, vec3<>{-2, 0, 0}, 1e-15));
+  CHECK(near(bias_acceleration(c, q, v, foot).linear, vec3<>{-2, 0, 0}, 1e-15));
 }

@@ -1,3 +1,4 @@
+#include <kte/elements/position_measure.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/testing/static_is_runtime.hpp>
@@ -30,6 +31,7 @@ TEST_CASE("elements do in static chains what they do in runtime chains", "[testi
   // Some hundred products along two bodies, and as much again in forward dynamics by masses of one size.
   CHECK(testing::static_is_runtime(spring_3D("a", "b", 0.3, 50.0), draw) < 1e-13);
   CHECK(testing::static_is_runtime(revolute_joint_3D("q", "a", "b", vec3{0.6, 0.0, 0.8}), draw) < 1e-13);
+  CHECK(testing::static_is_runtime(position_measure_2D("a", "y"), draw) < 1e-13);
 }
 
 TEST_CASE("an element that is another every other time", "[testing]") {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/bodies.hpp>
-#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 
 /// The parts of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others: rates, accelerations
@@ -69,7 +68,7 @@ auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   const with_loads<chain_type, bodies_alone> bodies{c};
-  return forces_at_no_acceleration<S>(bodies, at, each<S, V>{v}, base_with_acceleration);
+  return forces_at_no_acceleration<S>(bodies, at, each<S, V>{v}, rest_base_of<chain_type>(base_with_acceleration));
 }
 
 }  // namespace kte

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/bodies.hpp>
-#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/detail/moved_freely.hpp>
 
 namespace kte {
 
@@ -42,11 +41,25 @@ struct local_weight {
   /// Of all bases, which have one origin and one set of axes.
   KTE_INLINE constexpr auto total() const {
     return from_bases<kind::frame_2D>(std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{}) +
-           from_bases<kind::frame_3D>(std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+           from_bases<kind::frame_3D>(std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{}) +
+           from_given_bases(typename given_bases<Chain>::type{});
   }
 
  private:
   static constexpr weighted_point<zero_t, zero3> none{};
+  /// What stands on the end of element I, about the origin of x and in its axes, x to the end.
+  template <std::size_t I, class X>
+  KTE_INLINE constexpr auto at_end(const X& x) const {
+    constexpr kind k = types::template output_kind<I>;
+    constexpr int end = types::template output_slot<I>;
+    const auto b = carried<k, end>(std::make_index_sequence<loads_on<wiring, k, end>.size()>{});
+    return weighted_point{b.mass, x.rotation * b.moment + b.mass * x.position};  // (2)
+  }
+  template <std::size_t... I>
+  KTE_INLINE constexpr auto from_given_bases(std::index_sequence<I...>) const {
+    return (none + ... +
+            at_end<I>(motion_of<types, types::template output_kind<I>, types::template output_slot<I>>(chain, given)));
+  }
   template <kind K, int... Slot>
   KTE_INLINE constexpr auto from_bases(std::integer_sequence<int, Slot...>) const {
     return (none + ... + from_base<K, Slot>());
@@ -69,14 +82,9 @@ struct local_weight {
       const auto b = chain.template core<I>().template mass<S>();
       return weighted_point{b.mass, b.moment};
     } else if constexpr (is_transmission<core_t<I>>) {
-      constexpr kind k = types::template output_kind<I>;
-      constexpr int end = types::template output_slot<I>;
-      const auto b = carried<k, end>(std::make_index_sequence<loads_on<wiring, k, end>.size()>{});
-      const auto x = relative<I>();
-      return weighted_point{b.mass, x.rotation * b.moment + b.mass * x.position};  // (2)
+      return at_end<I>(relative<I>());
     } else {
-      static_assert(!has_output<core_t<I>>,
-                    "kte: this algorithm needs elements that move frames to be a kte::transmission");
+      static_assert(sizeof(pass_over<Chain, I>) > 0);
       return none;
     }
   }
@@ -96,7 +104,7 @@ inline constexpr same_base base_of_nothing{motion{skip{}, skip{}, skip{}, skip{}
 
 template <class S, class Chain, class At>
 KTE_INLINE auto weight_of(const Chain& c, const At& at) {
-  const given g{at, same<skip>{}, same<skip>{}, base_of_nothing};
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
   return local_weight<S, Chain, std::remove_const_t<decltype(g)>>{c, g}.total();
 }
 /// A sum of m x divided by the mass.
@@ -134,7 +142,7 @@ KTE_INLINE auto load_on_bases(const Pass& pass) {
 /// The sum of the momenta of all bodies at rest bases, at their origin and in their axes.
 template <class S, class Chain, class At, class V>
 KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
-  const given g{at, v, same<skip>{}, base_with_velocity};
+  const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};
   const with_loads<Chain, momenta<S>> bodies{c};
   return load_on_bases(local_pass<with_loads<Chain, momenta<S>>, std::remove_const_t<decltype(g)>>(bodies, g));
 }

@@ -24,6 +24,7 @@ class local_momenta : columns<S, Chain, Given> {
       : base(c, g, m), chain_(c) {
     from_bases<kind::frame_2D>(point, std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{});
     from_bases<kind::frame_3D>(point, std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
+    from_given_bases(point, typename given_bases<Chain>::type{});
   }
 
  private:
@@ -36,6 +37,17 @@ class local_momenta : columns<S, Chain, Given> {
   KTE_INLINE constexpr void from_base(const vec3<S>& point) {
     if constexpr (wiring::writer(K, Slot) < 0)
       (void)carried<K, Slot>(pose{no_rotation{}, -point}, std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+  }
+  template <std::size_t... I>
+  KTE_INLINE constexpr void from_given_bases(const vec3<S>& point, std::index_sequence<I...>) {
+    const int done[]{(from_given_base<types::template output_kind<I>, types::template output_slot<I>>(point), 0)..., 0};
+    (void)done;
+  }
+  template <kind K, int Slot>
+  KTE_INLINE constexpr void from_given_base(const vec3<S>& point) {
+    const auto x = this->template motion_of_frame<K, Slot>();
+    (void)carried<K, Slot>(pose{x.rotation, x.position - point},
+                           std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
   }
   /// What a frame carries that stands at x, seen from the point.
   template <kind K, int Slot, class X, std::size_t... N>
@@ -58,8 +70,7 @@ class local_momenta : columns<S, Chain, Given> {
       });
       return transported(relative.rotation, relative.position, b);
     } else {
-      static_assert(!has_output<core_t<I>>,
-                    "kte: this algorithm needs elements that move frames to be a kte::transmission");
+      static_assert(sizeof(pass_over<Chain, I>) > 0);
       return no_mass;
     }
   }

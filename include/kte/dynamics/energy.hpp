@@ -24,7 +24,7 @@ KTE_INLINE constexpr auto sum_over_elements(const F& f) {
 
 template <class S, class Chain, class At, class V>
 KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
-  const given g{at, v, same<skip>{}, base_with_velocity};
+  const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};
   using given_type = std::remove_const_t<decltype(g)>;
   using types = local_types<Chain, given_type>;
   const local_motion<Chain, given_type> m(c, g);

@@ -25,9 +25,21 @@ struct wrench_on_frame {
   vec3<> force{};
   vec3<> torque{};
 };
+namespace detail {
+/// An argument that may be any vector, `kte::along_x(1.0)` too, or its numbers in braces.
+struct any_vector {
+  vec3<> numbers{};
+  constexpr any_vector() = default;
+  constexpr any_vector(double x, double y, double z) : numbers{x, y, z} {}
+  template <class X, class Y, class Z>
+  constexpr any_vector(const vec3<X, Y, Z>& v) : numbers(as<double>(v)) {}
+};
+}  // namespace detail
+
 template <key_type Frame>
-constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const vec3<>& force, const vec3<>& torque = {}) {
-  return {force, torque};
+constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vector& force,
+                                           const detail::any_vector& torque = {}) {
+  return {force.numbers, torque.numbers};
 }
 
 namespace detail {

@@ -76,6 +76,18 @@ inline constexpr same_base base_at_rest{motion{zero3{}, no_rotation{}, zero3{}, 
 inline constexpr same_base base_with_velocity{motion{skip{}, skip{}, zero3{}, zero3{}, skip{}, skip{}}};
 inline constexpr same_base base_with_acceleration{motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
 
+/// The motion of a frame at rest bases. `Bases` have what joints and links ask for; those that are whole are taken
+/// where the frame follows others, which may read positions.
+template <class Frame, class Chain, class At, class V, class A, class Bases>
+KTE_INLINE auto motion_at_rest_bases(const Chain& c, const At& at, const V& v, const A& a, const Bases& bases) {
+  using few = decltype(motion_at<Frame>(c, given{at, v, a, bases}));
+  if constexpr (has_skip<decltype(few::velocity)>) {
+    return motion_at<Frame>(c, given{at, v, a, base_at_rest});
+  } else {
+    return motion_at<Frame>(c, given{at, v, a, bases});
+  }
+}
+
 template <class S, class Chain, class At>
 KTE_INLINE auto all_poses(const Chain& c, const At& at) {
   using wiring = typename Chain::wiring;
@@ -115,7 +127,7 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  const auto m = motion_at<Frame>(c, given{at, each<S, V>{v}, same<skip>{}, base_with_velocity});
+  const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, same<skip>{}, base_with_velocity);
   return checked<S>(m.velocity, m.ang_velocity, [&]() KTE_INLINE_LAMBDA {
     blame<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   });
@@ -133,7 +145,7 @@ auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const 
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  const auto m = motion_at<Frame>(c, given{at, each<S, V>{v}, each<S, A>{a}, base_with_acceleration});
+  const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, each<S, A>{a}, base_with_acceleration);
   return checked<S>(m.acceleration, m.ang_acceleration, [&]() KTE_INLINE_LAMBDA {
     blame<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, each<S, A>{a}, "a");
   });

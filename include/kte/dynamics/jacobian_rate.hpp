@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/axes_of_rates.hpp>
 #include <kte/dynamics/detail/follower_rates.hpp>
+#include <kte/dynamics/detail/moved_in_world.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 
@@ -112,15 +113,8 @@ jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_ma
 }
 template <class Axes, class S>
 linear_angular<S> bias_acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
-  static_assert(goes_through_passes<S>);
   const rates_aside aside(s, false);
-  move(c.wiring(), s, x);
-  const vec3<> all = c.gravity(), g = x.what == kind::frame_2D ? vec3<>{all.x, all.y, 0.0} : all;
-  return with_motion(s, x, [&g](const auto& m) {
-    return bias_of<S>(motion{m.position, m.rotation, m.velocity, m.ang_velocity,
-                             m.acceleration + transpose(matrix(m.rotation)) * g, m.ang_acceleration},
-                      Axes{});
-  });
+  return with_motion_in_world(c, s, x, [](const auto& m) { return bias_of<S>(m, Axes{}); });
 }
 template <class S>
 basic_runtime_jacobian<S> at_origin(basic_runtime_jacobian<S> j, const vec3<S>& position) {

@@ -57,8 +57,9 @@ auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V&
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);
-  return regressor_of<S>(c, at, each<S, V>{v}, each<S, A>{a},
-                         same_base{motion{skip{}, no_rotation{}, skip{}, zero3{}, -c.gravity(), zero3{}}});
+  const same_base few{motion{skip{}, no_rotation{}, skip{}, zero3{}, -c.gravity(), zero3{}}};
+  const same_base whole{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, -c.gravity(), zero3{}}};
+  return regressor_of<S>(c, at, each<S, V>{v}, each<S, A>{a}, rest_base_of<chain_type>(few, whole));
 }
 
 /// The same at the positions, rates and accelerations of a state, with its moving bases.

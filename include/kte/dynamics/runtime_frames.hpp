@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/moved_in_world.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/runtime.hpp>
 
@@ -76,12 +77,8 @@ linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s,
 }
 template <class S>
 linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
-  static_assert(goes_through_passes<S>);
-  move(c.wiring(), s, x);
-  const vec3<> all = c.gravity(), g = x.what == kind::frame_2D ? vec3<>{all.x, all.y, 0.0} : all;
-  return with_motion(s, x, [&g](const auto& m) {
-    return checked<double>(m.acceleration + transpose(matrix(m.rotation)) * g, m.ang_acceleration);
-  });
+  return with_motion_in_world(c, s, x,
+                              [](const auto& m) { return checked<double>(m.acceleration, m.ang_acceleration); });
 }
 }  // namespace detail
 
@@ -103,9 +100,7 @@ linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>&
 }
 
 /// The acceleration of a frame, classical, in its own axes, without gravity, which the bases have in the state and
-/// which is taken away here:
-///
-///   a + R^T g          (1)
+/// which is taken away here (dynamics/detail/moved_in_world.hpp).
 template <class S>
 linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);

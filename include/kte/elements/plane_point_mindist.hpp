@@ -11,8 +11,9 @@ namespace core {
 ///
 ///   p' = p - n (n . (p - o)),   v' = v - n (n . v),   a' = a - n (n . a)          (1)
 ///
-/// The frame of the point does not turn. A force on it comes back as the power dual, F += F' - n (n . F'); a torque
-/// does no work.
+/// Gravity is an acceleration of bases, of which the frame of the point has the part in the plane: an accelerometer
+/// there shows no more. The frame of the point does not turn. A force on it comes back as the power dual, F += F' - n
+/// (n . F'); a torque does no work.
 template <class Normal, class Point>
 struct plane_point_mindist {
   static constexpr type_name type{"plane_point_mindist", kind::frame_3D};

@@ -78,6 +78,7 @@ class static_chain_map final : public kte_map {
  private:
   /// The state of the runtime chain under the indices of the static one.
   struct mapped_state {
+    using scalar = runtime_state::scalar;
     runtime_state& s;
     const std::array<std::vector<int>, kinds>& index;
     template <kind K>

@@ -53,7 +53,8 @@ struct with_loads {
   using wiring = typename Chain::wiring;
   static constexpr std::size_t size = Chain::size;
   static constexpr int dofs = Chain::dofs, nq = Chain::nq;
-  static constexpr bool reads_positions = false, common = Chain::common, unrolled = Chain::unrolled;
+  static constexpr bool reads_positions = Chain::reads_positions && !Chain::common, common = Chain::common,
+                        unrolled = Chain::unrolled;
 
   static_assert(sizeof(check_loads_of<Chain>) > 0);
   static_assert(sizeof(check_bodies_of<Chain>) > 0);

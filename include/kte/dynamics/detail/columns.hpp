@@ -38,6 +38,10 @@ class columns {
       return pose{m.rotation, m.position};
     }
   }
+  template <kind K, int Slot>
+  KTE_INLINE constexpr auto motion_of_frame() const {
+    return motion_of<types, K, Slot>(chain_, given_);
+  }
   /// Axis N of joint I, in the axes of its end.
   template <std::size_t I, int N>
   KTE_INLINE constexpr auto axis() const {

@@ -95,7 +95,8 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
   using early = early_loads<types, I>;
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr void push(std::index_sequence<P...>) {
-    if constexpr (puts_early<core_t<I>> && early<I>::usable)
+    // No force depends on what writes freely here: what it puts is nothing, as it is made.
+    if constexpr (puts_early<core_t<I>> && early<I>::usable && !writes_freely<core_t<I>>)
       static_cast<early<I>&>(*this).value = this->chain_.template core<I>().doForce(
           this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
   }

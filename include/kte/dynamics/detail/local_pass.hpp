@@ -121,11 +121,15 @@ class local_pass<Chain, Given, std::index_sequence<E...>>
     if constexpr (writes_signal<core> || !loads<I>::usable) {
       return {};
     } else if constexpr (has_output<core>) {
-      constexpr kind k = types::template output_kind<I>;
-      constexpr int slot = types::template output_slot<I>;
-      return this->chain_.template core<I>().doForce(
-          this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...,
-          sum<k, slot>(typename types::template readers<k, slot>{}));
+      if constexpr (loads<I>::hands_on) {
+        constexpr kind k = types::template output_kind<I>;
+        constexpr int slot = types::template output_slot<I>;
+        return this->chain_.template core<I>().doForce(
+            this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...,
+            sum<k, slot>(typename types::template readers<k, slot>{}));
+      } else {
+        return {};
+      }
     } else {
       return this->chain_.template core<I>().doForce(
           this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);

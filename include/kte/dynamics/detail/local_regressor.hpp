@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/bodies.hpp>
-#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/tree/regressor.hpp>
 
 #include <utility>
@@ -109,8 +108,8 @@ class local_regressor {
           axes_[steps[I].first + N] = {as<S>(r * s.velocity), as<S>(r * s.ang_velocity)};
         });
     } else {
-      static_assert(!has_output<core_t<I>> || !is_frame(core_t<I>::ports.back().what),
-                    "kte: the regressor needs elements that move frames to be a kte::transmission");
+      static_assert(sizeof(pass_over<Chain, I>) > 0);
+      step_[I] = {};
     }
   }
   /// The columns of a body or mass.
@@ -146,7 +145,8 @@ class local_regressor {
   /// The row of a coordinate that follows another counts for that one too: q_end' = ratio q_base'.
   template <std::size_t I>
   KTE_INLINE void hand_on() {
-    if constexpr (has_output<core_t<I>> && types::template output_kind<I> == kind::gen) {
+    if constexpr (has_output<core_t<I>> && core_t<I>::ports[0].what == kind::gen &&
+                  types::template output_kind<I> == kind::gen) {
       constexpr int base = plan.row_of_gen[std::size_t{wiring::slot(I, 0)}];
       constexpr int end = plan.row_of_gen[std::size_t{types::template output_slot<I>}];
       const S ratio = as<S>(chain_.template core<I>().doMotion(unit_rate<kind::gen, 0>(at_port<I, 0>())).q_dot);

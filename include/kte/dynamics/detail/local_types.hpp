@@ -222,10 +222,21 @@ struct local_types {
   };
   template <std::size_t I, std::size_t... P>
   requires(has_output<core<I>> && !writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
-    static constexpr bool usable = true;
     using load = typename total<output_kind<I>, output_slot<I>>::type;
-    using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
-                                                                 std::declval<const load&>()));
+    /// One that writes a frame freely and carries nothing hands nothing on, where positions are left out.
+    static constexpr bool usable = true, hands_on = !writes_freely<core<I>> ||
+                                                    !std::is_same_v<load, std::remove_cvref_t<decltype(no_wrench)>> ||
+                                                    (is_known<false, seen<I, P>> && ...);
+    template <bool Known>
+    struct put {
+      using type = typename no_loads<core<I>>::type;
+    };
+    template <bool Known>
+    requires Known struct put<Known> {
+      using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
+                                                                   std::declval<const load&>()));
+    };
+    using type = typename put<hands_on>::type;
     type value;
   };
   /// The rule that element I, the first whose forces depend on what is left out, has broken; none is where I is `size`.
