@@ -110,7 +110,8 @@ TEST_CASE("mass matrix by Jacobians: a frame and a coordinate of one name, and m
 
   // What throws leaves nothing behind, and no end of such a mass is left out.
   mass_matrix_calc part(c);
-  CHECK_THROWS_MATCHES(part << inertia_on("arm"), bad_argument, says("inertial_beam_2D ('base', 'arm')"));
+  CHECK_THROWS_MATCHES(part << inertia_on("arm"), bad_argument,
+                       says("inertial_beam_2D (anchor1 'base', anchor2 'arm')"));
   CHECK_THROWS_AS(part << inertia_on("base"), bad_argument);
   CHECK_THROWS_AS(part << all_inertias, bad_argument);
   part << moved_by("arm");

@@ -100,12 +100,11 @@ TEST_CASE("bases that signals move have momentum, as coordinates that they move"
       << inertia_3D("arm", rigid_body{1.5, vec3{0.02, -0.03, 0.5}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}});
     return c.gravity(vec3{0.3, -0.4, -9.81});
   };
-  const auto frames = with(position_control_3D("p", "v", "a", "ground", "cart"),
-                           rotation_control_3D("r", "w", "al", "cart", "top"));
-  const auto coordinates = with(position_control_gen("p", "v", "a", "slide"),
-                                prismatic_joint_3D("slide", "ground", "cart", axis::x),
-                                position_control_gen("r", "w", "al", "turn"),
-                                revolute_joint_3D("turn", "cart", "top", axis::z));
+  const auto frames =
+      with(position_control_3D("p", "v", "a", "ground", "cart"), rotation_control_3D("r", "w", "al", "cart", "top"));
+  const auto coordinates =
+      with(position_control_gen("p", "v", "a", "slide"), prismatic_joint_3D("slide", "ground", "cart", axis::x),
+           position_control_gen("r", "w", "al", "turn"), revolute_joint_3D("turn", "cart", "top", axis::z));
   auto s = frames.make_state(), t = coordinates.make_state();
   const std::array q{0.4}, v{-0.7}, a{1.3};
   const std::array<const char*, 6> signals{"p", "v", "a", "r", "w", "al"};

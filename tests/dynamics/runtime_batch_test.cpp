@@ -95,5 +95,6 @@ TEST_CASE("batches of chains with laws of their own are refused", "[batch][runti
   c << spring_gen("slide", "turn", 0.0, 10.0);
   const states x(2);
   std::vector<double> tau(nv * 2);
-  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau), test::contains_text("spring_gen (anchor1 'slide', anchor2 'turn') acts by a law"));
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau),
+                    test::contains_text("spring_gen (anchor1 'slide', anchor2 'turn') acts by a law"));
 }

@@ -96,7 +96,8 @@ class chain_tree {
     if (n.is != part::stiff)
       for (std::size_t p = 0; p < ports.size(); ++p)
         if (ports[p].how == access::angle) turned.emplace_back(ports[p].what, index(p));
-    if (n.is != part::force && n.is != part::stiff && is_frame(ports[0].what) && n.is < part::follower && is_late(ports[0].what, index(0)))
+    if (n.is != part::force && n.is != part::stiff && is_frame(ports[0].what) && n.is < part::follower &&
+        is_late(ports[0].what, index(0)))
       exclude(number, " has a mass on a frame that follows others");
     const std::size_t last = ports.size() - 1;
     switch (n.is) {
