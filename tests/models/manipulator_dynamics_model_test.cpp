@@ -56,6 +56,11 @@ TEST_CASE("A model gives the rates of a pendulum, and takes inputs") {
   CHECK(model(0.0, x)[1] == within_relative(-19.62 - 4, 1e-15));
   CHECK(model.computeOutput(0.0, x) == x);
   CHECK(model.positions_of(x) == x.head(1));
+  const Eigen::VectorXd five = Eigen::VectorXd::Zero(5), right = x;
+  CHECK_THROWS_AS(model(0.0, five), bad_argument);
+  CHECK_THROWS_AS(model.state_at(0.0, five), bad_argument);
+  CHECK_THROWS_AS(model.computeOutput(0.0, five), bad_argument);
+  CHECK(model(0.0, right) == model(0.0, x));
   CHECK_THROWS_WITH(model.positions_of(Eigen::VectorXd(5)),
                     contains_text("x has 5 numbers, the chain has 2 numbers of a state"));
   const auto height = model.with_output([](const auto& s) { return s[tip].position.y; });

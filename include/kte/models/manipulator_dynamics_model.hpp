@@ -55,6 +55,11 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
+  /// Of a vector of dynamic size, which is checked before it becomes a state. `state_at` and `computeOutput` likewise.
+  template <class X>
+  requires(X::SizeAtCompileTime == Eigen::Dynamic) rate operator()(const S& t, const Eigen::MatrixBase<X>& x) const {
+    return computeStateRate(t, this->checked(x.derived()));
+  }
   /// The derivatives of x' by displacements from x, of which numbers are those of x'
   /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
   /// as set. Stiff methods take it.
@@ -157,12 +162,21 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return s;
   }
 
+  template <class X>
+  requires(X::SizeAtCompileTime == Eigen::Dynamic) auto state_at(const S& t, const Eigen::MatrixBase<X>& x) const {
+    return state_at(t, state(this->checked(x.derived())));
+  }
+
   auto computeOutput(const S& t, const state& x) const {
     if constexpr (std::is_void_v<Output>) {
       return x.template head<size::q + size::v>().eval();
     } else {
       return output_(state_at(t, x));
     }
+  }
+  template <class X>
+  requires(X::SizeAtCompileTime == Eigen::Dynamic) auto computeOutput(const S& t, const Eigen::MatrixBase<X>& x) const {
+    return computeOutput(t, state(this->checked(x.derived())));
   }
   /// Whether it has another output than (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
