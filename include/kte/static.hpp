@@ -66,6 +66,8 @@
 #include <kte/elements/universal_joint.hpp>
 #include <kte/elements/velocity_control.hpp>
 #include <kte/elements/velocity_measure.hpp>
+#include <kte/elements/virtual_kte_interface.hpp>
+#include <kte/elements/vmc_revolute_joint.hpp>
 #include <kte/frames/inverse.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>

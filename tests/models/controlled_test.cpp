@@ -120,6 +120,14 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
   manipulator_dynamics_model shared(models::registered(record_of(gyroscope)));
   controlled runtime(std::ref(shared), brake_by_integral, speed, Eigen::Matrix<double, 1, 1>(0.25));
   check(runtime, 1e-10);
+  const Eigen::VectorXd few = Eigen::VectorXd::Zero(runtime.state_size() - 1);
+  const auto counted = test::says("x has " + std::to_string(few.size()) + " numbers, the chain has " +
+                                  std::to_string(runtime.state_size()));
+  CHECK_THROWS_MATCHES(runtime.positions_of(few), bad_argument, counted);
+  CHECK_THROWS_MATCHES(runtime.velocities_of(few), bad_argument, counted);
+  CHECK_THROWS_MATCHES(runtime.internals_of(few), bad_argument, counted);
+  CHECK_THROWS_MATCHES(runtime.law_states_of(few), bad_argument, counted);
+  CHECK_THROWS_MATCHES(runtime(0, few), bad_argument, counted);
 }
 
 TEST_CASE("The rates of a law are as many as it has states") {

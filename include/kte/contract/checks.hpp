@@ -74,10 +74,13 @@ struct check_signal {
                 "reads_accelerations = true;, and no force may depend on it");
 };
 
-/// A joint or link in an algorithm that asks it for its `relative` alone.
+/// An element in an algorithm that takes its loads to be those of its motion.
 template <class Core, bool Plain>
 struct check_loads {
-  static_assert(Plain,
+  static_assert(rule < Core, void, Plain || power_dual < Core >>,
+                "kte: this element hands back other loads than those of its motion, as controllers want them: passes "
+                "and inverse dynamics alone take it");
+  static_assert(rule < Core, void, Plain || !power_dual < Core >>,
                 "kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has a "
                 "`doForce` of its own: put that force into an element on the coordinate");
 };

@@ -25,6 +25,7 @@ template <class P>
 struct element_numbers {
   part is = part::force;
   bool plain_loads = true;  ///< of a joint or link: whether they follow from its `relative`
+  bool power_dual = true;   ///< whether the loads that it hands back are those of its motion
   bool measures_accelerations = false;
   bool reads_reaction = false;  ///< of a joint: whether its friction depends on what it carries
   bool holds_coordinate = false;
@@ -87,7 +88,8 @@ template <class P>
 element_numbers<P> as_numbers(const element_numbers<double>& n) {
   const auto placed = [](const auto& x) { return pose<mat3<vec3<P>>, vec3<P>>{as<P>(x.rotation), as<P>(x.position)}; };
   element_numbers<P> x;
-  x.is = n.is, x.plain_loads = n.plain_loads, x.measures_accelerations = n.measures_accelerations;
+  x.is = n.is, x.plain_loads = n.plain_loads, x.power_dual = n.power_dual,
+  x.measures_accelerations = n.measures_accelerations;
   x.reads_reaction = n.reads_reaction, x.spreads_mass = n.spreads_mass;
   x.holds_coordinate = n.holds_coordinate;
   x.stiff.at_zero = placed(n.stiff.at_zero), x.stiff.tried = placed(n.stiff.tried);
@@ -103,7 +105,7 @@ element_numbers<P> numbers_of(const Core& core) {
   element_numbers<P> n;
   constexpr port last = Core::ports.back();
   n.reads_reaction = reads_reaction<Core>, n.spreads_mass = spreads_mass<Core>;
-  n.holds_coordinate = holds_coordinate<Core>;
+  n.holds_coordinate = holds_coordinate<Core>, n.power_dual = power_dual<Core>;
   if constexpr (is_transmission<Core>) {
     n.is = part::stiff;
     n.plain_loads = loads_by_relative<Core>;

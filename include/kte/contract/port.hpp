@@ -64,6 +64,15 @@ template <class Core>
 requires requires { Core::reads_reaction; }
 inline constexpr bool reads_reaction<Core> = Core::reads_reaction;
 
+/// Whether the loads that it hands back are the power dual of the motion that it passes on, as in a mechanism. An
+/// element for controllers of which that is not so says `static constexpr bool power_dual = false`: passes and inverse
+/// dynamics take it.
+template <class Core>
+inline constexpr bool power_dual = true;
+template <class Core>
+requires requires { Core::power_dual; }
+inline constexpr bool power_dual<Core> = Core::power_dual;
+
 /// Whether it may hold a coordinate: contract/coordinate_holder.hpp.
 template <class Core>
 inline constexpr bool holds_coordinate = false;

@@ -104,6 +104,7 @@ auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wre
       detail::no_reactions_read<typename E::core_type...>,
       "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the "
       "chain");
+  static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);
   using S = value_of<Q>;
   joint_vector<S, static_chain<Gravity, E...>::dofs> sum;
   sum.setZero();

@@ -51,6 +51,8 @@
 #include <kte/elements/torsion_spring.hpp>
 #include <kte/elements/velocity_control.hpp>
 #include <kte/elements/velocity_measure.hpp>
+#include <kte/elements/virtual_kte_interface.hpp>
+#include <kte/elements/vmc_revolute_joint.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 
 /// The list of the elements of this library: those that files have, and as runtime chains have them, of plain numbers
@@ -166,6 +168,13 @@ KTE_ELEMENT(dry_revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>);
 KTE_ELEMENT(dry_revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>);
 KTE_ELEMENT(dry_revolute_joint<kind::frame_3D, vec3<>>);
 KTE_ELEMENT(placed_3D<core::dry_revolute_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(vmc_revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>);
+KTE_ELEMENT(placed_2D<core::vmc_revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(vmc_revolute_joint<kind::frame_3D, vec3<>>);
+KTE_ELEMENT(placed_3D<core::vmc_revolute_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(virtual_kte_interface<kind::gen>);
+KTE_ELEMENT(virtual_kte_interface<kind::frame_2D>);
+KTE_ELEMENT(virtual_kte_interface<kind::frame_3D>);
 KTE_ELEMENT(line_point_mindist<kind::frame_2D, vec3<double, double, zero_t>, vec3<double, double, zero_t>>);
 KTE_ELEMENT(line_point_mindist<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(plane_point_mindist<vec3<>, vec3<>>);
@@ -211,7 +220,7 @@ using all_families =
              revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family, rotor_family,
              screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, table_spring_family,
              torque_speed_motor_family, torsion_damper_family, torsion_spring_family, velocity_control_family,
-             velocity_measure_family>;
+             velocity_measure_family, virtual_kte_interface_family, vmc_revolute_joint_family>;
 }  // namespace detail
 
 }  // namespace kte

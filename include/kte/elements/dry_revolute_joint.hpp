@@ -29,12 +29,9 @@ struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute
 
   template <class C, class F, class T>
   KTE_INLINE constexpr auto friction(const C& c, const wrench<F, T>& end) const {
-    using std::sqrt;
-    const auto rate = detail::as_number(c.q_dot);
-    using S = std::remove_const_t<decltype(rate)>;
-    const auto across = end.force - dot(axis, end.force) * axis;
-    const S sign = rate / S(sqrt(S(rate * rate + S(smoothing * smoothing))));
-    return S(-(S(friction_radius) * as<S>(detail::to_polar(across).length) * sign));  // (1)
+    const auto sign = direction(c);
+    using S = std::remove_const_t<decltype(sign)>;
+    return S(-(S(friction_radius) * force_across<S>(end) * sign));  // (1)
   }
   constexpr void check(const parameter_check& where) const {
     joint::check(where);
@@ -46,6 +43,21 @@ struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute
   static constexpr void parameters(Self& self, Visit&& visit) {
     joint::parameters(self, visit);
     visit("friction_radius", self.friction_radius), visit("smoothing", self.smoothing);
+  }
+
+ protected:
+  /// The way it slides, from -1 to 1.
+  template <class C>
+  KTE_INLINE constexpr auto direction(const C& c) const {
+    using std::sqrt;
+    const auto rate = detail::as_number(c.q_dot);
+    using S = std::remove_const_t<decltype(rate)>;
+    return S(rate / S(sqrt(S(rate * rate + S(smoothing * smoothing)))));
+  }
+  /// |F - (n . F) n|, N
+  template <class S, class F, class T>
+  KTE_INLINE constexpr S force_across(const wrench<F, T>& end) const {
+    return as<S>(detail::to_polar(end.force - dot(axis, end.force) * axis).length);
   }
 };
 

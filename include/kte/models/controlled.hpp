@@ -120,8 +120,9 @@ class controlled {
     }
   }
 
-  /// Lets the law set the inputs of the model.
+  /// Lets the law set the inputs of the model. Throws `bad_argument` for an x of another size, as all that takes one.
   void set_inputs(const S& t, const state& x) {
+    check_state(x);
     if constexpr (N == 0) {
       model().setInput(law_(t, x));
     } else {
@@ -146,6 +147,7 @@ class controlled {
   void forces_at(const V&) const = delete;
 
   // ---- states: (q, v, z, c)
+  int state_size() const { return model().state_size() + N; }
   int rates() const { return model().rates() + N; }
   int velocity_count() const { return model().velocity_count(); }
   int internals() const { return model().internals() + N; }
@@ -163,12 +165,14 @@ class controlled {
     both.template tail<N>() = c;
     return both;
   }
-  auto positions_of(const state& x) const { return x.head(Eigen::fix<size_of<0>>(at_velocities(x))); }
+  auto positions_of(const state& x) const { return check_state(x), x.head(Eigen::fix<size_of<0>>(at_velocities(x))); }
   auto velocities_of(const state& x) const {
-    return x.segment(at_velocities(x), Eigen::fix<size_of<1>>(velocity_count()));
+    return check_state(x), x.segment(at_velocities(x), Eigen::fix<size_of<1>>(velocity_count()));
   }
   /// z of the model, and c.
-  auto internals_of(const state& x) const { return x.tail(Eigen::fix<longer(size_of<2>)>(internals())); }
+  auto internals_of(const state& x) const {
+    return check_state(x), x.tail(Eigen::fix<longer(size_of<2>)>(internals()));
+  }
   /// (q, v, z) of the model alone; valid until the next call.
   const model_state& own_part(const state& x) const {
     if constexpr (N == 0) {
@@ -178,7 +182,7 @@ class controlled {
     }
   }
   /// c.
-  auto law_states_of(const state& x) const { return x.template tail<N>(); }
+  auto law_states_of(const state& x) const { return check_state(x), x.template tail<N>(); }
   template <class ChainState>
   state getJointStates(const ChainState& s) const {
     return with_law(model().getJointStates(s), start_);
@@ -226,6 +230,10 @@ class controlled {
     if constexpr (Part == 2) return decltype(std::declval<m>().internals_of(std::declval<x>()))::RowsAtCompileTime;
   }();
 
+  void check_state(const state& x) const {
+    if constexpr (state::RowsAtCompileTime == Eigen::Dynamic)
+      check_size(static_cast<std::size_t>(state_size()), x, "x", "numbers of a state");
+  }
   int at_velocities(const state& x) const { return static_cast<int>(x.size()) - velocity_count() - internals(); }
   const model_rate& own_rate(const rate& d) const {
     return rate_part_ = d.head(Eigen::fix<model_rate::RowsAtCompileTime>(model().rates()));

@@ -57,6 +57,8 @@ class state_space : public Chain {
   std::span<const detail::freedom> freedoms() const { return size::freedoms(chain()); }
   /// How many numbers v and a have.
   int velocity_count() const { return size::nv(chain()); }
+  /// How many numbers x has.
+  int state_size() const { return numbers_q() + velocity_count() + internals(); }
   /// How many numbers x' has.
   int rates() const { return 2 * velocity_count() + internals(); }
 
@@ -128,7 +130,7 @@ class state_space : public Chain {
   /// x, which has as many numbers as a state.
   template <class X>
   const X& checked(const X& x) const {
-    check_size(static_cast<std::size_t>(numbers_q() + velocity_count() + internals()), x, "x", "numbers of a state");
+    check_size(static_cast<std::size_t>(state_size()), x, "x", "numbers of a state");
     return x;
   }
 

@@ -99,6 +99,7 @@ class chain_tree {
     if (n.is != part::force && n.is != part::stiff && is_frame(ports[0].what) && n.is < part::follower &&
         is_late(ports[0].what, index(0)))
       exclude(number, " has a mass on a frame that follows others");
+    if (!n.power_dual) exclude(number, " hands back other loads than those of its motion, as controllers want them");
     const std::size_t last = ports.size() - 1;
     switch (n.is) {
       case part::base:

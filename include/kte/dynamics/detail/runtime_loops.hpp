@@ -65,7 +65,7 @@ void check_regular(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   const auto& t = s.tree();
   if (t.irregular >= 0) [[unlikely]]
-    throw bad_argument("kte: this algorithm takes joints and links by their `relative` alone, and " +
+    throw bad_argument("kte: passes and inverse dynamics alone take this chain: " +
                        describe_element(runtime_elements{c}.element(t.irregular)) + t.why);
 }
 

@@ -41,7 +41,7 @@ constexpr auto find_element() {
 template <class Chain, template <class> class Is>
 using first_element = typename decltype(find_element<Chain, Is>())::type;
 template <class Core>
-struct has_own_loads : std::bool_constant<!loads_by_relative<Core>> {};
+struct has_own_loads : std::bool_constant<!loads_by_relative<Core> || !power_dual<Core>> {};
 template <class Core>
 struct has_spread_mass : std::bool_constant<spreads_mass<Core>> {};
 template <class Core>

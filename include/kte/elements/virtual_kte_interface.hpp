@@ -1,0 +1,84 @@
+#pragma once
+
+#include <kte/contract/no_parameters.hpp>
+#include <kte/contract/transmission.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A frame of a virtual model on one of the real mechanism. The virtual model moves with the real one and its loads go
+/// over with the sign reversed, as the controller applies them:
+///
+///   X_end = X_base,   F -= F',   T -= T'          (1)
+///
+/// so that tau of inverse dynamics of the whole has what the virtual model would do to the real one, turned round
+/// (Pratt and others, Int. J. Robotics Research 20 (2001) 129, "virtual model control").
+template <kind Dim>
+struct virtual_kte_interface : transmission<virtual_kte_interface<Dim>>, no_parameters {
+  static constexpr type_name type{"virtual_kte_interface", Dim};
+  static constexpr std::array<port, 2> ports{{{Dim, access::in, "base"}, {Dim, access::out, "end"}}};
+  static constexpr bool power_dual = false;
+  using transmission<virtual_kte_interface>::doMotion;
+
+  KTE_INLINE constexpr auto relative() const { return at_rest(no_rotation{}, zero3{}); }
+  template <class Frame, class F, class T>
+  KTE_INLINE constexpr auto doForce(const Frame&, const wrench<F, T>& end) const {
+    return make_loads(wrench{-end.force, -end.torque});  // (1)
+  }
+};
+
+/// The same of a coordinate: q_e = q_b, f_b -= f_e.
+template <>
+struct virtual_kte_interface<kind::gen> : no_parameters {
+  static constexpr type_name type{"virtual_kte_interface", kind::gen};
+  static constexpr std::array<port, 2> ports{{{kind::gen, access::in, "base"}, {kind::gen, access::out, "end"}}};
+  static constexpr bool power_dual = false;
+
+  template <class C>
+  KTE_INLINE constexpr auto doMotion(const C& base) const {
+    return coordinate{base.q, base.q_dot, base.q_ddot, skip{}, skip{}};
+  }
+  template <class C, class F>
+  KTE_INLINE constexpr auto doForce(const C&, const F& end) const {
+    return make_loads(-end);
+  }
+};
+
+}  // namespace core
+
+/// Where a virtual model is attached to a mechanism: `end` moves as `base`, and loads on it come back reversed. For
+/// passes and inverse dynamics.
+template <class B, class E>
+constexpr auto virtual_kte_interface_gen(const B& base, const E& end) {
+  return connect(core::virtual_kte_interface<kind::gen>{}, base, end);
+}
+template <class B, class E>
+constexpr auto virtual_kte_interface_2D(const B& base, const E& end) {
+  return connect(core::virtual_kte_interface<kind::frame_2D>{}, base, end);
+}
+template <class B, class E>
+constexpr auto virtual_kte_interface_3D(const B& base, const E& end) {
+  return connect(core::virtual_kte_interface<kind::frame_3D>{}, base, end);
+}
+
+KTE_CALL(virtual_kte_interface_gen, "(base, end)")
+KTE_CALL(virtual_kte_interface_2D, "(base, end)")
+KTE_CALL(virtual_kte_interface_3D, "(base, end)")
+
+namespace detail {
+/// How model files make them.
+struct virtual_kte_interface_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("virtual_kte_interface_gen",
+        [](const auto& x) { return virtual_kte_interface_gen(x.name("base"), x.name("end")); });
+    add("virtual_kte_interface_2D",
+        [](const auto& x) { return virtual_kte_interface_2D(x.name("base"), x.name("end")); });
+    add("virtual_kte_interface_3D",
+        [](const auto& x) { return virtual_kte_interface_3D(x.name("base"), x.name("end")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <kte/elements/dry_revolute_joint.hpp>
+#include <kte/math/select.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A joint of `dry_revolute_joint` as a controller sees it: tau of inverse dynamics overcomes the friction, also at
+/// rest, where it breaks the joint loose. With N the force across the axis, T the torque about it that the joint
+/// carries, s = q' / sqrt(q'^2 + v^2):
+///
+///   f -= mu r N s                                          it slides           (1)
+///   f += (1 - |s|) min(mu_s r N, |T|) sign(T)              it rests            (2)
+///
+/// so that tau = -f is the load with what friction takes on top. (2) is no friction: it drives the way the load does.
+template <kind Dim, class Axis>
+struct vmc_revolute_joint : dry_revolute_joint<Dim, Axis>, transmission<vmc_revolute_joint<Dim, Axis>> {
+  static constexpr type_name type{"vmc_revolute_joint", Dim};
+  static constexpr bool power_dual = false;
+  using dry = dry_revolute_joint<Dim, Axis>;
+  using transmission<vmc_revolute_joint>::doMotion, transmission<vmc_revolute_joint>::doForce;
+  using dry::axis, dry::friction_radius;
+
+  double stiction_radius;  ///< mu_s r, m
+
+  constexpr vmc_revolute_joint(const Axis& n, double sliding, double resting, double v)
+      : dry(n, sliding, v), stiction_radius(resting) {}
+
+  template <class C, class F, class T>
+  KTE_INLINE constexpr auto friction(const C& c, const wrench<F, T>& end) const {
+    const auto sign = this->direction(c);
+    using S = std::remove_const_t<decltype(sign)>;
+    const S across = this->template force_across<S>(end), load = as<S>(dot(axis, end.torque));
+    const S most = S(stiction_radius) * across;
+    const S held = select(load > most, most, select(load < S(-most), S(-most), load));
+    const S still = S(1) - select(sign < S(0), S(-sign), sign);
+    return S(still * held - S(friction_radius) * across * sign);  // (1), (2)
+  }
+  constexpr void check(const parameter_check& where) const {
+    dry::check(where);
+    where.finite(stiction_radius, "stiction_radius must be finite and not below friction_radius");
+    where.require(stiction_radius >= friction_radius, "stiction_radius must be finite and not below friction_radius",
+                  stiction_radius);
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    dry::parameters(self, visit);
+    visit("stiction_radius", self.stiction_radius);
+  }
+};
+
+}  // namespace core
+
+/// A revolute joint for controllers, of which inverse dynamics gives the torque that overcomes its dry friction.
+/// friction_radius, stiction_radius: the coefficients of friction sliding and at rest times the radius of the bearing,
+/// m; smoothing: the rate over which the one becomes the other, rad/s.
+template <class Q, class B, class E>
+constexpr auto vmc_revolute_joint_2D(const Q& coordinate, const B& base, const E& end, double friction_radius,
+                                     double stiction_radius, double smoothing = 1e-3) {
+  using out_of_plane = std::remove_const_t<decltype(axis::z)>;
+  return connect(
+      core::vmc_revolute_joint<kind::frame_2D, out_of_plane>(axis::z, friction_radius, stiction_radius, smoothing),
+      coordinate, base, end);
+}
+template <class Q, class B, class E, class X, class Y, class Z>
+constexpr auto vmc_revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
+                                     double friction_radius, double stiction_radius, double smoothing = 1e-3) {
+  return connect(
+      core::vmc_revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis, friction_radius, stiction_radius, smoothing),
+      coordinate, base, end);
+}
+
+KTE_CALL(vmc_revolute_joint_2D, "(coordinate, base, end, friction_radius, stiction_radius[, smoothing])")
+KTE_CALL(vmc_revolute_joint_3D, "(coordinate, base, end, axis, friction_radius, stiction_radius[, smoothing])")
+
+namespace detail {
+/// How model files make them.
+struct vmc_revolute_joint_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("vmc_revolute_joint_2D", [](const auto& x) {
+      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+      return x.placed(vmc_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
+                                            x.number("friction_radius"), x.number("stiction_radius"),
+                                            x.number("smoothing")));
+    });
+    add("vmc_revolute_joint_3D", [](const auto& x) {
+      return x.placed(vmc_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), x.vector("axis"),
+                                            x.number("friction_radius"), x.number("stiction_radius"),
+                                            x.number("smoothing")));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte
