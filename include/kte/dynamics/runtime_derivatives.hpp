@@ -40,7 +40,7 @@ const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runti
   detail::check_regular(c, s);
   detail::check_positions(s);
   detail::inverse_of_masses(c, s, s.work.inverse);
-  detail::check_masses(s, s.work.inverse);
+  detail::check_inverse(s, s.work.inverse);
   return s.work.inverse;
 }
 /// The same at q, which is put into the state.

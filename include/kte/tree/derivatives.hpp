@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/tree/composite.hpp>
+#include <kte/tree/fours.hpp>
 #include <kte/tree/newton_euler.hpp>
 
 /// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
@@ -22,27 +23,34 @@ template <class S>
 KTE_INLINE spatial_motion<S> cross(const spatial_motion<S>& a, const spatial_motion<S>& b) {
   return {cross(a.angular, b.linear) + cross(a.linear, b.angular), cross(a.angular, b.angular)};
 }
-template <class S>
-KTE_INLINE S power(const spatial_motion<S>& m, const dense_wrench<S>& w) {
-  return dot(m.linear, w.force) + dot(m.angular, w.torque);
-}
 
 /// Of an axis s in a body that moves by v, whose parent moves by v_p, a_p (all at the origin of the body):
 ///
 ///   s' = v_p x s,   s'' = a_p x s + v_p x s',   mixed = s' + v x s          (1)
+///
+/// side by side as what the forces need: (s'', mixed, s), and of angular parts s' too.
 template <class S>
 struct axis_variation {
-  spatial_motion<S> axis, second, mixed;
-  vec3<S> first;  ///< the angular part of s'
+  four_vectors<S> linear, angular;  ///< (s'', mixed, s, 0 or s')
+  four_vectors<S> turning;          ///< (s', s, 0, 0), angular
+
+  KTE_INLINE void set(const spatial_motion<S>& second, const spatial_motion<S>& mixed, const spatial_motion<S>& s,
+                      const vec3<S>& first) {
+    linear.set(0, second.linear), linear.set(1, mixed.linear), linear.set(2, s.linear);
+    angular.set(0, second.angular), angular.set(1, mixed.angular), angular.set(2, s.angular), angular.set(3, first);
+    turning.set(0, first), turning.set(1, s.angular);
+  }
+  KTE_INLINE spatial_motion<S> axis() const { return {linear.get(2), angular.get(2)}; }
 };
 /// Of a body with all it carries: inertia M, and 2 B, which acts on angular parts alone,
 ///
 ///   B = (v x* M - M v x + (M v) x*) / 2          (2)
 ///
-/// `passing`: the speed of its origin to the observer of its parent.
+/// `passing`: the speed u of its origin to the observer of its parent. `ways`: (p, p, p, 2 u), p the way of the origin.
 template <class S>
 struct body_variation {
   vec3<S> ang_velocity, acceleration, ang_acceleration, passing;
+  four_vectors<S> ways;
   dense_composite<S> inertia;
   vec3<S> force;         ///< 2 B gives the force `force` x w
   mat3<vec3<S>> torque;  ///< and the torque `torque` w
@@ -87,6 +95,8 @@ void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memor
         slides = slides + m.rate[static_cast<std::size_t>(k)] * m.axes[static_cast<std::size_t>(k)].linear;
     const vec3<S> turned = cross(w_p, place.step);
     b.passing = turned + slides;
+    for (std::size_t n = 0; n < 3; ++n) b.ways.set(n, place.step);
+    b.ways.set(3, S(2) * b.passing);
     const spatial_motion<S> v_p{-slides, w_p};
     const spatial_motion<S> a_p{
         parent.acceleration + (cross(parent.ang_acceleration, place.step) + cross(w_p, vec3<S>(turned + slides))),
@@ -94,17 +104,16 @@ void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memor
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const world_axis<S>& s = m.axes[static_cast<std::size_t>(k)];
       axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
-      x.axis = {s.linear, s.angular};
+      const spatial_motion<S> axis{s.linear, s.angular};
       if (r.moves == joint::revolute) {  // what is linear is nothing; w x s is s'
-        x.first = cross(w_p, s.angular);
-        x.second = {cross(a_p.linear, s.angular), cross(a_p.angular, s.angular) + cross(w_p, x.first)};
-        x.mixed = {{}, S(2) * x.first};
+        const vec3<S> first = cross(w_p, s.angular);
+        x.set({cross(a_p.linear, s.angular), cross(a_p.angular, s.angular) + cross(w_p, first)}, {{}, S(2) * first},
+              axis, first);
         continue;
       }
-      const spatial_motion<S> first = cross(v_p, x.axis);
-      x.first = first.angular;
-      x.second = cross(a_p, x.axis) + cross(v_p, first);
-      x.mixed = first + cross(spatial_motion<S>{{}, b.ang_velocity}, x.axis);  // (1)
+      const spatial_motion<S> first = cross(v_p, axis);
+      x.set(cross(a_p, axis) + cross(v_p, first), first + cross(spatial_motion<S>{{}, b.ang_velocity}, axis), axis,
+            first.angular);  // (1)
     }
     const rigid_body<P, vec3<P>, sym3<P>>& body = r.body;
     const vec3<S> c = place.rotation * body.com;
@@ -128,10 +137,14 @@ void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memor
 ///
 ///   force -2 m [u]x,   torque -2 [h]x [u]x          (6)
 ///
-/// more. put(j, i, by_q, by_v, by_a): change of tau_j by coordinate i.
+/// more. Side by side go the wrenches F_q, F_v, F_a that (3) to (5) multiply by s_j, as they go in: T += p x F; and
+/// with them 2B^T s_i, which (4), (5) multiply by s_j' and s_j: it grows by 2 u x F_a. put(j, i, by_q, by_v, by_a):
+/// change of tau_j by coordinate i.
 template <class P, class S, class Put>
 void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v, const Put& put) {
   const std::size_t bases = static_cast<std::size_t>(f.bases);
+  using numbers = fours<S>;
+  using vectors = vec3<numbers>;
   for (std::size_t i = f.records.size(); i-- > 0;) {
     const record<P>& r = f.records[i];
     const world_place<S>& place = m.world[bases + i];
@@ -141,52 +154,62 @@ void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>&
     const S& mass = b.inertia.mass;
     const vec3<S>& h = b.inertia.moment;
     const sym3<S>& inertia = b.inertia.inertia;
-    const bool turns = r.moves == joint::revolute;
-    const auto accelerated = [&](const spatial_motion<S>& a) KTE_INLINE_LAMBDA {
-      return dense_wrench<S>{mass * a.linear + cross(a.angular, h), inertia * a.angular + cross(h, a.linear)};
-    };
-    const auto turning = [&](const vec3<S>& al) KTE_INLINE_LAMBDA {
-      return dense_wrench<S>{cross(al, h), inertia * al};
-    };
-    const auto pushed = [&](const vec3<S>& w, const dense_wrench<S>& x) KTE_INLINE_LAMBDA {
-      return dense_wrench<S>{x.force + cross(b.force, w), x.torque + b.torque * w};
-    };
     for (int k = r.first; k < r.first + r.axes; ++k) {
       const axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
-      const auto& s = x.axis;
-      dense_wrench<S> by_q = pushed(x.first, accelerated(x.second));
-      dense_wrench<S> by_v = pushed(s.angular, turns ? turning(x.mixed.angular) : accelerated(x.mixed));
-      dense_wrench<S> by_a = turns ? turning(s.angular) : accelerated(s);
+      vectors linear, angular, turning;
+      load_fours<S>(linear, x.linear), load_fours<S>(angular, x.angular), load_fours<S>(turning, x.turning);
+      vectors force{mass * linear.x, mass * linear.y, mass * linear.z};
+      add_cross(force, angular, h), add_cross(force, b.force, turning);
+      vectors torque{inertia.xx * angular.x + inertia.xy * angular.y + inertia.xz * angular.z,
+                     inertia.xy * angular.x + inertia.yy * angular.y + inertia.yz * angular.z,
+                     inertia.xz * angular.x + inertia.yz * angular.y + inertia.zz * angular.z};
+      add_cross(torque, h, linear);
+      torque.x += b.torque.x.x * turning.x + b.torque.x.y * turning.y + b.torque.x.z * turning.z;
+      torque.y += b.torque.y.x * turning.x + b.torque.y.y * turning.y + b.torque.y.z * turning.z;
+      torque.z += b.torque.z.x * turning.x + b.torque.z.y * turning.y + b.torque.z.z * turning.z;
+      const auto power_on = [&](const spatial_motion<S>& s, bool slides, numbers& power) KTE_INLINE_LAMBDA {
+        power = s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
+        if (slides) power += s.linear.x * force.x + s.linear.y * force.y + s.linear.z * force.z;
+      };
+      const bool slides = r.moves != joint::revolute;
       for (int j = r.first; j < r.first + r.axes; ++j) {
-        const auto& own = v.axes[static_cast<std::size_t>(j)].axis;
-        put(j, k, power(own, by_q), power(own, by_v), power(own, by_a));
+        numbers own;
+        power_on(v.axes[static_cast<std::size_t>(j)].axis(), slides, own);
+        put(j, k, S(own[0]), S(own[1]), S(own[2]));
       }
       if (r.parent < f.bases) continue;
-      by_q = {by_q.force + cross(s.angular, needs.force), by_q.torque + cross(s.angular, needs.torque)};
-      vec3<S> to_rate = transpose(b.torque) * s.angular;
-      if (!turns) {
-        by_q.torque = by_q.torque + cross(s.linear, needs.force);
+      const spatial_motion<S> s = x.axis();
+      const vec3<S> more = cross(s.angular, needs.force);
+      vec3<S> more_torque = cross(s.angular, needs.torque), to_rate = transpose(b.torque) * s.angular;
+      if (slides) {
+        more_torque = more_torque + cross(s.linear, needs.force);
         to_rate = to_rate - cross(b.force, s.linear);
       }
+      force.x[0] += more.x, force.y[0] += more.y, force.z[0] += more.z;
+      force.x[3] = force.x[2], force.y[3] = force.y[2], force.z[3] = force.z[2];
+      torque.x[0] += more_torque.x, torque.y[0] += more_torque.y, torque.z[0] += more_torque.z;
+      torque.x[3] = to_rate.x, torque.y[3] = to_rate.y, torque.z[3] = to_rate.z;
+      const vec3<S> by_a{force.x[2], force.y[2], force.z[2]};
       for (std::size_t slot = bases + i;;) {
-        const vec3<S>& step = m.world[slot].step;
-        by_q.torque = by_q.torque + cross(step, by_q.force);
-        by_v.torque = by_v.torque + cross(step, by_v.force);
-        by_a.torque = by_a.torque + cross(step, by_a.force);
-        to_rate = to_rate + S(2) * cross(v.bodies[slot].passing, by_a.force);  // what (6) makes of it
+        vectors ways;
+        load_fours<S>(ways, v.bodies[slot].ways);
+        add_cross(torque, ways, force);
+        vectors from_rates;  // F_a thrice, 2B^T s
+        repeat_third<S>(torque.x, from_rates.x), repeat_third<S>(torque.y, from_rates.y);
+        repeat_third<S>(torque.z, from_rates.z);
         slot = static_cast<std::size_t>(f.records[slot - bases].parent);
         const record<P>& before = f.records[slot - bases];
+        const bool before_slides = before.moves != joint::revolute;
         for (int j = before.first; j < before.first + before.axes; ++j) {
           const axis_variation<S>& y = v.axes[static_cast<std::size_t>(j)];
-          const vec3<S>& z = y.axis.angular;
-          S at_q = dot(z, by_q.torque), at_v = dot(z, by_v.torque), at_a = dot(z, by_a.torque);
-          S from_v = dot(to_rate, z) + dot(y.mixed.angular, by_a.torque);
-          if (before.moves != joint::revolute) {
-            at_q += dot(y.axis.linear, by_q.force), at_v += dot(y.axis.linear, by_v.force);
-            at_a += dot(y.axis.linear, by_a.force), from_v += dot(y.mixed.linear, by_a.force);
-          }
-          put(j, k, at_q, at_v, at_a);
-          put(k, j, dot(to_rate, y.first) + power(y.second, by_a), from_v, at_a);
+          load_fours<S>(linear, y.linear), load_fours<S>(angular, y.angular);
+          numbers on, back;
+          power_on(y.axis(), before_slides, on);
+          back = angular.x * from_rates.x + angular.y * from_rates.y + angular.z * from_rates.z;
+          back += by_a.x * linear.x + by_a.y * linear.y + by_a.z * linear.z;
+          const S at_a = S(on[2]);
+          put(j, k, S(on[0]), S(on[1]), at_a);                        // (3), (5)
+          put(k, j, S(back[0] + back[3]), S(back[1] + on[3]), at_a);  // (4), (5)
         }
         if (before.parent < f.bases) break;
       }
