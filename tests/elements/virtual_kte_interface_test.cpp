@@ -3,10 +3,10 @@
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/elements/virtual_kte_interface.hpp>
 
 #include "dynamics/small_chains.hpp"
-#include "elements/laws.hpp"
 
 // Virtual models on real mechanisms: against the same models attached in earnest.
 
@@ -90,8 +90,8 @@ TEST_CASE("virtual models in the plane and on coordinates", "[elements][virtual_
   CHECK(inverse_dynamics(mast, s, q, v, a)[0] == within(2 * 1.5 + spring, 1e-14));  // the motor does what it would do
 
   kte_map_chain wheel;
-  wheel << inertia_gen("q", 0.5) << virtual_kte_interface_gen("q", "ghost") << spring_gen("ghost", 20.0)
-        << inertia_gen("ghost", 0.1);
+  wheel << base_gen("wall") << inertia_gen("q", 0.5) << virtual_kte_interface_gen("q", "ghost")
+        << spring_gen("wall", "ghost", 0.0, 20.0) << inertia_gen("ghost", 0.1);
   auto t = wheel.make_state();
   CHECK(inverse_dynamics(wheel, t, q, v, a)[0] == within((0.5 - 0.1) * 1.5 - 20 * 0.3, 1e-14));
 }

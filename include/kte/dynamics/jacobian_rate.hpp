@@ -133,7 +133,7 @@ template <class S, indexable Q>
 requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame,
                                                                  at_world_origin_t axes) {
-  detail::check_regular(c, s), (void)detail::find_frame(c, frame);
+  detail::check_motion(c, s), (void)detail::find_frame(c, frame);
   detail::take(c, s, q);
   return jacobian(c, s, frame, axes);
 }
@@ -143,7 +143,7 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_c
 template <class S, axes_of_rates Axes = in_own_axes_t>
 basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                         Axes = {}) {
-  detail::check_regular(c, s);
+  detail::check_motion(c, s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
   return detail::jacobian_with_rate_of<Axes>(c, s, x).rate;
@@ -151,7 +151,7 @@ basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_st
 template <class S, indexable Q, indexable V, axes_of_rates Axes = in_own_axes_t>
 basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                         const name_or_handle& frame, Axes = {}) {
-  detail::check_regular(c, s);
+  detail::check_motion(c, s);
   const auto x = detail::find_frame(c, frame);
   detail::take(c, s, q, v);
   return detail::jacobian_with_rate_of<Axes>(c, s, x).rate;

@@ -121,13 +121,13 @@ Result motion_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& 
 template <class Result, class S>
 Result motion_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
                           const name_or_handle& moved) {
-  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::check_motion(c, s), detail::check_state_velocities(s);
   return detail::motion_jacobian_at_state<Result>(c, s, coordinate, moved);
 }
 template <class Result, class S, indexable Q, indexable V>
 Result motion_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                           const name_or_handle& coordinate, const name_or_handle& moved) {
-  detail::check_regular(c, s);
+  detail::check_motion(c, s);
   (void)detail::place_in_v(c, coordinate, Result::joint), (void)moved.find(c.wiring(), Result::moved);
   detail::take(c, s, q, v);
   return detail::motion_jacobian_at_state<Result>(c, s, coordinate, moved);

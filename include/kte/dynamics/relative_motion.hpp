@@ -66,7 +66,7 @@ auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B
 template <class S>
 pose<mat3<vec3<S>>, vec3<S>> relative_pose(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
                                            const name_or_handle& a) {
-  detail::check_regular(c, s);
+  detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
   detail::check_positions(s);
   return detail::relative_pose_of(c, s, of, in);
@@ -76,7 +76,7 @@ requires(!names_something<Q>) pose<mat3<vec3<S>>, vec3<S>> relative_pose(const k
                                                                          basic_runtime_state<S>& s, const Q& q,
                                                                          const name_or_handle& b,
                                                                          const name_or_handle& a) {
-  detail::check_regular(c, s);
+  detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
   detail::take(c, s, q);
   return detail::relative_pose_of(c, s, of, in);
@@ -99,7 +99,7 @@ dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& 
 template <class S>
 basic_runtime_jacobian<S> relative_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
                                             const name_or_handle& a) {
-  detail::check_regular(c, s);
+  detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
   detail::check_positions(s);
   return detail::relative_jacobian_of(c, s, of, in);
@@ -109,7 +109,7 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> relative_jacobian(const 
                                                                           basic_runtime_state<S>& s, const Q& q,
                                                                           const name_or_handle& b,
                                                                           const name_or_handle& a) {
-  detail::check_regular(c, s);
+  detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
   detail::take(c, s, q);
   return detail::relative_jacobian_of(c, s, of, in);

@@ -71,7 +71,7 @@ pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state
   const auto& f = s.tree().forest;
   const auto& place = f.frame(x.what, x.index);
   if constexpr (std::is_same_v<S, double>)
-    if (s.tree().irregular >= 0 || place.slot < 0) [[unlikely]] {
+    if (s.tree().moves_unknown || place.slot < 0) [[unlikely]] {
       move(c.wiring(), s, x);
       return with_motion(s, x, [](const auto& m) { return plain_pose<S>(m); });
     }

@@ -186,7 +186,7 @@ basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_stat
 template <class S>
 void put_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, bool world,
                            basic_runtime_jacobian<S>& j) {
-  check_regular(c, s);
+  check_motion(c, s);
   const auto x = find_frame(c, frame);
   check_positions(s);
   put_jacobian(c, s, x, world, j);
@@ -194,7 +194,7 @@ void put_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, co
 template <class S, class Q>
 void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const name_or_handle& frame,
                      bool world, basic_runtime_jacobian<S>& j) {
-  check_regular(c, s);
+  check_motion(c, s);
   const auto x = find_frame(c, frame);
   take(c, s, q);
   put_jacobian(c, s, x, world, j);

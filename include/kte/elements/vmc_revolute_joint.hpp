@@ -46,8 +46,9 @@ struct vmc_revolute_joint : dry_revolute_joint<Dim, Axis>, transmission<vmc_revo
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
-    dry::parameters(self, visit);
-    visit("stiction_radius", self.stiction_radius);
+    dry::joint::parameters(self, visit);
+    visit("friction_radius", self.friction_radius), visit("stiction_radius", self.stiction_radius);
+    visit("smoothing", self.smoothing);
   }
 };
 

@@ -67,7 +67,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double t, const state& x, jacobian_matrix& j) const {
-    if (internals() > 0 || s_.tree().irregular >= 0) return false;
+    if (internals() > 0 || s_.tree().irregular) return false;
     setJointStates(t, x, s_);
     const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
     j.resize(rates(), rates());

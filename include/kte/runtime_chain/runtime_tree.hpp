@@ -45,7 +45,7 @@ void check_scalar(const topology& t, const runtime_tree<P>& tree) {
     throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
                        describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
   };
-  if (tree.irregular >= 0) refuse(tree.irregular, tree.why);
+  if (tree.irregular) refuse(tree.irregular.element, tree.irregular.why);
   for (const auto* list : {&tree.followers, &tree.readers, &tree.on_coordinates, &tree.on_frames})
     for (const int e : *list) refuse(e, " acts by a law of its own");
 }

@@ -37,9 +37,14 @@ class chain_tree {
   std::vector<std::pair<kind, int>> written;  ///< frames that `late` elements write
   std::vector<std::pair<kind, int>> touched;  ///< the frames that these act on
   std::vector<std::pair<kind, int>> turned;   ///< coordinates whose sines or matrices are read, but by joints
-  /// An element that is more than records say, and why; -1: none. Passes alone know such chains.
-  int irregular = -1;
-  const char* why = "";
+  /// An element that is more than records say, and why.
+  struct exception {
+    int element = -1;  ///< none
+    const char* why = "";
+    explicit operator bool() const { return element >= 0; }
+  };
+  exception irregular;      ///< the first in its motion or its loads: passes alone know such chains
+  exception moves_unknown;  ///< the first in its motion
 
   /// `c` as for `arrange`; each_element(f): f(e, its `element_numbers<P>`) for all, in order.
   template <class Connections, class Each>
@@ -65,7 +70,7 @@ class chain_tree {
       if (m == tree::joint::revolute || m == tree::joint::screw) angles.push_back(static_cast<int>(i));
     }
     for (const P& m : own_mass) has_own_mass |= m != P(0);
-    only_bodies = irregular < 0 && plan.tree && plan.coordinates == dofs_ && plan.lone_rows.empty() &&
+    only_bodies = !irregular && plan.tree && plan.coordinates == dofs_ && plan.lone_rows.empty() &&
                   on_coordinates.empty() && on_frames.empty() && followers.empty() && late.empty() && readers.empty();
     std::erase_if(touched, [this](const auto& x) { return is_late(x.first, x.second); });
     for (const auto& [k, i] : written)
@@ -99,7 +104,8 @@ class chain_tree {
     if (n.is != part::force && n.is != part::stiff && is_frame(ports[0].what) && n.is < part::follower &&
         is_late(ports[0].what, index(0)))
       exclude(number, " has a mass on a frame that follows others");
-    if (!n.power_dual) exclude(number, " hands back other loads than those of its motion, as controllers want them");
+    if (!n.power_dual)
+      exclude_loads(number, " hands back other loads than those of its motion, as controllers want them");
     const std::size_t last = ports.size() - 1;
     switch (n.is) {
       case part::base:
@@ -110,7 +116,7 @@ class chain_tree {
           break;
         }
         if (!n.plain_loads)
-          exclude(number, " has a `doForce` of its own: put that force into an element on the coordinate");
+          exclude_loads(number, " has a `doForce` of its own: put that force into an element on the coordinate");
         if (ports.size() == 2) {
           at(1) = builder::link(at(0), n.stiff);
           break;
@@ -193,8 +199,12 @@ class chain_tree {
     for (std::size_t p = 0; p < ports.size(); ++p)
       if (is_frame(ports[p].what)) touched.emplace_back(ports[p].what, index(p));
   }
-  void exclude(int number, const char* reason) {
-    if (irregular < 0) irregular = number, why = reason;
+  void exclude_loads(int number, const char* why) {
+    if (!irregular) irregular = {number, why};
+  }
+  void exclude(int number, const char* why) {
+    exclude_loads(number, why);
+    if (!moves_unknown) moves_unknown = {number, why};
   }
 
   std::array<std::vector<place>, 2> frames_;  ///< until they are in the forest

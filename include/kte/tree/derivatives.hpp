@@ -167,9 +167,10 @@ void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>&
       torque.x += b.torque.x.x * turning.x + b.torque.x.y * turning.y + b.torque.x.z * turning.z;
       torque.y += b.torque.y.x * turning.x + b.torque.y.y * turning.y + b.torque.y.z * turning.z;
       torque.z += b.torque.z.x * turning.x + b.torque.z.y * turning.y + b.torque.z.z * turning.z;
+      vectors pushing = force;  // with nothing beside F_a
       const auto power_on = [&](const spatial_motion<S>& s, bool slides, numbers& power) KTE_INLINE_LAMBDA {
         power = s.angular.x * torque.x + s.angular.y * torque.y + s.angular.z * torque.z;
-        if (slides) power += s.linear.x * force.x + s.linear.y * force.y + s.linear.z * force.z;
+        if (slides) power += s.linear.x * pushing.x + s.linear.y * pushing.y + s.linear.z * pushing.z;
       };
       const bool slides = r.moves != joint::revolute;
       for (int j = r.first; j < r.first + r.axes; ++j) {
@@ -186,6 +187,8 @@ void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>&
         to_rate = to_rate - cross(b.force, s.linear);
       }
       force.x[0] += more.x, force.y[0] += more.y, force.z[0] += more.z;
+      pushing = force;
+      pushing.x[3] = pushing.y[3] = pushing.z[3] = S(0);
       force.x[3] = force.x[2], force.y[3] = force.y[2], force.z[3] = force.z[2];
       torque.x[0] += more_torque.x, torque.y[0] += more_torque.y, torque.z[0] += more_torque.z;
       torque.x[3] = to_rate.x, torque.y[3] = to_rate.y, torque.z[3] = to_rate.z;

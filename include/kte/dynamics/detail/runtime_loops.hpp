@@ -59,14 +59,24 @@ void check_whole(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   (void)c.wiring();
   c.check(s);
 }
+template <class Exception>
+[[noreturn, gnu::cold]] void refuse_chain(const kte_map_chain& c, const Exception& x) {
+  throw bad_argument("kte: passes and inverse dynamics alone take this chain: " +
+                     describe_element(runtime_elements{c}.element(x.element)) + x.why);
+}
 /// The same where passes alone know the chain.
 template <class S>
 void check_regular(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
-  const auto& t = s.tree();
-  if (t.irregular >= 0) [[unlikely]]
-    throw bad_argument("kte: passes and inverse dynamics alone take this chain: " +
-                       describe_element(runtime_elements{c}.element(t.irregular)) + t.why);
+  if (s.tree().irregular) [[unlikely]]
+    refuse_chain(c, s.tree().irregular);
+}
+/// The same of its motion.
+template <class S>
+void check_motion(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+  check_whole(c, s);
+  if (s.tree().moves_unknown) [[unlikely]]
+    refuse_chain(c, s.tree().moves_unknown);
 }
 
 /// Inverse dynamics, into the state. `placed`: as for `forces_on_coordinates`.
@@ -74,7 +84,7 @@ template <class S>
 void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s, bool placed = false) {
   check_whole(c, s);
   if constexpr (std::is_same_v<S, double>)
-    if (s.tree().irregular >= 0) [[unlikely]] {
+    if (s.tree().irregular) [[unlikely]] {
       c.doMotion(s), c.clearForce(s), c.doForce(s);
       return;
     }

@@ -142,21 +142,21 @@ inline constexpr bool may_need_passes = !Chain::common || !std::is_void_v<first_
 /// Throws `bad_argument` where an element turns out to be more than records say.
 template <class Chain, class State>
 void check_regular(const Chain&, const State& s) {
-  if (s.tree().irregular < 0) [[likely]]
+  if (!s.tree().irregular) [[likely]]
     return;
   const auto name = []<std::size_t... I>(std::size_t i, std::index_sequence<I...>) {
     const std::string_view names[]{std::string_view(core_of<Chain, I>::type)...};
     return names[i];
   }
-  (static_cast<std::size_t>(s.tree().irregular), std::make_index_sequence<Chain::size>{});
-  raise<bad_argument>(std::string("kte: ").append(name).append(s.tree().why));
+  (static_cast<std::size_t>(s.tree().irregular.element), std::make_index_sequence<Chain::size>{});
+  raise<bad_argument>(std::string("kte: ").append(name).append(s.tree().irregular.why));
 }
 
 /// Inverse dynamics at what is given: the forces of virtual power on all degrees of freedom, times `sign`.
 template <class Chain, class Given, class State, class Sign>
 auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
   s.take(g);
-  const bool by_passes = may_need_passes<Chain> && s.tree().irregular >= 0;
+  const bool by_passes = may_need_passes<Chain> && s.tree().irregular;
   if constexpr (may_need_passes<Chain>)
     if (by_passes) c.doMotion(s), c.clearForce(s), c.doForce(s);
   if (!by_passes) {

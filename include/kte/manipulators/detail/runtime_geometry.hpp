@@ -17,7 +17,7 @@ inline arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const 
   const auto x = find_frame(c, frame);
   const auto& forest = s.tree().forest;
   const auto& place = forest.frame(x.what, x.index);
-  if (s.tree().irregular >= 0 || place.slot < 0) {
+  if (s.tree().moves_unknown || place.slot < 0) {
     arm.refused = "has an element that is neither joint nor link between base and tool";
     return arm;
   }
