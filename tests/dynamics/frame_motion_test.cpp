@@ -104,6 +104,13 @@ TEST_CASE("velocities and accelerations of frames in double, and of runtime chai
   check_double(models::tree, models::shank, 15);
 }
 
+TEST_CASE("poses of all frames that are too far away for numbers") {
+  const auto c = chain(prismatic_joint_3D(q1, ground, body, axis::x), prismatic_joint_3D(q2, body, hand, axis::x));
+  const std::array<double, 2> far{1e308, 1e308};
+  CHECK_THROWS_AS(forward_kinematics(c, far), bad_argument);
+  CHECK_THROWS_AS(forward_kinematics(c, far, hand), bad_argument);
+}
+
 TEST_CASE("poses of all frames") {
   check_poses(robots::iiwa14, robots::iiwa14_names::tool, 21);
   check_poses(robots::iiwa14, robots::iiwa14_names::link3, 22);

@@ -88,10 +88,10 @@ TEST_CASE("a slider-crank, and where it cannot be closed") {
   kte_map_chain short_one;
   short_one << slider_crank_2D("q", "rod", "x", {.crank = 0.1, .rod = 0.05}) << inertia_gen("x", 1.0);
   auto t = short_one.make_state();
-  CHECK_THROWS_MATCHES(
-      mass_matrix(short_one, t, Eigen::VectorXd::Constant(1, 1.5)), bad_argument,
-      Catch::Predicate<bad_argument>([](const bad_argument& e) {
-        return std::string(e.what()).find("slider_crank_2D is too short for this angle of its crank, 1.5 rad") !=
-               std::string::npos;
-      }));
+  CHECK_THROWS_MATCHES(mass_matrix(short_one, t, Eigen::VectorXd::Constant(1, 1.5)), bad_argument,
+                       Catch::Predicate<bad_argument>([](const bad_argument& e) {
+                         return std::string(e.what()).find(
+                                    "slider_crank_rod_2D (crank 'q', rod 'rod'): the rod of a slider_crank_2D is too "
+                                    "short for this angle of its crank, 1.5 rad") != std::string::npos;
+                       }));
 }

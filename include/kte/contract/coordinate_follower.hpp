@@ -32,8 +32,13 @@ struct scalar_among<First, Rest...>
 ///   f_i += F_i f                                                                              (3)
 ///
 /// Its ports are the coordinates, then the one that it writes.
+///
+/// Where there is no value, as of a loop that cannot be closed, `value` raises `bad_argument`; in runtime chains that
+/// then names the element.
 template <class Core>
 struct coordinate_follower {
+  static constexpr bool may_have_no_value = true;
+
   template <class... C>
   KTE_INLINE constexpr auto doMotion(const C&... c) const {
     using S = typename detail::scalar_among<std::remove_cvref_t<decltype(c.q)>...>::type;

@@ -113,7 +113,15 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   detail::check_configuration<chain_type>(q);
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  return detail::all_poses<S>(c, at);
+  const auto poses = detail::all_poses<S>(c, at);
+  S zero_or_nan(0);
+  for (const auto& x : poses.in_plane) zero_or_nan += (x.position.x + x.position.y) * S(0);
+  for (const auto& x : poses.in_space) zero_or_nan += (x.position.x + x.position.y + x.position.z) * S(0);
+  if (!all(zero_or_nan == S(0))) [[unlikely]] {
+    using detail::same;
+    detail::blame<typename chain_type::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+  }
+  return poses;
 }
 
 /// The velocity of the origin of a frame (m/s) and its angular velocity (rad/s), in its own axes, bases at rest: the

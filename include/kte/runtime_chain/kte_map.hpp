@@ -102,10 +102,17 @@ class kte_element : public kte_map {
 
 /// In a message.
 inline std::string describe_element(const kte_element& e) {
-  const element_record r = e.record();
-  std::vector<std::string_view> names;
-  for (const auto& c : r.connections) names.emplace_back(c.name);
-  return describe_element(r.type, e.ports(), names);
+  const std::vector<std::string_view> names(e.names().begin(), e.names().end());
+  return describe_element(e.type(), e.ports(), names);
 }
+
+namespace detail {
+/// What an element says is wrong, with its name.
+[[noreturn, gnu::cold]] inline void raise_named(const kte_element& e, const bad_argument& why) {
+  std::string_view text = why.what();
+  if (text.starts_with("kte: ")) text.remove_prefix(5);
+  throw bad_argument("kte: " + describe_element(e) + ": " + std::string(text));
+}
+}  // namespace detail
 
 }  // namespace kte

@@ -14,7 +14,17 @@ class kte_map_adapter final : public kte_element {
  public:
   explicit kte_map_adapter(named_element<Core> e) : core_(e.core), names_(std::move(e.names)) {}
 
-  void doMotion(runtime_state& s) const override { on(s).motion(inputs{}); }
+  void doMotion(runtime_state& s) const override {
+    if constexpr (requires { Core::may_have_no_value; }) {
+      try {
+        on(s).motion(inputs{});
+      } catch (const bad_argument& e) {
+        detail::raise_named(*this, e);
+      }
+    } else {
+      on(s).motion(inputs{});
+    }
+  }
   void clearForce(runtime_state& s) const override { on(s).clear(std::make_index_sequence<port_count<Core>>{}); }
   void doForce(runtime_state& s) const override { on(s).force(inputs{}); }
 
