@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/tree/composite.hpp>
-#include <kte/tree/derivatives.hpp>
+#include <kte/tree/variations.hpp>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/kernels/derivatives.hpp>
-#include <kte/tree/derivatives.hpp>
 #include <kte/tree/inverse_mass.hpp>
+#include <kte/tree/variations.hpp>
 
 namespace kte::detail {
 

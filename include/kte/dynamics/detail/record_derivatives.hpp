@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/record_masses.hpp>
+#include <kte/tree/derivatives.hpp>
 
 /// Derivatives of inverse dynamics as loops over records. For all `Elements` and states of
 /// dynamics/detail/record_loops.hpp.

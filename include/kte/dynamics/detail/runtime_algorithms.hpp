@@ -21,7 +21,7 @@ template <class S>
 void check_inverse(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   S zero_or_nan(0);
   for (Eigen::Index i = 0; i < m.rows(); ++i) zero_or_nan += m(i, i) * S(0);
-  if (!(zero_or_nan == S(0))) [[unlikely]]
+  if (!all(zero_or_nan == S(0))) [[unlikely]]
     check_masses(s, m);
 }
 /// At positions that are good, under the forces that are `kept`.

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <kte/tree/composite.hpp>
+#include <kte/tree/fours.hpp>
+#include <kte/tree/newton_euler.hpp>
+
+/// Derivatives of inverse dynamics (Singh, Russo and Wensing, Efficient analytical derivatives of rigid-body dynamics
+/// using spatial vector algebra, 2022), in world axes at the origin of each body. Spatial vectors: a motion is
+/// (linear, angular), the velocity of the point of the body at the origin and its rotation. Each body is seen by an
+/// observer who moves on with its origin at the speed that it has now, so that no large speed is ever subtracted from
+/// another.
+namespace kte::tree {
+
+template <class S>
+struct spatial_motion {
+  vec3<S> linear{}, angular{};
+  KTE_INLINE friend spatial_motion operator+(const spatial_motion& a, const spatial_motion& b) {
+    return {a.linear + b.linear, a.angular + b.angular};
+  }
+};
+/// The change of a motion b that moves with a.
+template <class S>
+KTE_INLINE spatial_motion<S> cross(const spatial_motion<S>& a, const spatial_motion<S>& b) {
+  return {cross(a.angular, b.linear) + cross(a.linear, b.angular), cross(a.angular, b.angular)};
+}
+
+/// Of an axis s in a body that moves by v, whose parent moves by v_p, a_p (all at the origin of the body):
+///
+///   s' = v_p x s,   s'' = a_p x s + v_p x s',   mixed = s' + v x s          (1)
+///
+/// side by side as what the forces need: (s'', mixed, s), and of angular parts s' too.
+template <class S>
+struct axis_variation {
+  four_vectors<S> linear, angular;  ///< (s'', mixed, s, 0 or s')
+  four_vectors<S> turning;          ///< (s', s, 0, 0), angular
+
+  KTE_INLINE void set(const spatial_motion<S>& second, const spatial_motion<S>& mixed, const spatial_motion<S>& s,
+                      const vec3<S>& first) {
+    linear.set(0, second.linear), linear.set(1, mixed.linear), linear.set(2, s.linear);
+    angular.set(0, second.angular), angular.set(1, mixed.angular), angular.set(2, s.angular), angular.set(3, first);
+    turning.set(0, first), turning.set(1, s.angular);
+  }
+  KTE_INLINE spatial_motion<S> axis() const { return {linear.get(2), angular.get(2)}; }
+};
+/// Of a body with all it carries: inertia M, and 2 B, which acts on angular parts alone,
+///
+///   B = (v x* M - M v x + (M v) x*) / 2          (2)
+///
+/// `passing`: the speed u of its origin to the observer of its parent. `ways`: (p, p, p, 2 u), p the way of the origin.
+template <class S>
+struct body_variation {
+  vec3<S> ang_velocity, acceleration, ang_acceleration, passing;
+  four_vectors<S> ways;
+  dense_composite<S> inertia;
+  vec3<S> force;         ///< 2 B gives the force `force` x w
+  mat3<vec3<S>> torque;  ///< and the torque `torque` w
+};
+/// [a]x [b]x
+template <class S>
+KTE_INLINE mat3<vec3<S>> cross_twice(const vec3<S>& a, const vec3<S>& b) {
+  const S d = dot(a, b);
+  mat3<vec3<S>> m{b.x * a, b.y * a, b.z * a};
+  m.x.x -= d, m.y.y -= d, m.z.z -= d;
+  return m;
+}
+template <class S>
+struct variation_memory {
+  std::vector<axis_variation<S>> axes;
+  std::vector<body_variation<S>> bodies;  ///< of slots
+};
+
+/// (1), (2) of each body alone. After `move_bodies`, `place_in_world`.
+template <class P, class S>
+void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memory<S>& v) {
+  const std::size_t bases = static_cast<std::size_t>(f.bases);
+  const auto take_motion = [&](std::size_t slot) {
+    const mat3<vec3<S>>& r = m.world[slot].rotation;
+    const body_motion<S>& b = m.bodies[slot];
+    body_variation<S>& x = v.bodies[slot];
+    x.ang_velocity = r * b.ang_velocity, x.acceleration = r * b.acceleration;
+    x.ang_acceleration = r * b.ang_acceleration;
+  };
+  for (std::size_t b = 0; b < bases; ++b) take_motion(b);
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    const record<P>& r = f.records[i];
+    const std::size_t slot = bases + i;
+    const world_place<S>& place = m.world[slot];
+    take_motion(slot);
+    body_variation<S>& b = v.bodies[slot];
+    const body_variation<S>& parent = v.bodies[static_cast<std::size_t>(r.parent)];
+    const vec3<S>& w_p = parent.ang_velocity;
+    vec3<S> slides{};  // of the joint
+    if (r.moves != joint::revolute)
+      for (int k = r.first; k < r.first + r.axes; ++k)
+        slides = slides + m.rate[static_cast<std::size_t>(k)] * m.axes[static_cast<std::size_t>(k)].linear;
+    const vec3<S> turned = cross(w_p, place.step);
+    b.passing = turned + slides;
+    for (std::size_t n = 0; n < 3; ++n) b.ways.set(n, place.step);
+    b.ways.set(3, S(2) * b.passing);
+    const spatial_motion<S> v_p{-slides, w_p};
+    const spatial_motion<S> a_p{
+        parent.acceleration + (cross(parent.ang_acceleration, place.step) + cross(w_p, vec3<S>(turned + slides))),
+        parent.ang_acceleration};
+    for (int k = r.first; k < r.first + r.axes; ++k) {
+      const world_axis<S>& s = m.axes[static_cast<std::size_t>(k)];
+      axis_variation<S>& x = v.axes[static_cast<std::size_t>(k)];
+      const spatial_motion<S> axis{s.linear, s.angular};
+      if (r.moves == joint::revolute) {  // what is linear is nothing; w x s is s'
+        const vec3<S> first = cross(w_p, s.angular);
+        x.set({cross(a_p.linear, s.angular), cross(a_p.angular, s.angular) + cross(w_p, first)}, {{}, S(2) * first},
+              axis, first);
+        continue;
+      }
+      const spatial_motion<S> first = cross(v_p, axis);
+      x.set(cross(a_p, axis) + cross(v_p, first), first + cross(spatial_motion<S>{{}, b.ang_velocity}, axis), axis,
+            first.angular);  // (1)
+    }
+    const rigid_body<P, vec3<P>, sym3<P>>& body = r.body;
+    const vec3<S> c = place.rotation * body.com;
+    const vec3<S>& w = b.ang_velocity;
+    const sym3<S> inertia = congruence(place.rotation, body.inertia);
+    b.inertia = {S(body.mass), body.mass * c, detail::shifted(inertia, c, detail::half(S(body.mass)) * c)};
+    b.force = S(-2) * (body.mass * cross(w, c));
+    // w x J - J w x - [J w] x; transposed, w x J is -J w x
+    const mat3<vec3<S>> wj = as<S>(cross_matrix(w) * full(inertia));
+    b.torque = as<S>((wj + transpose(wj)) + (cross_twice(c, b.force) - cross_matrix(vec3<S>(inertia * w))));
+  }
+}
+
+}  // namespace kte::tree
