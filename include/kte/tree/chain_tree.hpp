@@ -103,7 +103,7 @@ class chain_tree {
         if (ports[p].how == access::angle) turned.emplace_back(ports[p].what, index(p));
     if (n.is != part::force && n.is != part::stiff && is_frame(ports[0].what) && n.is < part::follower &&
         is_late(ports[0].what, index(0)))
-      exclude(number, " has a mass on a frame that follows others");
+      exclude_loads(number, " has a mass on a frame that follows others");
     if (!n.power_dual)
       exclude_loads(number, " hands back other loads than those of its motion, as controllers want them");
     const std::size_t last = ports.size() - 1;
@@ -178,7 +178,7 @@ class chain_tree {
           spread.push_back(number);
           for (std::size_t p = 0; p <= last; ++p)
             if (is_frame(ports[p].what) && is_late(ports[p].what, index(p)))
-              exclude(number, " has a mass on a frame that follows others");
+              exclude_loads(number, " has a mass on a frame that follows others");
         }
         if (n.mass != P(0)) add_mass(index(0), n.mass);
         bool frames = false;

@@ -16,7 +16,8 @@ void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!all_finite(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
-/// The same of an inverse, of which no number is larger than the largest of its diagonal.
+/// The same of an inverse, of which no number is larger than the largest of its diagonal. (Nor is one of a mass matrix,
+/// but on the way to it.)
 template <class S>
 void check_inverse(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   S zero_or_nan(0);
