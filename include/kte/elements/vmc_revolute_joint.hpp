@@ -81,12 +81,15 @@ namespace detail {
 struct vmc_revolute_joint_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("vmc_revolute_joint_2D", [](const auto& x) {
-      if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
-      return x.placed(vmc_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
-                                            x.number("friction_radius"), x.number("stiction_radius"),
-                                            x.number("smoothing")));
-    });
+    add(
+        "vmc_revolute_joint_2D",
+        [](const auto& x) {
+          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+          return x.placed(vmc_revolute_joint_2D(x.name("coordinate"), x.name("base"), x.name("end"),
+                                                x.number("friction_radius"), x.number("stiction_radius"),
+                                                x.number("smoothing")));
+        },
+        "friction_radius, stiction_radius, smoothing");
     add("vmc_revolute_joint_3D", [](const auto& x) {
       return x.placed(vmc_revolute_joint_3D(x.name("coordinate"), x.name("base"), x.name("end"), x.vector("axis"),
                                             x.number("friction_radius"), x.number("stiction_radius"),
