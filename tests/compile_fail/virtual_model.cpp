@@ -18,8 +18,8 @@ inline constexpr struct ghost_ final : kte::frame_3D_key<"ghost">  {} ghost;
 
 constexpr auto swing = kte::chain(kte::revolute_joint_3D(q, base, elbow), kte::virtual_kte_interface_3D(elbow, ghost),
                                   kte::inertia_3D(ghost, kte::point_mass(1.0)));
-constexpr auto wheel = kte::chain(kte::inertia_gen(q, 1.0), kte::virtual_kte_interface_gen(q, z),
-                                  kte::inertia_gen(z, 2.0));
+constexpr auto wheel =
+    kte::chain(kte::inertia_gen(q, 1.0), kte::virtual_kte_interface_gen(q, z), kte::inertia_gen(z, 2.0));
 constexpr auto knee = kte::chain(kte::vmc_revolute_joint_3D(q, base, elbow, kte::axis::y, 0.01, 0.02),
                                  kte::inertia_3D(elbow, kte::point_mass(1.0, kte::along_x(0.5))));
 using x = std::array<double, 1>;

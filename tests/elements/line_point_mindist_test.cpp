@@ -129,3 +129,16 @@ TEST_CASE("frames at nearest points of static chains move as their positions do"
   CHECK(near(frame_acceleration(c, q, v, a, foot).linear, vec3<>{-2, 0, 0}, 1e-15));
   CHECK(near(bias_acceleration(c, q, v, foot).linear, vec3<>{-2, 0, 0}, 1e-15));
 }
+
+TEST_CASE("a mass on a nearest point bars what is about masses, not what is about motion",
+          "[elements][line_point_mindist]") {
+  const auto nearest = line_point_mindist_3D("mass", "nearest", axis::x, vec3<>{0, 0.5, 0});
+  const auto plain = tied(nearest);
+  auto weighted = tied(nearest);
+  weighted << inertia_3D("nearest", point_mass(1.0));
+  auto s = plain.make_state();
+  auto t = weighted.make_state();
+  const Eigen::Vector3d q(0.3, 0.2, -0.7);
+  for (const char* frame : {"mass", "nearest"}) CHECK(jacobian(weighted, t, q, frame) == jacobian(plain, s, q, frame));
+  CHECK_THROWS_MATCHES(mass_matrix(weighted, t, q), bad_argument, says("has a mass on a frame that follows others"));
+}
