@@ -13,6 +13,8 @@
 #include <map>
 #include <random>
 
+#include "yardstick.hpp"
+
 namespace bench {
 namespace {
 
@@ -93,6 +95,7 @@ void time(benchmark::State& state, const std::string& model, wanted what, answer
     found += known, answers += count[one];
   }
   std::size_t next = 0;
+  const against_yardstick here(state);
   while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(together))) {
     f(&asked.all[next], q.data(), count.data());
     benchmark::ClobberMemory();

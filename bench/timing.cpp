@@ -8,6 +8,7 @@
 #include <random>
 
 #include "expected.hpp"
+#include "yardstick.hpp"
 
 namespace bench {
 namespace {
@@ -109,6 +110,7 @@ void time(benchmark::State& state, subject<S>* t) {
   const int stride = t->states * (n.q + 2 * n.v);
   const S *const begin = states.data(), *const end = begin + states.size(), *x = begin;
   numbers<S> y(static_cast<std::size_t>(t->states) * t->size_of_result);
+  const against_yardstick here(state);
   while (state.KeepRunningBatch(t->states)) {
     t->f(x, y.data());
     benchmark::ClobberMemory();

@@ -13,7 +13,13 @@ struct freedom {
   int slot{};
   int q{};
   int v{};
+  /// In lists of runtime chains, of the first of generalized coordinates in a row, each one slot and one place further
+  /// than the one before: how many they are.
+  int in_row = 1;
 };
+constexpr bool stand_in_row(const freedom& a, const freedom& b) {
+  return a.what == kind::gen && b.what == kind::gen && b.slot == a.slot + 1;
+}
 
 /// A signal that comes from outside: thing `slot` of its kind, whose numbers begin at place `u` of the input of a
 /// chain. The time has no place there: -1.

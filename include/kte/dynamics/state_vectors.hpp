@@ -30,13 +30,10 @@ inline constexpr bool may_have = [] {
     return true;
   }
 }();
-/// visit(coordinate `slot` of kind k).
+/// visit(coordinate `slot` of kind k), which is a rotation in space or a pose.
 template <class State, class Visit>
-KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) {
+KTE_INLINE void with_turning_coordinate(State& s, kind k, int slot, const Visit& visit) {
   switch (k) {
-    case kind::gen:
-      if constexpr (may_have<State, kind::gen>) visit(s.template get<kind::gen>(slot));
-      return;
     case kind::rotation_3D:
       if constexpr (may_have<State, kind::rotation_3D>) visit(s.template get<kind::rotation_3D>(slot));
       return;
@@ -46,6 +43,14 @@ KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) 
     default:
       if constexpr (may_have<State, kind::pose_3D>) visit(s.template get<kind::pose_3D>(slot));
   }
+}
+/// visit(coordinate `slot` of kind k).
+template <class State, class Visit>
+KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) {
+  if (k != kind::gen)
+    with_turning_coordinate(s, k, slot, visit);
+  else if constexpr (may_have<State, kind::gen>)
+    visit(s.template get<kind::gen>(slot));
 }
 /// visit(frame `index` of kind k).
 template <class State, class Visit>
@@ -59,7 +64,18 @@ KTE_INLINE void with_frame(State& s, kind k, int index, const Visit& visit) {
 /// `for_each_freedom` in a loop, for states that list their `freedoms()`.
 template <class State, class Visit>
 void for_each_listed_freedom(State& s, const Visit& visit) {
-  for (const freedom& f : s.freedoms()) with_coordinate(s, f.what, f.slot, [&](auto& c) { visit(c, f); });
+  const auto all = s.freedoms();
+  for (std::size_t i = 0; i < all.size();) {
+    freedom at = all[i];
+    if (at.what == kind::gen) [[likely]] {
+      if constexpr (may_have<State, kind::gen>)
+        for (const std::size_t end = i + at.in_row; i < end; ++i, ++at.slot, ++at.q, ++at.v)
+          visit(s.template get<kind::gen>(at.slot), std::as_const(at));
+    } else {
+      with_turning_coordinate(s, at.what, at.slot, [&](auto& c) { visit(c, std::as_const(at)); });
+      ++i;
+    }
+  }
 }
 /// Which numbers of a coordinate, and where they begin in a vector.
 enum class vector_of { q, v, a, f };

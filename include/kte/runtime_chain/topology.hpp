@@ -114,6 +114,7 @@ class topology {
   };
   std::unordered_map<std::string, namesakes, hash_of_text, std::equal_to<>> things_;
   bool base_known_ = false;
+  std::size_t row_ = 0;  ///< where the last row of generalized coordinates begins in `free`
 };
 
 #ifdef KTE_FUNCTION
@@ -193,6 +194,9 @@ KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
     }
     if (is_coordinate(x.what) && !x.writes()) {
       free.push_back({x.what, known.index, nq, nv});
+      const std::size_t i = free.size() - 1;
+      if (i == 0 || !detail::stand_in_row(free[i - 1], free[i])) row_ = i;
+      free[row_].in_row = static_cast<int>(i - row_) + 1;
       nq += nq_of(x.what), nv += nv_of(x.what);
       if (nq_of(x.what) != nv_of(x.what)) quaternions.push_back(static_cast<std::size_t>(nq - 4));
     }

@@ -55,7 +55,7 @@ KTE_INLINE direction<S> crossed(const direction<S>& a, const direction<S>& b) {
     return cross(a, b);
   }
 }
-/// Adds v and w to six numbers.
+/// Adds v and w to six numbers: several joints may move by one coordinate, and share a column.
 template <class S>
 KTE_INLINE void add_column(S* to, const direction<S>& v, const direction<S>& w) {
 #if defined(KTE_HAS_SHUFFLES)

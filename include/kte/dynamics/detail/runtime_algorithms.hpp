@@ -13,7 +13,7 @@ namespace detail {
 
 template <class S>
 void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
-  if (!all_finite(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
+  if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
 /// The same of an inverse, of which no number is larger than the largest of its diagonal. (Nor is one of a mass matrix,
@@ -32,7 +32,7 @@ const runtime_vector<S>& accelerations_under_kept(const kte_map_chain& c, basic_
   const auto& kept = s.work.kept;
   accelerate_by_records(
       runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
-  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&] {
+  check_result(s, [&] {
     blame("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
   });
   write_numbers<vector_of::a>(s, s.work.forces, "a");

@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/tree/finite.hpp>
 
 #include <tuple>
 #include <type_traits>
@@ -72,8 +73,18 @@ KTE_INLINE bool all_finite_as(const X& x, std::size_t n) {
   // Of arrays g++ 12 takes a loop to a number that it does not know for one beyond their end.
   if constexpr (std::is_bounded_array_v<X>) n = std::extent_v<X>;
   if constexpr (requires { std::tuple_size<X>::value; }) n = std::tuple_size_v<X>;
-  const S sum = sum_by_four<S>(n, [&x](std::size_t i) KTE_INLINE_LAMBDA { return S(static_cast<S>(x[i]) * S(0)); });
-  return all(sum == S(0));
+  if constexpr (tree::stands_in_row<X, S>) {
+    return tree::all_finite_in_row(tree::row_of<S>(x), n);
+  } else {
+    const S sum = sum_by_four<S>(n, [&x](std::size_t i) KTE_INLINE_LAMBDA { return S(static_cast<S>(x[i]) * S(0)); });
+    return all(sum == S(0));
+  }
+}
+/// Throws by `why` unless the forces or accelerations that a state gives back are finite.
+template <class S, class Blame>
+KTE_INLINE void check_result(const basic_runtime_state<S>& s, const Blame& why) {
+  if (!tree::all_finite_in_row(s.work.forces.data(), static_cast<std::size_t>(s.dofs()))) [[unlikely]]
+    why();
 }
 /// Of a vector, for a state.
 template <class S, indexable Q>

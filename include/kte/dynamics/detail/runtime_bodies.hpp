@@ -39,7 +39,7 @@ class rates_aside {
 template <class S>
 const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
   take_needed_forces(s);
-  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
+  check_result(s, [&s] { blame("a force", s); });
   return s.work.forces;
 }
 

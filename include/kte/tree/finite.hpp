@@ -1,0 +1,52 @@
+#pragma once
+
+#include <kte/kernels/joint_vector.hpp>
+#include <kte/tree/lanes.hpp>
+
+#include <iterator>
+
+/// Whether numbers in a row are finite, by registers: of sums of numbers one by one g++ makes more shuffles than sums.
+namespace kte::tree {
+
+/// The numbers of x if they stand in a row of S, a pointer; else nullptr.
+template <class S, class X>
+KTE_INLINE constexpr auto row_of(const X& x) {
+  if constexpr (std::is_convertible_v<const X&, const S*>)
+    return static_cast<const S*>(x);
+  else if constexpr (requires {
+                       requires bool(X::IsVectorAtCompileTime) && X::InnerStrideAtCompileTime == 1;
+                     })  // Eigen's
+    return x.data();
+  else if constexpr (requires { requires std::contiguous_iterator<decltype(x.begin())>; })
+    return x.data();
+  else
+    return nullptr;
+}
+template <class X, class S>
+concept stands_in_row = std::is_same_v<decltype(row_of<S>(std::declval<const X&>())), const S*>;
+
+/// Zeros times the numbers are summed, which gives zero unless one of them is endless or none. Those that do not fill
+/// two registers are read twice.
+template <class S>
+KTE_INLINE bool all_finite_in_row(const S* x, std::size_t n) {
+  constexpr std::size_t count = lanes_of<S>::count;
+  if constexpr (count > 1) {
+    if (n >= count) {
+      lanes<S> some{}, others{};
+      const auto add = [](lanes<S>& sum, const S* from) KTE_INLINE_LAMBDA {
+        lanes<S> y;
+        load<S>(y, from);
+        sum += y * S(0);
+      };
+      for (std::size_t i = 0; i + 2 * count < n; i += 2 * count) add(some, x + i), add(others, x + i + count);
+      add(some, x + (n < 2 * count ? 0 : n - 2 * count)), add(others, x + n - count);
+      some += others;
+      S sum(0);
+      for (std::size_t k = 0; k < count; ++k) sum += some[k];
+      return sum == S(0);
+    }
+  }
+  return detail::all_finite(x, n);
+}
+
+}  // namespace kte::tree
