@@ -1,6 +1,7 @@
 #!/bin/sh
 # Fails if the library instantiates more templates than `limits` allows: counts are the same on every machine and at
-# every load, seconds are not. Some 20 s of CPU. Then counts what is in registers (registers.sh).
+# every load, seconds are not. Some 20 s of CPU. Then the same of runtime chains (runtime.sh), and what is in registers
+# (registers.sh).
 #   sh bench/compile/gate.sh
 #   sh bench/compile/gate.sh record      writes `limits` anew: what is counted now, and 10 %
 set -eu
@@ -46,4 +47,5 @@ elif [ "$failed" != 0 ]; then
   echo 'gate: find the change that did it; if it is worth it: sh bench/compile/gate.sh record' >&2
   exit 1
 fi
+sh "$root/bench/compile/runtime.sh" "$@"
 sh "$root/bench/compile/registers.sh" "$@"

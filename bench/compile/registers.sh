@@ -1,7 +1,7 @@
 #!/bin/sh
-# Fails if the mass matrix or forward dynamics of a static chain becomes more instructions, or more accesses of the
-# stack, than `register_limits` allows: what compilers no longer keep in registers costs up to half of the time
-# (docs/decisions/10-registers.md). Counts are the same on every machine. Some 25 s of CPU; gate.sh calls it.
+# Fails if the mass matrix, forward dynamics or the derivatives of inverse dynamics of a static chain become more
+# instructions, or more accesses of the stack, than `register_limits` allows: what compilers no longer keep in registers costs up to half of the time
+# (docs/decisions/10-registers.md). Counts are the same on every machine. Some 50 s of CPU; gate.sh calls it.
 #   sh bench/compile/registers.sh
 #   sh bench/compile/registers.sh record      writes `register_limits` anew: what is counted now, and 5 %
 set -eu
@@ -23,12 +23,20 @@ inline constexpr auto floating = [] {
       .gravity(kte::along_z(-9.81));
 }();
 END
-cat >"$work/unit.cpp" <<'END'
+cat >"$work/dynamics.cpp" <<'END'
 #include "chains.hpp"
 constexpr auto nq = std::remove_cvref_t<decltype(MODEL)>::nq, nv = std::remove_cvref_t<decltype(MODEL)>::dofs;
 extern "C" void mass(const double* x, kte::joint_matrix<double, nv>* y) { *y = kte::mass_matrix(MODEL, x); }
 extern "C" void accelerations(const double* x, kte::joint_vector<double, nv>* y) {
   *y = kte::forward_dynamics(MODEL, x, x + nq, x + nq + nv);
+}
+END
+cat >"$work/derivatives.cpp" <<'END'
+#include <kte/dynamics/derivatives.hpp>
+#include "chains.hpp"
+constexpr auto nq = std::remove_cvref_t<decltype(MODEL)>::nq, nv = std::remove_cvref_t<decltype(MODEL)>::dofs;
+extern "C" void derivatives(const double* x, kte::inverse_dynamics_result<double, nv>* y) {
+  *y = kte::inverse_dynamics_derivatives(MODEL, x, x + nq, x + nq + nv);
 }
 END
 
@@ -54,13 +62,15 @@ while read -r compiler version model algorithm most most_stack; do
     echo "registers: not counted, as this is not $compiler $version"
     continue
   fi
-  object=$work/$compiler.$model.o
-  [ -f "$object" ] || $compiler -std=c++20 -O3 -march=x86-64-v3 -fno-math-errno -DNDEBUG -DMODEL="$model" \
-    -isystem /usr/include/eigen3 -I"$root/include" -I"$root/examples" -c "$work/unit.cpp" -o "$object"
   case $algorithm in
-    mass) counts=$(counted "$object" 'mass>|_ZN3kte11mass_matrix') ;;
-    accelerations) counts=$(counted "$object" 'accelerations>|_ZN3kte16forward_dynamics') ;;
+    mass) unit=dynamics name='mass>|_ZN3kte11mass_matrix' ;;
+    accelerations) unit=dynamics name='accelerations>|_ZN3kte16forward_dynamics' ;;
+    derivatives) unit=derivatives name=. ;;  # many functions, one for each kind of joint at each depth
   esac
+  object=$work/$compiler.$model.$unit.o
+  [ -f "$object" ] || $compiler -std=c++20 -O3 -march=x86-64-v3 -fno-math-errno -DNDEBUG -DMODEL="$model" \
+    -isystem /usr/include/eigen3 -I"$root/include" -I"$root/examples" -c "$work/$unit.cpp" -o "$object"
+  counts=$(counted "$object" "$name")
   all=${counts% *} stack=${counts#* }
   printf '%-20s %-10s %-14s %20s %20s\n' "$compiler $version" "$model" "$algorithm" "$all ($most)" "$stack ($most_stack)"
   echo "$compiler $version $model $algorithm $((all * 21 / 20)) $((stack * 21 / 20))" >>"$work/limits"
