@@ -67,6 +67,16 @@ articulated bodies, as kte's own.
 END
   awk -f $here/targets.awk "$work/numbers" $here/targets.txt
   cat $here/notes.md
+  cat <<'END'
+
+## Pinocchio and RBDL
+
+Times in straight-line inverse dynamics of the iiwa14 (kte's with their errors). Those of Pinocchio and RBDL are of another run on such a machine,
+each at its best compiler, clang 19, since Debian does not package them; they agree with 50 digits to 3e-16 to 3e-15. Where they are
+installed they are timed here with the others (bench/peers).
+
+END
+  awk -f $here/elsewhere.awk "$work/numbers" $here/elsewhere.txt
   printf '\n## Models\n\n![time against error](performance/error.svg)\n\n![ways to evaluate](performance/ways.svg)\n'
   for name in iiwa14 ur5 3R3R panda solo12 hyq pendulum; do model $name; done
   printf '\n## Growth with the number of bodies\n\n![growth](performance/growth.svg)\n\nNanoseconds by bodies:\n\n'
