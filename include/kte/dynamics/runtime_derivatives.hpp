@@ -54,8 +54,8 @@ const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runti
 namespace detail {
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s,
-                                                                 bool placed = false) {
-  coordinate_forces(c, s, placed);
+                                                                 bool moved = false) {
+  coordinate_forces(c, s, moved);
   take_needed_forces(s);
   auto& r = s.work.of_forces;
   if (is_known_by_elements(c, s)) [[likely]]

@@ -47,10 +47,6 @@ template <class P, class S>
 template <class P, class S>
 void start_articulated(const forest<P>& f, memory<P, S>& m, bool moving) {
   const int bases = f.bases;
-  for (std::size_t b = 0; b < static_cast<std::size_t>(bases); ++b) {
-    m.articulated[b].acceleration = m.bodies[b].acceleration;
-    m.articulated[b].ang_acceleration = m.bodies[b].ang_acceleration;
-  }
   vec3<S> w{};  // of the body before, in registers
   int at_hand = -1;
   for (std::size_t i = 0; i < f.records.size(); ++i) {
@@ -173,7 +169,7 @@ template <class P, class S>
   if (yields) accelerate_axes(r, answers, own_mass, change, a, al);
 }
 
-/// The way out: accelerations of all axes from the motions of the bases,
+/// The way out: accelerations of all bodies and axes from the motions of the bases,
 ///
 ///   A' = A of the parent seen from the body + drift,   q_ddot = rate - gain . A',   A = A' + s q_ddot     (2)
 ///
@@ -186,11 +182,11 @@ void accelerate(const forest<P>& f, memory<P, S>& m) {
     const record<P>& r = f.records[i];
     const placed at{r, m.spots[i]};
     if (r.parent != at_hand) {
-      const articulated_body<S>& base = m.articulated[static_cast<std::size_t>(r.parent)];
+      const body_motion<S>& base = m.bodies[static_cast<std::size_t>(r.parent)];
       a = base.acceleration, al = base.ang_acceleration;
     }
     at_hand = f.bases + static_cast<int>(i);
-    articulated_body<S>& x = m.articulated[static_cast<std::size_t>(at_hand)];
+    const articulated_body<S>& x = m.articulated[static_cast<std::size_t>(at_hand)];
     S* const change = &m.acceleration[static_cast<std::size_t>(r.first)];
     const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
     const P* const own_mass = &m.own_mass[static_cast<std::size_t>(r.first)];
@@ -207,7 +203,8 @@ void accelerate(const forest<P>& f, memory<P, S>& m) {
       accelerate_by_axes(r, m.spots[i], x, m.yields[i] != 0, answers, own_mass, change, in_memory, ang_in_memory);
       a = in_memory, al = ang_in_memory;
     }
-    x.acceleration = a, x.ang_acceleration = al;
+    body_motion<S>& motion = m.bodies[static_cast<std::size_t>(at_hand)];
+    motion.acceleration = a, motion.ang_acceleration = al;
   }
 }
 

@@ -56,12 +56,12 @@ struct seen_body {
 
 template <class S>
 using articulated_inertia = articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>;
-/// Articulated inertia of a body with what it takes up, the accelerations by velocities alone, and its acceleration.
+/// Articulated inertia of a body with what it takes up, and the accelerations by velocities alone.
 template <class S>
 struct articulated_body {
   articulated_inertia<S> inertia;  ///< where several bodies stand on it
   dense_wrench<S> load;
-  vec3<S> drift, ang_drift, acceleration, ang_acceleration;
+  vec3<S> drift, ang_drift;
 };
 /// What is kept of an axis on the way up: gain, what answers at once, D^-1.
 template <class S>

@@ -87,6 +87,15 @@ void move_bodies(const forest<P>& f, memory<P, S>& m) {
   }
 }
 
+/// What bodies need for motions that are known: after `accelerate`.
+template <class P, class S>
+void need_for_motion(const forest<P>& f, memory<P, S>& m) {
+  for (std::size_t i = 0; i < f.records.size(); ++i) {
+    body_motion<S>& x = m.bodies[static_cast<std::size_t>(f.bases) + i];
+    x.needs = wrench_of(f.records[i].body, x.acceleration, x.ang_velocity, x.ang_acceleration);
+  }
+}
+
 /// Apart, that what is seldom needed does not take registers from the rest.
 template <class P, class S>
 [[gnu::noinline]] void take_powers(const record<P>& r, vec3<S> force, vec3<S> torque, S* power) {

@@ -121,9 +121,11 @@ void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memor
     const sym3<S> inertia = congruence(place.rotation, body.inertia);
     b.inertia = {S(body.mass), body.mass * c, detail::shifted(inertia, c, detail::half(S(body.mass)) * c)};
     b.force = S(-2) * (body.mass * cross(w, c));
-    // w x J - J w x - [J w] x; transposed, w x J is -J w x
-    const mat3<vec3<S>> wj = as<S>(cross_matrix(w) * full(inertia));
-    b.torque = as<S>((wj + transpose(wj)) + (cross_twice(c, b.force) - cross_matrix(vec3<S>(inertia * w))));
+    // w x J - J w x - [J w] x, where [J w] is tr(J) w x - J w x - w x J
+    const sym3<S>& j = inertia;
+    const sym3<S> twice{j.xx - j.yy - j.zz, j.xy + j.xy, j.xz + j.xz,
+                        j.yy - j.zz - j.xx, j.yz + j.yz, j.zz - j.xx - j.yy};
+    b.torque = as<S>(cross_matrix(w) * full(twice) + cross_twice(c, b.force));
   }
 }
 

@@ -63,21 +63,23 @@ void for_each_friction(const Elements& c, State& s, const F& f) {
 }
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
-/// of the state; of bodies alone, with bases that are accelerated or not. `placed`: all bodies are where the positions
-/// of the state have them.
+/// of the state; of bodies alone, with bases that are accelerated or not. `moved`: forward dynamics has just been, of
+/// what is in the state, and where there are only bodies they are in place and move as they do.
 template <class Elements, class State>
-void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true,
-                           bool placed = false) {
+void forces_on_coordinates(const Elements& c, State& s, acting who, bool accelerated_bases = true, bool moved = false) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
-  if (!placed || !t.only_bodies) place_bodies(c, s);  // followers have accelerations too
-  take_rates(s), take_bases(s);
+  moved &= t.only_bodies;
+  if (!moved) place_bodies(c, s), take_rates(s), take_bases(s);
   if (!accelerated_bases)
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
   if (t.only_bodies) {
-    tree::move_bodies<false>(t.forest, w);
+    if (moved)
+      tree::need_for_motion(t.forest, w);
+    else
+      tree::move_bodies<false>(t.forest, w);
     tree::take_needs(t.forest, w);
     if (t.has_own_mass)
       for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];

@@ -79,16 +79,16 @@ void check_motion(const kte_map_chain& c, const basic_runtime_state<S>& s) {
     refuse_chain(c, s.tree().moves_unknown);
 }
 
-/// Inverse dynamics, into the state. `placed`: as for `forces_on_coordinates`.
+/// Inverse dynamics, into the state. `moved`: as for `forces_on_coordinates`.
 template <class S>
-void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s, bool placed = false) {
+void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s, bool moved = false) {
   check_whole(c, s);
   if constexpr (std::is_same_v<S, double>)
     if (s.tree().irregular) [[unlikely]] {
       c.doMotion(s), c.clearForce(s), c.doForce(s);
       return;
     }
-  forces_on_coordinates(runtime_elements{c}, s, acting::all, true, placed);
+  forces_on_coordinates(runtime_elements{c}, s, acting::all, true, moved);
 }
 
 #ifdef KTE_EXTERN
