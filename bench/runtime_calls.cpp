@@ -16,7 +16,7 @@ void copy(double* y, const M&... m) {
 }  // namespace
 
 void passes(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   kte::set_positions(s, x), kte::set_velocities(s, x + nq), kte::set_accelerations(s, x + nq + nv);
   chain.doMotion(s);
   chain.clearForce(s);
@@ -28,7 +28,7 @@ void passes(runtime_subject& subject, const double* x, double* y) {
   }
 }
 void forward_kinematics(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   const auto [r, p] = kte::forward_kinematics(chain, s, x, tool);
   if (planar) {
     y[0] = r.x.x, y[1] = r.y.x, y[2] = p.x, y[3] = p.y;
@@ -38,42 +38,41 @@ void forward_kinematics(runtime_subject& subject, const double* x, double* y) {
   }
 }
 void jacobian(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
-  kte::jacobian(chain, s, x, tool, kte::in_world_axes, j);
-  copy(y, j);
+  auto& [chain, tool, planar, s, nq, nv] = subject;
+  kte::jacobian(chain, s, x, tool, kte::in_world_axes, Eigen::Map<kte::runtime_jacobian>(y, 6, nv));
 }
 void inverse_dynamics(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   copy(y, kte::inverse_dynamics(chain, s, x, x + nq, x + nq + nv));
 }
 void nonlinear_effects(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   copy(y, kte::nonlinear_effects(chain, s, x, x + nq));
 }
 void mass_matrix(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   copy(y, kte::mass_matrix(chain, s, x));
 }
 void forward_dynamics(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   copy(y, kte::forward_dynamics(chain, s, x, x + nq, x + nq + nv));
 }
 void mass_matrix_inverse(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   copy(y, kte::mass_matrix_inverse(chain, s, x));
 }
 void id_derivatives(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   const auto& r = kte::inverse_dynamics_derivatives(chain, s, x, x + nq, x + nq + nv);
   copy(y, r.tau, r.by_q, r.by_v, r.by_a);
 }
 void fd_derivatives(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   const auto& r = kte::forward_dynamics_derivatives(chain, s, x, x + nq, x + nq + nv);
   copy(y, r.a, r.by_q, r.by_v, r.by_tau);
 }
 void regressor(runtime_subject& subject, const double* x, double* y) {
-  auto& [chain, tool, planar, s, j, nq, nv] = subject;
+  auto& [chain, tool, planar, s, nq, nv] = subject;
   copy(y, kte::torque_regressor(chain, s, x, x + nq, x + nq + nv));
 }
 

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// A runtime chain, its tool, and a state and a Jacobian that stay where they are, as in a control loop.
+/// A runtime chain, its tool, and a state that stays where it is, as in a control loop.
 struct runtime_subject {
   runtime_subject(kte::kte_map_chain c, std::string_view tool_name, bool is_planar = false)
       : chain(std::move(c)), tool(chain.frame(tool_name)), planar(is_planar) {}
@@ -16,12 +16,11 @@ struct runtime_subject {
   kte::handle tool;
   bool planar;
   kte::runtime_state state = chain.make_state();
-  kte::runtime_jacobian jacobian;
   int nq = chain.nq(), nv = chain.dofs();
 };
 
-/// The algorithms, compiled once for all chains. They give references into the state, from which results are copied as
-/// an application would that keeps them.
+/// The algorithms, compiled once for all chains. Jacobians go where they are wanted; the others give references into
+/// the state, from which results are copied as an application would that keeps them.
 namespace runtime_calls {
 using function = void(runtime_subject&, const double* x, double* y);
 function passes, forward_kinematics, jacobian, inverse_dynamics, nonlinear_effects, mass_matrix, forward_dynamics,

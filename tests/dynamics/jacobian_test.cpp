@@ -1,4 +1,7 @@
+#include <kte/elements/line_point_mindist.hpp>
+
 #include <limits>
+#include <vector>
 
 #include "data/solo12.hpp"
 #include "dynamics/small_chains.hpp"
@@ -60,6 +63,23 @@ void check_double(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
+/// Into rows 2 to 7 of 9, of which the others stay as they are; into a map.
+template <class... Axes>
+void check_parts(const kte_map_chain& c, runtime_state& s, const Eigen::VectorXd& q, const char* frame, Axes... axes) {
+  const runtime_jacobian expected = jacobian(c, s, q, frame, axes...);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Constant(9, c.dofs(), 7);
+  jacobian(c, s, q, frame, axes..., all.middleRows<6>(2));
+  CHECK(all.middleRows<6>(2) == expected);
+  CHECK((all.topRows<2>().array() == 7).all());
+  CHECK((all.bottomRows<1>().array() == 7).all());
+  all.setConstant(7);
+  jacobian(c, s, frame, axes..., all.middleRows(3, 6));
+  CHECK(all.bottomRows<6>() == expected);
+  std::vector<double> numbers(static_cast<std::size_t>(expected.size()), 7);
+  Eigen::Map<runtime_jacobian> map(numbers.data(), 6, expected.cols());
+  jacobian(c, s, q, frame, axes..., map);
+  CHECK(map == expected);
+}
 /// What a matrix held before, of whatever size, leaves no trace.
 template <class Chain>
 void check_kept(const Chain& c, std::initializer_list<const char*> frames) {
@@ -77,6 +97,7 @@ void check_kept(const Chain& c, std::initializer_list<const char*> frames) {
     CHECK(kept == jacobian(model, s, frame));
     jacobian(model, s, frame, in_world_axes, kept);
     CHECK(kept == jacobian(model, s, frame, in_world_axes));
+    check_parts(model, s, q, frame), check_parts(model, s, q, frame, in_world_axes);
   }
 }
 
@@ -121,6 +142,13 @@ TEST_CASE("Jacobians in double, and of runtime chains") {
 TEST_CASE("Jacobians into a matrix that is kept") {
   check_kept(floating, {"body", "aside", "ground", "tip"});
   check_kept(geared, {"palm", "tip"});
+  // A frame that follows another: the point of a line nearest to it.
+  kte_map_chain c;
+  c << revolute_joint_3D("q1", "ground", "a", axis::z) << prismatic_joint_3D("q2", "a", "b", axis::x)
+    << line_point_mindist_3D("b", "foot", axis::x, vec3{0.0, 1.0, 0.0});
+  auto s = c.make_state();
+  check_parts(c, s, Eigen::Vector2d(0.25, 0.5), "foot"),
+      check_parts(c, s, Eigen::Vector2d(0.25, 0.5), "foot", in_world_axes);
 }
 
 TEST_CASE("Jacobian of frames that do not move") {
@@ -153,5 +181,13 @@ TEST_CASE("Jacobians of bad arguments") {
     runtime_jacobian kept = runtime_jacobian::Ones(6, 7);
     CHECK_THROWS_AS(jacobian(model, s, bad, "tool", in_world_axes, kept), bad_argument);
     CHECK(kept == runtime_jacobian::Ones(6, 7));
+    // What does not fit changes nothing, the state neither.
+    Eigen::MatrixXd large = Eigen::MatrixXd::Ones(8, 8);
+    const Eigen::VectorXd before = positions(s), other = before.array() + 1;
+    const auto why = contains_text("a Jacobian of 6 x 7 does not fit into 6 x 8");
+    CHECK_THROWS_WITH(jacobian(model, s, other, "tool", large.topRows<6>()), why);
+    CHECK_THROWS_WITH(jacobian(model, s, "tool", in_world_axes, large.topRows<6>()), why);
+    CHECK((large.array() == 1).all());
+    CHECK(positions(s) == before);
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/forward_dynamics.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/runtime_jacobian.hpp>
 
 #include <vector>
 

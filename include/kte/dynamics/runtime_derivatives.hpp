@@ -22,15 +22,19 @@ bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& 
          c.wiring().has_derivatives;
 }
 
+/// At positions that are good.
 template <class S>
-void inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s, runtime_matrix<S>& inverse) {
+const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  runtime_matrix<S>& inverse = s.work.inverse;
   if (s.tree().plan.tree) {
     articulate_and_invert(runtime_elements{c}, s, inverse);
-    return;
+  } else {
+    mass_of_coordinates(runtime_elements{c}, s);
+    inverse.resize(s.dofs(), s.dofs());
+    invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
   }
-  mass_of_coordinates(runtime_elements{c}, s);
-  inverse.resize(s.dofs(), s.dofs());
-  invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+  check_inverse(s, inverse);
+  return inverse;
 }
 }  // namespace detail
 
@@ -39,16 +43,14 @@ template <class S>
 const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
-  detail::inverse_of_masses(c, s, s.work.inverse);
-  detail::check_inverse(s, s.work.inverse);
-  return s.work.inverse;
+  return detail::inverse_of_masses(c, s);
 }
 /// The same at q, which is put into the state.
 template <class S, indexable Q>
 const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   detail::take(c, s, q);
-  return mass_matrix_inverse(c, s);
+  return detail::inverse_of_masses(c, s);
 }
 
 namespace detail {
@@ -172,6 +174,9 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const kte_map_chain&, runtime_state&);
+}
 KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(
     const kte_map_chain&, runtime_state&);
 KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(

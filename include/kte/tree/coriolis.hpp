@@ -29,17 +29,10 @@ KTE_INLINE world_axis<S> change_of(const world_axis<S>& s, const vec3<S>& v, con
 /// A body at that velocity, of which P is the momentum m v + w x h:
 ///
 ///   B s = (s_w x P,  N s_w),   N = ([w]x I - I [w]x - [I w]x) / 2 - [h]x [v]x          (2)
-///
-/// where -I [w]x is the transpose of [w]x I.
 template <class S>
 KTE_INLINE coriolis_body<S> coriolis_of(const dense_composite<S>& own, const vec3<S>& v, const vec3<S>& w) {
   const auto& [mass, h, i] = own;
-  const vec3<S> x{i.xx, i.xy, i.xz}, y{i.xy, i.yy, i.yz}, z{i.xz, i.yz, i.zz};
-  const mat3<vec3<S>> a{w.y * z - w.z * y, w.z * x - w.x * z, w.x * y - w.y * x};  // [w]x I
-  const vec3<S> u = S(1) / S(2) * vec3<S>(i * w);
-  const S xy = S(1) / S(2) * (a.x.y + a.y.x), xz = S(1) / S(2) * (a.x.z + a.z.x), yz = S(1) / S(2) * (a.y.z + a.z.y);
-  const mat3<vec3<S>> half{{a.x.x, xy + u.z, xz - u.y}, {xy - u.z, a.y.y, yz + u.x}, {xz + u.y, yz - u.x, a.z.z}};
-  return {own, mass * v + cross(w, h), half - cross_twice(h, v)};
+  return {own, mass * v + cross(w, h), gyroscopic(vec3<S>(S(1) / S(2) * w), i) - cross_twice(h, v)};
 }
 
 template <class S>

@@ -55,21 +55,26 @@ KTE_INLINE direction<S> crossed(const direction<S>& a, const direction<S>& b) {
     return cross(a, b);
   }
 }
-/// Adds v and w to six numbers: several joints may move by one coordinate, and share a column.
-template <class S>
-KTE_INLINE void add_column(S* to, const direction<S>& v, const direction<S>& w) {
+/// v and w as six numbers; added to what is there where several joints move by one coordinate and share a column.
+template <bool Add, class S>
+KTE_INLINE void put_column(S* to, const direction<S>& v, const direction<S>& w) {
 #if defined(KTE_HAS_SHUFFLES)
   if constexpr (fits_register<S>) {
-    direction<S> first;
-    load<S>(first, to);
-    first += __builtin_shufflevector(v, w, 0, 1, 2, 4);
-    store<S>(first, to);
-    to[4] += w[1], to[5] += w[2];
+    typedef S two __attribute__((vector_size(2 * sizeof(S))));
+    direction<S> first = __builtin_shufflevector(v, w, 0, 1, 2, 4);
+    two rest = __builtin_shufflevector(w, w, 1, 2);
+    if constexpr (Add) {
+      direction<S> there;
+      two there_too;
+      load<S>(there, to), load<S>(there_too, to + 4);
+      first += there, rest += there_too;
+    }
+    store<S>(first, to), store<S>(rest, to + 4);
   } else
 #endif
   {
-    to[0] += v.x, to[1] += v.y, to[2] += v.z;
-    to[3] += w.x, to[4] += w.y, to[5] += w.z;
+    const S all[]{v.x, v.y, v.z, w.x, w.y, w.z};
+    for (int i = 0; i < 6; ++i) to[i] = Add ? S(to[i] + all[i]) : all[i];
   }
 }
 

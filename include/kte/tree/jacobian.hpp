@@ -77,19 +77,23 @@ int jacobian_columns(const forest<P>& f, const memory<P, S>& m, const frame_plac
 template <class P, class S, class Put>
 void jacobian_columns_in_world(const forest<P>& f, memory<P, S>& m, const frame_place<P>& frame,
                                std::span<const int> way, const mat3<vec3<S>>& base, const Put& put) {
+  // What is written could be a vector's, for all that compilers know: these are not looked up again.
+  const record<P>* const records = f.records.data();
+  const spot<S>* const spots = m.spots.data();
+  seen_body<S>* const seen = m.seen.data();
   mat3<direction<S>> units = directions_of<S>(transpose(base));
   for (std::size_t n = way.size(); n-- > 0;) {
-    const auto i = static_cast<std::size_t>(way[n]);
-    const placed at{f.records[i], m.spots[i]};
-    seen_body<S>& x = m.seen[n];
+    const int i = way[n];
+    const placed at{records[i], spots[i]};
+    seen_body<S>& x = seen[n];
     x.step = combined(units, at.at.position);
     units = at.units_in(units);
     x.units = units;
   }
   direction<S> p = combined(units, as<S>(frame.at.position));
   for (std::size_t n = 0; n < way.size(); ++n) {
-    const seen_body<S>& x = m.seen[n];
-    columns_of_joint<P, S>(f.records[static_cast<std::size_t>(way[n])], x.units, p, put);
+    const seen_body<S>& x = seen[n];
+    columns_of_joint<P, S>(records[way[n]], x.units, p, put);
     p = p + x.step;
   }
 }

@@ -63,6 +63,17 @@ KTE_INLINE mat3<vec3<S>> cross_twice(const vec3<S>& a, const vec3<S>& b) {
   m.x.x -= d, m.y.y -= d, m.z.z -= d;
   return m;
 }
+/// [w]x J - J [w]x - [J w]x of a symmetric J, which is
+///
+///   [w]x (2 J - tr J)          (3)
+///
+/// for [J w]x is tr(J) [w]x - J [w]x - [w]x J.
+template <class S>
+KTE_INLINE mat3<vec3<S>> gyroscopic(const vec3<S>& w, const sym3<S>& j) {
+  const S xy = j.xy + j.xy, xz = j.xz + j.xz, yz = j.yz + j.yz;
+  const sym3<S> twice{j.xx - j.yy - j.zz, xy, xz, j.yy - j.zz - j.xx, yz, j.zz - j.xx - j.yy};
+  return as<S>(cross_matrix(w) * full(twice));
+}
 template <class S>
 struct variation_memory {
   std::vector<axis_variation<S>> axes;
@@ -121,11 +132,7 @@ void start_variations(const forest<P>& f, const memory<P, S>& m, variation_memor
     const sym3<S> inertia = congruence(place.rotation, body.inertia);
     b.inertia = {S(body.mass), body.mass * c, detail::shifted(inertia, c, detail::half(S(body.mass)) * c)};
     b.force = S(-2) * (body.mass * cross(w, c));
-    // w x J - J w x - [J w] x, where [J w] is tr(J) w x - J w x - w x J
-    const sym3<S>& j = inertia;
-    const sym3<S> twice{j.xx - j.yy - j.zz, j.xy + j.xy, j.xz + j.xz,
-                        j.yy - j.zz - j.xx, j.yz + j.yz, j.zz - j.xx - j.yy};
-    b.torque = as<S>(cross_matrix(w) * full(twice) + cross_twice(c, b.force));
+    b.torque = gyroscopic(w, inertia) + cross_twice(c, b.force);
   }
 }
 

@@ -23,15 +23,20 @@ KTE_INLINE void each_axis(State& s, const tree::record<P>& r, const Number& numb
   });
 }
 
-/// What is written before bodies can be placed, and sines and matrices of coordinates that elements read beside those
-/// of joints.
 template <class Elements, class State>
-void bring_up_to_date(const Elements& c, State& s) {
+[[gnu::noinline]] void move_followers(const Elements& c, State& s) {
   for (const int e : s.tree().followers) {
     c.move(e, s);
     if (c.ports(e).back().what == kind::gen) update_angle(s.template get<kind::gen>(c.written(e)));
   }
   for (const auto& [k, slot] : s.tree().turned) with_coordinate(s, k, slot, [](auto& x) { update_angle(x); });
+}
+/// What is written before bodies can be placed, and sines and matrices of coordinates that elements read beside those
+/// of joints: in few chains anything.
+template <class Elements, class State>
+KTE_INLINE void bring_up_to_date(const Elements& c, State& s) {
+  if (!s.tree().followers.empty() || !s.tree().turned.empty()) [[unlikely]]
+    move_followers(c, s);
 }
 
 /// Puts a joint of several axes where its coordinate is.

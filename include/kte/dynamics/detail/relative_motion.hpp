@@ -136,7 +136,7 @@ basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_run
   basic_runtime_jacobian<S> j = basic_runtime_jacobian<S>::Zero(6, t.plan.coordinates);
   const auto add = [&](const S& sign) {
     return [&j, &f, sign](int k, const tree::direction<S>& u, const tree::direction<S>& w) {
-      tree::add_column<S>(j.col(f.row[static_cast<std::size_t>(k)]).data(), sign * u, sign * w);
+      tree::put_column<true, S>(j.col(f.row[static_cast<std::size_t>(k)]).data(), sign * u, sign * w);
     };
   };
   tree::dense_pose<S> y;
