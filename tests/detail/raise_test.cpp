@@ -1,0 +1,29 @@
+#include <kte/detail/raise.hpp>
+
+#include <stdexcept>
+#include <string>
+
+#include "catch.hpp"
+
+using kte::detail::raise;
+using kte::detail::require;
+
+namespace {
+
+constexpr int positive(int x) {
+  require<std::invalid_argument>(
+      x > 0, [] { return std::string("not positive"); }, "positive", x);
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("Errors are thrown with what they are made of", "[detail]") {
+  CHECK_THROWS_WITH(raise<std::runtime_error>("why"), "why");
+  CHECK_THROWS_AS(raise<std::out_of_range>("why"), std::out_of_range);
+}
+
+TEST_CASE("What is required says why it fails, and costs constant expressions nothing", "[detail]") {
+  STATIC_REQUIRE(positive(3) == 3);
+  CHECK_THROWS_WITH(positive(-1), "not positive");
+}
