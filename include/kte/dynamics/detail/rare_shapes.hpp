@@ -75,7 +75,11 @@ void add_spread_masses(const Elements& c, State& s, Matrix& m) {
   for (int j = 0; j < s.dofs(); ++j) {
     a[j] = S(1);
     forces_at(f);
-    m.col(j) += none - f;
+    for (int i = j; i < s.dofs(); ++i) {  // the other triangle is the same but for rounding
+      const S mass = none[i] - f[i];
+      m(i, j) += mass;
+      if (i != j) m(j, i) += mass;
+    }
     a[j] = S(0);
   }
 }
