@@ -4,6 +4,8 @@
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/relative_motion.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/elements/line_point_mindist.hpp>
+#include <kte/elements/position_measure.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/math/pack.hpp>
 
@@ -156,6 +158,57 @@ TEST_CASE("derivatives of a runtime chain by dual numbers", "[runtime][scalars][
   }
 }
 
+namespace {
+/// Two hinges and a slide on each other, and what stands beside: a frame that follows, and a measure.
+kte_map_chain tandem(const char* first, const char* second, const char* third) {
+  kte_map_chain c;
+  c.gravity(vec3{0.3, -0.4, -9.81})
+      << revolute_joint_3D(first, "base", "a", axis::y) << inertia_3D("a", point_mass(1.5, vec3{0.5, 0.125, -0.25}))
+      << revolute_joint_3D(second, "a", "b", vec3{0.6, 0.0, 0.8}).at(vec3{0.5, 0.25, 0.0}, quarter_turn_x)
+      << inertia_3D("b", point_mass(0.75, vec3{0.25, -0.5, 0.125})) << prismatic_joint_3D(third, "b", "c", axis::x)
+      << inertia_3D("c", point_mass(0.5, vec3{0.0, 0.25, 0.5}))
+      << line_point_mindist_3D("c", "nearest", axis::x, vec3{0.0, 0.5, 0.0}) << position_measure_3D("b", "where");
+  return c;
+}
+/// Sums of rows and columns 0, 2: of a matrix over three coordinates where the first and third are one.
+template <class M>
+M merged(const M& x) {
+  M two(2, 2);
+  two << x(0, 0) + x(0, 2) + x(2, 0) + x(2, 2), x(0, 1) + x(2, 1), x(1, 0) + x(1, 2), x(1, 1);
+  return two;
+}
+/// Derivatives of dynamics where two joints share a coordinate are sums of those where each has its own.
+template <class S>
+void check_shared() {
+  const auto c = tandem("q", "p", "q"), apart = tandem("q", "p", "r");
+  auto s = c.make_state<S>(), t = apart.make_state<S>();
+  runtime_vector<S> q(2), v(2), a(2), q3(3), v3(3), a3(3);
+  q << S(0.375), S(-0.75), v << S(1.25), S(-0.5), a << S(-2), S(1.5);
+  q3 << q, q[0], v3 << v, v[0], a3 << a, a[0];
+  const double tolerance = roundings * static_cast<double>(std::numeric_limits<S>::epsilon());
+  const auto close = [&](const auto& x, const auto& exact) {
+    return static_cast<double>((x - exact).norm() / exact.norm()) < tolerance;
+  };
+  const auto& split = inverse_dynamics_derivatives(apart, t, q3, v3, a3);
+  // twice: the second time into matrices that hold the first
+  for (int i = 0; i < 2; ++i) (void)inverse_dynamics_derivatives(c, s, q, v, a);
+  const auto r = inverse_dynamics_derivatives(c, s, q, v, a);
+  CHECK(close(r.by_q, merged(split.by_q)));
+  CHECK(close(r.by_v, merged(split.by_v)));
+  CHECK(close(r.by_a, merged(split.by_a)));
+  const auto& f = forward_dynamics_derivatives(c, s, q, v, r.tau);
+  CHECK(close(f.a, a));
+  CHECK(close(r.by_a * f.by_q, -r.by_q));
+  CHECK(close(r.by_a * f.by_v, -r.by_v));
+}
+}  // namespace
+
+TEST_CASE("derivatives of runtime chains of joints that share coordinates", "[runtime][scalars][derivatives]") {
+  check_shared<double>();
+  check_shared<float>();
+  check_shared<long double>();
+}
+
 TEST_CASE("what other scalars cannot do is said", "[runtime][scalars][errors]") {
   kte_map_chain c = creature();
   c << spring_gen("hip", "knee", 0.0, 10.0);
@@ -163,4 +216,15 @@ TEST_CASE("what other scalars cannot do is said", "[runtime][scalars][errors]") 
   CHECK_THROWS_WITH(c.make_state<float>(),
                     "kte: states of runtime chains in other scalars than double are for joints, links and bodies; "
                     "spring_gen (anchor1 'hip', anchor2 'knee') acts by a law of its own");
+  // passes move what follows others, and are for double
+  const auto following = tandem("q", "p", "r");
+  auto s = following.make_state<float>();
+  const Eigen::Vector3f q(0.5f, 0.25f, 0.125f);
+  const auto says = Catch::Matchers::Message(
+      "kte: this algorithm takes frames that joints and links move, and 'nearest' follows others");
+  CHECK_THROWS_MATCHES(forward_kinematics(following, s, q, "nearest"), bad_argument, says);
+  CHECK_THROWS_MATCHES(jacobian(following, s, q, "nearest"), bad_argument, says);
+  CHECK_THROWS_MATCHES(jacobian(following, s, q, "nearest", in_world_axes), bad_argument, says);
+  CHECK_THROWS_MATCHES(relative_pose(following, s, q, "nearest", "a"), bad_argument, says);
+  CHECK_NOTHROW(forward_kinematics(following, s, q, "c"));
 }

@@ -50,7 +50,6 @@ TEST_CASE("an element says what it is, to whom it is connected and with which nu
   CHECK(link.last.element == &link.element);
   CHECK(link.last.index == std::vector{0, 1});
   CHECK(link.last.stiff);
-  CHECK(link.last.has_derivatives);
   CHECK(link.derivatives);
   CHECK(link.element.ports().size() == 2);
   CHECK(link.element.ports()[1].role == "end");

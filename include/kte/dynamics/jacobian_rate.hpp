@@ -65,15 +65,6 @@ auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V
 // ---- of runtime chains, with bases as the state has them
 
 namespace detail {
-/// Throws `bad_argument` for a frame that follows others.
-template <class S>
-void refuse_following(const kte_map_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
-  if (s.tree().forest.frame(x.what, x.index).slot >= 0) [[likely]]
-    return;
-  throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
-                     c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +
-                     "' follows others");
-}
 /// At positions and rates that are good.
 template <class Axes, class S>
 jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_map_chain& c, basic_runtime_state<S>& s,

@@ -75,6 +75,7 @@ pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state
       move(c.wiring(), s, x);
       return with_motion(s, x, [](const auto& m) { return plain_pose<S>(m); });
     }
+  if constexpr (!std::is_same_v<S, double>) refuse_following(c, s, x);
   place_ancestors(runtime_elements{c}, s, place.slot);
   tree::dense_pose<S> seen;
   const int base = tree::pose_in_base(f, s.work, place, seen);

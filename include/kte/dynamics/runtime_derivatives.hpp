@@ -18,7 +18,7 @@ namespace detail {
 template <class S>
 bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
-  return t.plan.tree && t.weights.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
+  return t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
          c.wiring().has_derivatives;
 }
 
@@ -60,10 +60,14 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
   coordinate_forces(c, s, moved);
   take_needed_forces(s);
   auto& r = s.work.of_forces;
-  if (is_known_by_elements(c, s)) [[likely]]
+  if constexpr (std::is_same_v<S, double>) {
+    if (is_known_by_elements(c, s)) [[likely]]
+      derive_forces(runtime_elements{c}, s);
+    else
+      derive_forces_by_duals(c, s);
+  } else {  // joints, links and bodies alone
     derive_forces(runtime_elements{c}, s);
-  else if constexpr (std::is_same_v<S, double>)
-    derive_forces_by_duals(c, s);
+  }
   r.tau = s.work.forces;
   check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
   return r;

@@ -87,6 +87,7 @@ void write_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const run
   if constexpr (std::is_same_v<S, double>)
     if (place.slot < 0) [[unlikely]]
       return assign(jacobian_by_rates(c, s, x, world));
+  if constexpr (!std::is_same_v<S, double>) refuse_following(c, s, x);
   const auto put = [&](const columns_of_six<S>& j, int columns) {
     const auto way = place_ancestors(runtime_elements{c}, s, place.slot);
     const bool add = !t.forest.in_order;

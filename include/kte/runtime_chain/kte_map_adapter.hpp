@@ -6,6 +6,8 @@
 #include <kte/runtime_chain/lean_pass.hpp>
 #include <kte/runtime_chain/runtime_state.hpp>
 
+#include <algorithm>
+
 namespace kte {
 
 /// An element of a runtime chain: the same core as in a static chain, connected by texts.
@@ -35,8 +37,9 @@ class kte_map_adapter final : public kte_element {
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.stiff = detail::is_transmission<Core>, c.spreads = detail::spreads_mass<Core>;
-    c.has_derivatives = detail::has_derivatives<Core>;
-    t.has_derivatives &= c.has_derivatives;
+    const bool on_frames =
+        std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
+    t.has_derivatives &= on_frames || detail::has_derivatives<Core>;
   }
   element_record record() const override { return record_of(core_, names_); }
 

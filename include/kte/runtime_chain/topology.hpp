@@ -36,11 +36,10 @@ class topology {
   };
   struct connection {
     const kte_element* element = nullptr;
-    std::vector<int> index;        ///< of what each port is connected to
-    std::span<const port> ports;   ///< of the element
-    bool stiff = false;            ///< whether it is a joint or a link
-    bool spreads = false;          ///< whether it has a mass between several ports
-    bool has_derivatives = false;  ///< whether the derivatives of its forces are known (kernels/variation.hpp)
+    std::vector<int> index;       ///< of what each port is connected to
+    std::span<const port> ports;  ///< of the element
+    bool stiff = false;           ///< whether it is a joint or a link
+    bool spreads = false;         ///< whether it has a mass between several ports
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
@@ -50,7 +49,7 @@ class topology {
   std::vector<detail::outside_signal> signals;        ///< signals that no element writes, in order
   int nu = 0;                                         ///< their numbers
   std::vector<connection> elements;                   ///< in order
-  bool has_derivatives = true;                        ///< all elements do
+  bool has_derivatives = true;                        ///< of all forces on coordinates alone
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 

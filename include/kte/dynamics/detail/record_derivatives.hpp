@@ -22,13 +22,17 @@ void derive_forces(const Elements& c, State& s) {
   tree::start_variations(f, w, w.variations);
   S *const q = r.by_q.data(), *const v = r.by_v.data(), *const a = r.by_a.data();
   const int* const row = f.row.data();
-  const bool by_axes = f.in_order && static_cast<Eigen::Index>(f.axes()) == n;
+  const bool by_axes = f.in_order && static_cast<Eigen::Index>(f.axes()) == n, shared = !s.tree().plan.tree;
   tree::vary_forces(f, w, w.variations,
                     [=](int j, int k, const S& by_q, const S& by_v, const S& by_a) KTE_INLINE_LAMBDA {
                       Eigen::Index at = k * n + j;
                       if (!by_axes) {
                         if (row[j] >= n || row[k] >= n) return;  // a coordinate that is given
                         at = row[k] * n + row[j];
+                        if (shared) {  // of joints that move by one coordinate
+                          q[at] += by_q, v[at] += by_v, a[at] += by_a;
+                          return;
+                        }
                       }
                       q[at] = by_q, v[at] = by_v, a[at] = by_a;
                     });

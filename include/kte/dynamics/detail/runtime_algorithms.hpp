@@ -81,6 +81,15 @@ void move(const topology& t, basic_runtime_state<S>& s, const runtime_frame& x) 
   if (writer >= 0) move_element(t, s, writer);
 }
 
+/// Throws `bad_argument` for a frame that follows others.
+template <class S>
+void refuse_following(const kte_map_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
+  if (s.tree().forest.frame(x.what, x.index).slot >= 0) [[likely]]
+    return;
+  throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
+                     c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +
+                     "' follows others");
+}
 /// f(motion) of a frame in its present state.
 template <class S, class F>
 auto with_motion(basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
