@@ -3,6 +3,8 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/runtime_jacobian.hpp>
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 /// Dynamics under loads from outside on frames, by their Jacobians J:
@@ -45,9 +47,10 @@ constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vecto
 namespace detail {
 /// As six numbers in the order of the rows of J. Throws `bad_argument`.
 template <class S, class W>
-Eigen::Matrix<S, 6, 1> six_numbers(const W& w) {
+Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   const double all[]{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
-  check_finite(all, 6, "kte: a force or torque from outside is no finite number");
+  if (!all_finite(all, 6)) [[unlikely]]
+    raise<bad_argument>("kte: a force or torque from outside on '" + std::string(frame) + "' is no finite number");
   Eigen::Matrix<S, 6, 1> x;
   for (int i = 0; i < 6; ++i) x[i] = S(all[i]);
   return x;
@@ -70,7 +73,11 @@ std::vector<load_on_frame<S>> checked_loads(const kte_map_chain& c, const basic_
     throw bad_argument(
         "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the chain");
   std::vector<load_on_frame<S>> all;
-  for (const auto& w : loads) all.push_back({find_frame(c, w.frame), six_numbers<S>(w)});
+  for (const auto& w : loads) {
+    const auto x = find_frame(c, w.frame);
+    const auto& names = c.wiring().names[static_cast<std::size_t>(x.what)];
+    all.push_back({x, six_numbers<S>(w, names[static_cast<std::size_t>(x.index)])});
+  }
   return all;
 }
 /// At positions that are good.
@@ -108,7 +115,7 @@ auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wre
   using S = value_of<Q>;
   joint_vector<S, static_chain<Gravity, E...>::dofs> sum;
   sum.setZero();
-  ((sum += jacobian(c, q, Frames{}).transpose() * detail::six_numbers<S>(loads)), ...);
+  ((sum += jacobian(c, q, Frames{}).transpose() * detail::six_numbers<S>(loads, Frames::name)), ...);
   detail::check_result(sum, static_cast<std::size_t>(sum.size()), detail::too_large{"a force"});
   return sum;
 }
