@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A robot as files describe it, whatever their format: links, and joints between them, as data. m, kg, s, rad.
@@ -14,6 +15,8 @@ namespace kte {
 struct robot_note {
   int line = 0;
   std::string text;
+  std::string file{};           ///< the included file that it is in; empty for the robot's own
+  bool changes_motion = false;  ///< the robot of the file moves differently from the one that was read
 };
 
 /// Where something stands: position and rotation in the axes of what it belongs to.
@@ -41,8 +44,18 @@ struct robot_shape {
 struct robot_link {
   std::string name;
   int line = 0;
+  std::string file{};                    ///< as of notes
   std::optional<rigid_body<>> inertial;  ///< in the axes of the link; massless without
+  double gravity_compensation = 0;       ///< of its weight, this part is borne by a force at the centre of mass
   std::vector<robot_shape> visuals, collisions;
+};
+
+/// A frame that stands still in a link: a site of MJCF, a frame of SDF.
+struct robot_frame {
+  std::string name;
+  int line = 0;
+  std::string link;
+  robot_pose origin;  ///< in the link
 };
 
 /// What a joint does besides moving.
@@ -52,6 +65,10 @@ struct robot_joint_dynamics {
   double stiffness = 0;  ///< of a spring, Nm/rad or N/m
   double rest = 0;       ///< where that spring is at rest
   double armature = 0;   ///< inertia of the rotor as the joint feels it, kg m^2 or kg
+  /// Instead of `damping` and `stiffness`, what they make of the inertia I that the joint feels where the robot stands
+  /// as written: with a time constant T, s, and a damping ratio z they are d = 2 I/T and k = I/(T z)^2. 0: not given.
+  double time_constant = 0, damping_ratio = 0;
+  bool operator==(const robot_joint_dynamics&) const = default;
 };
 
 /// A joint between two links. Its seat stands in the parent; the child link stands in what it moves.
@@ -61,6 +78,7 @@ struct robot_joint {
 
   std::string name;
   int line = 0;
+  std::string file{};  ///< as of notes
   kind is = kind::fixed;
   bool continuous = false;  ///< a revolute joint without limits, as the file says
   std::string parent, child;
@@ -75,6 +93,7 @@ struct robot_joint {
     double ratio = 1, offset = 0;
   };
   std::optional<follower> mimic;  ///< q = ratio q_joint + offset
+  double reference = 0;           ///< the coordinate where the robot stands as the file writes it
 };
 
 /// What drives a joint, as far as it is known: a name, the joint, the gear from one to the other.
@@ -85,12 +104,21 @@ struct robot_actuator {
   double gear = 1;
 };
 
+/// A configuration that has a name, as a keyframe of MJCF: the numbers of q of joints, by their names.
+struct robot_configuration {
+  std::string name;
+  int line = 0;
+  std::vector<std::pair<std::string, std::vector<double>>> joints;
+};
+
 struct robot_description {
   std::string name;
   std::string source;  ///< what messages call the file
   std::vector<robot_link> links;
   std::vector<robot_joint> joints;
+  std::vector<robot_frame> frames;
   std::vector<robot_actuator> actuators;
+  std::vector<robot_configuration> configurations;
   std::optional<vec3<>> gravity;     ///< if the file says so, m/s^2
   std::vector<robot_note> not_read;  ///< what the file holds and nothing here does
   std::vector<robot_note> warnings;  ///< what was read, but is odd

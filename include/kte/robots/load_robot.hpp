@@ -12,7 +12,7 @@ namespace kte {
 /// A robot described by a text in URDF, MJCF or SDF, as its first tag says. Throws `bad_file` with line and element.
 inline robot_description describe_robot(std::string_view text, const std::string& name,
                                         const robot_options& options = {}) {
-  return detail::read_any(detail::parse_xml(text, name), name, options);
+  return detail::read_any(detail::parse_xml(text, name), name, options, detail::parse_xml_file);
 }
 
 /// A robot from a file (docs/robots.md): a chain, limits, shapes, and what was not read.

@@ -10,7 +10,7 @@ namespace kte {
 /// element.
 inline robot_description from_mjcf(std::string_view text, const std::string& name = "MJCF",
                                    const robot_options& options = {}) {
-  return detail::read_mjcf(detail::parse_xml(text, name), name, options);
+  return detail::read_mjcf(detail::parse_xml(text, name), name, options, detail::parse_xml_file);
 }
 
 /// The same from a file.

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace kte {
 
@@ -27,6 +28,23 @@ struct robot_options {
   bool joint_dynamics = true;
   /// Dry friction changes its sign over this rate, rad/s or m/s (docs/elements.md, `joint_friction`).
   double friction_smoothing = 1e-3;
+  /// Refuses what moves differently from the robot of the file: every note that `changes_motion`. Else it is a warning.
+  bool strict = false;
+  /// The model of a file in SDF that has several (`models`).
+  std::string model{};
+  /// Folders in which files of `model://name/...` and `package://name/...` are looked for, after the folder of the
+  /// robot's file and those around it.
+  std::vector<std::string> search_path{};
 };
+
+/// `load_robot(file, kte::strict)`: the options with `strict`.
+struct strict_reading {
+  operator robot_options() const {
+    robot_options o;
+    o.strict = true;
+    return o;
+  }
+};
+inline constexpr strict_reading strict{};
 
 }  // namespace kte

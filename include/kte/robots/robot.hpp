@@ -16,12 +16,18 @@ struct robot {
     std::string frame;
     bool collision = false;
   };
+  /// A configuration of the whole robot, by name.
+  struct configuration {
+    std::string name;
+    std::vector<double> q;  ///< in the order of the chain
+  };
   std::string name;
   kte_map_chain chain;
   joint_limits<> limits, soft_limits;
   std::vector<std::string> joints;
   std::vector<shape> shapes;
   std::vector<robot_actuator> actuators;
+  std::vector<configuration> configurations;
   std::vector<robot_note> not_read;  ///< what the file holds and the chain does not, with lines
   std::vector<robot_note> warnings;  ///< what was taken as it is, though it is odd
 };

@@ -2,9 +2,11 @@
 
 #include <kte/elements/compiled_elements.hpp>
 #include <kte/robots/detail/physical.hpp>
+#include <kte/robots/detail/reference_inertia.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace kte::detail {
@@ -20,12 +22,15 @@ class chain_builder {
     out_.not_read = d_.not_read, out_.warnings = d_.warnings;
     for (const auto& l : d_.links) taken_.insert(l.name);
     for (const auto& j : d_.joints) taken_.insert(j.name);
+    for (const auto& x : d_.frames) taken_.insert(x.name);
     gather_bodies();
-    out_.chain.gravity(o_.gravity ? *o_.gravity : d_.gravity ? *d_.gravity : vec3<>{0, 0, -9.81});
+    out_.chain.gravity(gravity());
     append_base();
     append_body(tree_.root());
     for (const auto& s : tree_.steps()) append_joint(s);
-    list_joints(), list_shapes(), read_limits();
+    append_frames();
+    list_joints(), list_shapes(), read_limits(), read_configurations();
+    judge();
     return std::move(out_);
   }
 
@@ -37,6 +42,8 @@ class chain_builder {
   }
   const robot_joint& joint(const robot_tree::step& s) const { return d_.joints[s.joint]; }
   static bool has_number(const robot_joint& j) { return j.is == kind::revolute || j.is == kind::prismatic; }
+
+  vec3<> gravity() const { return o_.gravity ? *o_.gravity : d_.gravity ? *d_.gravity : vec3<>{0, 0, -9.81}; }
 
   /// A name that is nobody's: of frames in between.
   std::string fresh(std::string name) {
@@ -75,9 +82,16 @@ class chain_builder {
     const auto& l = d_.links[i];
     if (const auto why = unphysical(b); !why.empty()) {
       b.published = true;
-      out_.warnings.push_back({l.line, "link '" + l.name + "': " + why + "; it is taken as published"});
+      out_.warnings.push_back({l.line, "link '" + l.name + "': " + why + "; it is taken as published", l.file});
     }
     append(inertia_3D(l.name, b));
+  }
+  /// A force at the centre of mass, against a part of the weight.
+  void append_compensation(const robot_link& l) {
+    if (l.gravity_compensation == 0 || !l.inertial || l.inertial->mass == 0) return;
+    const auto centre = l.inertial->com == vec3<>{} ? l.name : fresh(l.name + ".com");
+    if (centre != l.name) append_link(l.name, centre, {l.inertial->com, robot_pose{}.rotation});
+    append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity()));
   }
 
   /// Of a joint that does not move: where what it carries stands in what carries it.
@@ -115,7 +129,20 @@ class chain_builder {
       if (end != to) append_link(end, to, rest);
     }
     append_body(tree_.link(to));
-    if (j.is != kind::fixed) append_dynamics(j);
+    append_compensation(d_.links[tree_.link(to)]);
+    if (j.is != kind::fixed) append_dynamics(j, s.joint);
+  }
+  void append_frames() {
+    std::unordered_set<std::string> frames;
+    for (const auto& f : d_.frames) {
+      const auto refuse = [&](const std::string& why) {
+        raise<bad_file>("kte: " + place_text(d_.source, f.line) + "frame '" + f.name + "': " + why);
+      };
+      if (!tree_.has_link(f.link)) refuse("there is no link '" + f.link + "' for it to stand in");
+      if (f.name.empty() || tree_.has_link(f.name) || !frames.insert(f.name).second)
+        refuse("another frame or a link has its name");
+      append_link(f.link, f.name, f.origin);
+    }
   }
 
   void append_moving(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& seat,
@@ -139,7 +166,8 @@ class chain_builder {
     if (master.mimic) append_mimic(master);
     append(mimic_gen(master.name, j.name, j.mimic->ratio, j.mimic->offset));
   }
-  void append_dynamics(const robot_joint& j);
+  void append_dynamics(const robot_joint& j, std::size_t which);
+  void append_dynamics_of_ball(const robot_joint& j);
 
   void list_joints() {
     for (const auto& j : d_.joints)
@@ -165,6 +193,33 @@ class chain_builder {
     out_.soft_limits = hard;
     out_.soft_limits.lower = soft.lower, out_.soft_limits.upper = soft.upper;
   }
+  void read_configurations() {
+    for (const auto& c : d_.configurations) {
+      auto& made = out_.configurations.emplace_back();
+      const auto q = neutral_configuration(out_.chain);
+      made.name = c.name, made.q.assign(q.data(), q.data() + q.size());
+      for (const auto& [joint, numbers] : c.joints)
+        for (const auto& e : layout(out_.chain)) {
+          if (e.name != joint) continue;
+          if (static_cast<int>(numbers.size()) != e.nq)
+            raise<bad_file>("kte: " + place_text(d_.source, c.line) + "configuration '" + c.name + "': joint '" +
+                            joint + "' has " + std::to_string(e.nq) + " numbers, got " +
+                            std::to_string(numbers.size()));
+          std::copy(numbers.begin(), numbers.end(), made.q.begin() + e.q);
+        }
+    }
+  }
+  /// Warnings of what moves differently come first, or are refused.
+  void judge() {
+    auto& all = out_.warnings;
+    const auto differs = [](const robot_note& n) { return n.changes_motion; };
+    const auto end = std::stable_partition(all.begin(), all.end(), differs);
+    if (!o_.strict || end == all.begin()) return;
+    std::string why;
+    for (auto n = all.begin(); n != end; ++n)
+      why += "\n  " + place_text(n->file.empty() ? d_.source : n->file, n->line) + n->text;
+    raise<bad_file>("kte: the robot '" + d_.name + "' would move differently from that of its file:" + why);
+  }
 
   const robot_description& d_;
   const robot_options& o_;
@@ -177,15 +232,13 @@ class chain_builder {
 
 /// Damping by itself is a `damper_gen` from a coordinate at rest: linear, and cheaper than friction. With dry friction
 /// both are one `joint_friction_gen`.
-inline void chain_builder::append_dynamics(const robot_joint& j) {
-  const auto& x = j.dynamics;
-  const bool any = x.damping != 0 || x.friction != 0 || x.stiffness != 0 || x.armature != 0;
-  if (!any || !o_.joint_dynamics) return;
-  if (!has_number(j)) {
-    out_.not_read.push_back({j.line, "joint '" + j.name +
-                                         "': damping, friction, springs and rotors are only those of " +
-                                         "joints of one coordinate"});
-    return;
+inline void chain_builder::append_dynamics(const robot_joint& j, std::size_t which) {
+  auto x = j.dynamics;
+  if (x == robot_joint_dynamics{} || !o_.joint_dynamics) return;
+  if (!has_number(j)) return append_dynamics_of_ball(j);
+  if (x.time_constant > 0) {
+    const double inertia = reference_inertia(d_, tree_, which), t = x.time_constant, z = x.damping_ratio;
+    x.damping = 2 * inertia / t, x.stiffness = inertia / (t * z * t * z);
   }
   if (rest_.empty() && (x.stiffness != 0 || (x.damping != 0 && x.friction == 0))) {
     rest_ = fresh("rest");
@@ -197,6 +250,31 @@ inline void chain_builder::append_dynamics(const robot_joint& j) {
     append(damper_gen(rest_, j.name, x.damping));
   if (x.stiffness != 0) append(spring_gen(rest_, j.name, x.rest, x.stiffness));
   if (x.armature != 0) append(inertia_gen(j.name, x.armature));
+}
+
+/// Damping d and stiffness k of what turns freely are a torque, -d w - k r, with the velocity w and the rotation vector
+/// r of the child in the parent; a free body is also damped by the force -d v at its origin.
+inline void chain_builder::append_dynamics_of_ball(const robot_joint& j) {
+  auto left = j.dynamics;
+  const bool ball = j.is == kind::spherical, free = j.is == kind::floating;
+  if ((ball || free) && left.damping != 0) {
+    append(torsion_damper_3D(j.parent, j.child, left.damping));
+    if (free) append(fluid_drag_3D(j.child, zero, left.damping));
+    left.damping = 0;
+  }
+  if (ball && left.stiffness != 0) {
+    append(torsion_spring_3D(j.parent, j.child, left.stiffness, zero, j.origin.rotation * j.child_pose.rotation));
+    left.stiffness = 0;
+  }
+  left.rest = 0;
+  if (left == robot_joint_dynamics{}) return;
+  const auto name = [](double x, const char* what) { return x != 0 ? std::string(" ") + what : std::string(); };
+  out_.warnings.push_back({j.line,
+                           "joint '" + j.name +
+                               "': left out, as it has several degrees of freedom:" + name(left.damping, "damping") +
+                               name(left.friction, "friction") + name(left.stiffness, "stiffness") +
+                               name(left.armature, "armature") + name(left.time_constant, "springdamper"),
+                           j.file, true});
 }
 
 }  // namespace kte::detail

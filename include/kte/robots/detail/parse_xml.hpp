@@ -33,4 +33,11 @@ namespace kte::detail {
   return all;
 }
 
+/// The root of a file that another file names (`xml_parser`).
+[[gnu::cold]] inline xml_node parse_xml_file(const std::filesystem::path& path) {
+  auto all = parse_xml(text_of_file(path), path.string());
+  give_file(all, path.string());
+  return all;
+}
+
 }  // namespace kte::detail

@@ -7,13 +7,15 @@
 namespace kte::detail {
 
 /// A robot in the format that its root says.
-robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options);
+robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options,
+                           xml_parser parse);
 
 #ifdef KTE_FUNCTION
-KTE_FUNCTION robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options) {
+KTE_FUNCTION robot_description read_any(const xml_node& root, const std::string& name, const robot_options& options,
+                                        xml_parser parse) {
   if (root.name == "robot") return read_urdf(root, name, options);
-  if (root.name == "mujoco") return read_mjcf(root, name, options);
-  if (root.name == "sdf") return read_sdf(root, name, options);
+  if (root.name == "mujoco") return read_mjcf(root, name, options, parse);
+  if (root.name == "sdf") return read_sdf(root, name, options, parse);
   raise<bad_file>("kte: " + place_text(name, root.line) + "<" + excerpt(root.name) +
                   "> begins no format of robots that is read here: <robot> (URDF), <mujoco> (MJCF) and <sdf> do");
 }

@@ -2,24 +2,30 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/robots/description.hpp>
-#include <kte/robots/detail/xml_node.hpp>
+#include <kte/robots/detail/xml_text.hpp>
 #include <kte/robots/options.hpp>
 
 namespace kte::detail {
 
-/// A robot from the root of a file in MJCF; `name` is what messages call the file.
-robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options);
+/// A robot from the root of a file in MJCF; `name` is what messages call the file,
+/// and its path, where it names others; these `parse` reads.
+robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options,
+                            xml_parser parse);
 
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
 #  include <kte/robots/detail/mjcf_bodies.hpp>
+#  include <kte/robots/detail/mjcf_includes.hpp>
 
 namespace kte::detail {
-KTE_FUNCTION robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options) {
+KTE_FUNCTION robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options,
+                                         xml_parser parse) {
   robot_description d;
   d.source = name;
-  mjcf_bodies(d, {root, d}, options).read();
+  xml_node whole = root;
+  mjcf_includes(d, parse).resolve(whole);
+  mjcf_bodies(d, {whole, d}, options).read();
   return d;
 }
 }  // namespace kte::detail

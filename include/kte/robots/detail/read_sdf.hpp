@@ -2,13 +2,15 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/robots/description.hpp>
-#include <kte/robots/detail/xml_node.hpp>
+#include <kte/robots/detail/xml_text.hpp>
 #include <kte/robots/options.hpp>
 
 namespace kte::detail {
 
-/// A robot from the root of a file in SDF; `name` is what messages call the file.
-robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options);
+/// A robot from the root of a file in SDF; `name` is what messages call the file,
+/// and its path, where it names others; these `parse` reads.
+robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options,
+                           xml_parser parse);
 
 }  // namespace kte::detail
 
@@ -16,10 +18,11 @@ robot_description read_sdf(const xml_node& root, const std::string& name, const 
 #  include <kte/robots/detail/sdf_model.hpp>
 
 namespace kte::detail {
-KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options) {
+KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options,
+                                        xml_parser parse) {
   robot_description d;
   d.source = name;
-  sdf_model(d, options).read({root, d});
+  sdf_model(d, options, parse).read({root, d});
   return d;
 }
 }  // namespace kte::detail

@@ -27,6 +27,7 @@ class robot_tree {
   /// Every joint once, behind that which moves its base: in the file's order where that is possible.
   const std::vector<step>& steps() const { return steps_; }
   std::size_t link(const std::string& name) const { return links_.at(name); }
+  bool has_link(const std::string& name) const { return links_.contains(name); }
   std::size_t joint(const std::string& name) const { return joints_.at(name); }
 
  private:

@@ -7,7 +7,7 @@ namespace kte::detail {
 /// Links and joints of a model in SDF.
 class sdf_model {
  public:
-  sdf_model(robot_description& d, const robot_options& o) : d_(d), options_(o) {}
+  sdf_model(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), options_(o), parse_(parse) {}
 
   void read(const xml_item& root) {
     root.only({"model", "world"}, {"version"});
@@ -165,6 +165,7 @@ class sdf_model {
 
   robot_description& d_;
   const robot_options& options_;
+  xml_parser parse_;
   sdf_frames frames_;
 };
 

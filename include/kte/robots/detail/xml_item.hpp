@@ -19,14 +19,19 @@ class xml_item {
   const xml_node& node() const { return *e_; }
   std::string_view name() const { return e_->name; }
   int line() const { return e_->line; }
+  const std::string& file() const { return e_->file; }
   bool has(const char* attribute) const { return find(attribute) != nullptr; }
 
   /// "kte: arm.urdf:37: joint 'elbow': why", or of what has no name "joint 'elbow': <origin>: why".
   [[noreturn]] void fail(const std::string& why) const {
-    raise<bad_file>("kte: " + place_text(d_->source, line()) + title() + ": " + why);
+    raise<bad_file>("kte: " + place_text(file().empty() ? d_->source : file(), line()) + title() + ": " + why);
   }
-  void warn(const std::string& what) const { d_->warnings.push_back({line(), title() + ": " + what}); }
-  void not_read(const std::string& what) const { d_->not_read.push_back({line(), title() + ": " + what}); }
+  void warn(const std::string& what) const { d_->warnings.push_back({line(), title() + ": " + what, file()}); }
+  /// Of what makes the robot move differently from the file's.
+  void moves_differently(const std::string& what) const {
+    d_->warnings.push_back({line(), title() + ": " + what, file(), true});
+  }
+  void not_read(const std::string& what) const { d_->not_read.push_back({line(), title() + ": " + what, file()}); }
 
   const std::string& title() const { return e_->title; }
 

@@ -10,6 +10,7 @@ namespace kte::detail {
 struct xml_node {
   std::string name;
   int line = 0;
+  std::string file;   ///< of what an included file has, its name; else empty
   std::string title;  ///< for messages: "joint 'elbow'", of what has no name "joint 'elbow': <origin>"
   std::vector<std::pair<std::string, std::string>> attributes;
   std::string text;  ///< between the tags

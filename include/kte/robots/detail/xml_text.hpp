@@ -9,6 +9,9 @@
 /// What reading XML needs besides the library of XML.
 namespace kte::detail {
 
+/// The root of a file in XML that another file names. Its elements know the file.
+using xml_parser = xml_node (*)(const std::filesystem::path&);
+
 /// Throws `bad_file`: "kte: arm.urdf:37: why".
 [[noreturn]] void fail_xml(const std::string& source, int line, const std::string& why);
 /// For the message: of "XML_ERROR_MISMATCHED_ELEMENT" the words.
@@ -18,6 +21,8 @@ std::string_view checked_text(std::string_view text, const std::string& source);
 std::string text_of_file(const std::filesystem::path& path);
 /// Sets the titles of all elements; throws `bad_file` at elements for xacro.
 void give_titles(xml_node& root, const std::string& source);
+/// Sets the file of an element and of all below it.
+void give_file(xml_node& n, const std::string& file);
 
 }  // namespace kte::detail
 
@@ -60,5 +65,9 @@ inline void give_title(xml_node& n, const std::string& source, const std::string
   for (auto& c : n.children) give_title(c, source, below, false);
 }
 KTE_FUNCTION void give_titles(xml_node& root, const std::string& source) { give_title(root, source, {}, true); }
+KTE_FUNCTION void give_file(xml_node& n, const std::string& file) {
+  n.file = file;
+  for (auto& c : n.children) give_file(c, file);
+}
 }  // namespace kte::detail
 #endif

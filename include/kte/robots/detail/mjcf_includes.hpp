@@ -1,0 +1,61 @@
+#pragma once
+
+#include <kte/errors.hpp>
+#include <kte/robots/detail/xml_item.hpp>
+#include <kte/robots/detail/xml_text.hpp>
+
+#include <filesystem>
+#include <set>
+
+namespace kte::detail {
+
+/// Puts what the files of <include file="..."/> hold in place of these elements, whatever their roots are called. Names
+/// of files are relative to the folder of the robot's file, or else of the file that includes them. As in MuJoCo a file
+/// is included once, which also bounds what is read.
+class mjcf_includes {
+ public:
+  mjcf_includes(robot_description& d, xml_parser parse)
+      : d_(d), parse_(parse), folder_(std::filesystem::path(d.source).parent_path()) {
+    seen_.insert(std::filesystem::weakly_canonical(d.source));
+  }
+
+  void resolve(xml_node& n) { resolve(n, folder_); }
+
+ private:
+  void resolve(xml_node& n, const std::filesystem::path& folder) {
+    if (std::none_of(n.children.begin(), n.children.end(), [](const auto& c) { return c.name == "include"; })) {
+      for (auto& c : n.children) resolve(c, folder);
+      return;
+    }
+    std::vector<xml_node> all;
+    for (auto& c : n.children) {
+      if (c.name != "include") {
+        resolve(c, folder), all.push_back(std::move(c));
+        continue;
+      }
+      const auto path = file_of({c, d_}, folder);
+      auto file = parse_(path);
+      resolve(file, path.parent_path());
+      for (auto& x : file.children) all.push_back(std::move(x));
+    }
+    n.children = std::move(all);
+  }
+  std::filesystem::path file_of(const xml_item& x, const std::filesystem::path& folder) {
+    const std::filesystem::path name(x.text("file"));
+    x.only({}, {"file"});
+    auto path = folder_ / name;
+    if (!std::filesystem::exists(path)) path = folder / name;
+    if (!std::filesystem::exists(path))
+      x.fail("there is no file '" + excerpt(name.string()) + "' in the folder of the robot's file");
+    if (!seen_.insert(std::filesystem::weakly_canonical(path)).second)
+      x.fail("the file '" + excerpt(name.string()) + "' is included already; a file is included once");
+    return path;
+  }
+
+  robot_description& d_;
+  xml_parser parse_;
+  std::filesystem::path folder_;
+  std::set<std::filesystem::path> seen_;
+};
+
+}  // namespace kte::detail
