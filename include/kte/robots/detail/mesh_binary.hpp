@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/bytes.hpp>
-#include <kte/robots/detail/mesh_file.hpp>
+#include <kte/robots/detail/triangle_mesh.hpp>
 
 #include <bit>
 #include <cmath>

@@ -1,22 +1,12 @@
 #pragma once
 
 #include <kte/detail/compiled.hpp>
-#include <kte/math/vec.hpp>
+#include <kte/robots/detail/triangle_mesh.hpp>
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
 namespace kte::detail {
-
-/// A surface of triangles, m. Vertices may repeat. Without faces it is a set of points, which stands for its convex
-/// hull. The vertices of a face run counterclockwise as seen from outside.
-struct triangle_mesh {
-  std::vector<vec3<>> vertices;
-  std::vector<std::array<std::uint32_t, 3>> faces;
-};
 
 /// Reads a mesh by the extension of its file, in any case:
 ///   .stl  binary or text, told apart by size and content

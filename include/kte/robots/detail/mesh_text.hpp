@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/io/source_text.hpp>
-#include <kte/robots/detail/mesh_file.hpp>
+#include <kte/robots/detail/triangle_mesh.hpp>
 
 #include <charconv>
 #include <cmath>
