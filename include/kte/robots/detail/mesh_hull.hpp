@@ -104,9 +104,9 @@ class hull_builder {
       if (!facets_[f].seen_by.empty()) pending_.push_back(f);
   }
   index farthest(index f) const {
-    const auto& [a, b, c] = facets_[f].corners;
-    const auto n = normal(a, b, c);
-    const auto height = [&](index i) { return dot(n, points_[i] - points_[a]); };
+    const auto& corners = facets_[f].corners;
+    const auto base = points_[corners[0]], n = normal(corners[0], corners[1], corners[2]);
+    const auto height = [&](index i) { return dot(n, points_[i] - base); };
     const auto& all = facets_[f].seen_by;
     return *std::max_element(all.begin(), all.end(), [&](index i, index j) { return height(i) < height(j); });
   }
