@@ -26,7 +26,7 @@ class mjcf_reader {
     for (const auto& w : root.children("worldbody")) {
       if (d_.links[0].line == 0) d_.links[0].line = w.line(), d_.links[0].file = w.file();
       w.only({"geom", "body", "site", "frame", "replicate", "attach", "inertial"}, {"name", "childclass"});
-      contents({&top, {}, w.text_or("childclass", "")}, w, here{0, true, false});
+      contents(tree_.children(w, {&top, {}, w.text_or("childclass", "")}), here{0, true, false});
     }
     apply_mass_rules(top.settings.masses(), d_.links, bodies_);
     options(root);
@@ -84,8 +84,8 @@ class mjcf_reader {
   }
 
   /// Sites, geoms and bodies of a body, or of the world.
-  void contents(const mjcf_scope& in, const xml_item& x, const here& at) {
-    for (const auto& c : tree_.children(x, in)) {
+  void contents(const std::vector<mjcf_child>& all, const here& at) {
+    for (const auto& c : all) {
       if (c.x.name() == "geom") geom(c, at);
       if (c.x.name() == "site") site(c, at.link);
       if (c.x.name() == "body") body(c, at);
@@ -115,7 +115,8 @@ class mjcf_reader {
     l.gravity_compensation = x.number_or("gravcomp", 0);
     std::vector<mjcf_child> moving;
     bool has_inertial = false;
-    for (const auto& y : tree_.children(x, in)) {
+    const auto all = tree_.children(x, in);
+    for (const auto& y : all) {
       if (y.x.name() == "joint" || y.x.name() == "freejoint") moving.push_back(y);
       has_inertial = has_inertial || y.x.name() == "inertial";
     }
@@ -123,7 +124,7 @@ class mjcf_reader {
     if (has_inertial && !at.weighs) l.inertial = moved_body(in.place, body_of(settings, x.needed_child("inertial")));
     const auto own = l.name;
     joints(moving, x, c.in.place * place, d_.links[above.link].name, own);
-    contents(in, x, at);
+    contents(all, at);
     --depth_;
   }
 
@@ -154,7 +155,7 @@ class mjcf_reader {
             "solimp",  "solmix", "margin", "gap",      "condim",      "priority"});
     auto g = read_geom(x, c.in);
     const bool wants_mass = at.weighs && settings.counts(x.number_or("group", 0));
-    const bool by_mesh = x.has("mesh");
+    const bool by_mesh = x.has("mesh") || g.shape.is == robot_shape::form::mesh;
     std::optional<rigid_body<>> b;
     if (by_mesh)
       b = mesh(x, c.in, g, wants_mass, at.fixed);
