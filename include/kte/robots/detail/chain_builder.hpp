@@ -92,7 +92,7 @@ class chain_builder {
     if (l.gravity_compensation == 0 || !l.inertial || l.inertial->mass == 0) return;
     const auto centre = l.inertial->com == vec3<>{} ? l.name : fresh(l.name + ".com");
     if (centre != l.name) append_link(l.name, centre, {l.inertial->com, robot_pose{}.rotation});
-    append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity()));
+    append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity(), vec3<>{}));
   }
 
   /// Of a joint that does not move: where what it carries stands in what carries it.
@@ -281,11 +281,11 @@ inline void chain_builder::append_dynamics_of_ball(const robot_joint& j) {
   const bool ball = j.is == kind::spherical, free = j.is == kind::floating;
   if ((ball || free) && left.damping != 0) {
     append(torsion_damper_3D(j.parent, j.child, left.damping));
-    if (free) append(fluid_drag_3D(j.child, zero, left.damping));
+    if (free) append(fluid_drag_3D(j.child, 0.0, left.damping, vec3<>{}));
     left.damping = 0;
   }
   if (ball && left.stiffness != 0) {
-    append(torsion_spring_3D(j.parent, j.child, left.stiffness, zero, j.origin.rotation * j.child_pose.rotation));
+    append(torsion_spring_3D(j.parent, j.child, left.stiffness, 0.0, j.origin.rotation * j.child_pose.rotation));
     left.stiffness = 0;
   }
   left.rest = 0;
