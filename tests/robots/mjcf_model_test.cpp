@@ -171,7 +171,7 @@ TEST_CASE("sites are frames and keyframes configurations") {
   CHECK((r.configurations[0].name == "home" && r.configurations[1].name == "keyframe1"));
   const auto& q = r.configurations[0].q;
   CHECK(q == std::vector<double>{1, 2, 3, 1, 0, 0, 0, 0.5});  // the quaternion of length 1
-  CHECK(texts(r.warnings) == "key 'short': its qpos has 1 numbers, which is not the size of the robot's q: not read\n");
+  CHECK(texts(r.warnings) == "key 'short': its qpos has 1 numbers, q of the robot 8: it is not read\n");
   const auto tool = forward_kinematics(r.chain, s, q, "tool");
   CHECK((tool.position == vec3<>{1, 2, 5} && tool.rotation.z == vec3<>{0, 1, 0}));
   CHECK(forward_kinematics(r.chain, s, q, "rope").rotation.z.z == within(0, 0));

@@ -7,6 +7,24 @@
 
 namespace kte::detail {
 
+/// The <inertial> of a body, in the axes of the body.
+inline rigid_body<> read_mjcf_inertial(const mjcf_settings& settings, const xml_item& written) {
+  const auto x = settings.classes().cleaned(written);
+  x.only({}, {"pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "mass", "diaginertia", "fullinertia"});
+  rigid_body<> b{x.not_negative("mass"), {}, {}};
+  if (x.has("fullinertia")) {
+    const auto f = x.list("fullinertia");
+    if (f.size() != 6) x.fail("fullinertia must have six numbers, got " + std::to_string(f.size()));
+    b.inertia = {f[0], f[3], f[4], f[1], f[5], f[2]};  // from xx yy zz xy xz yz
+  } else if (x.has("diaginertia")) {
+    const auto i = x.vector("diaginertia");
+    b.inertia = {i.x, 0, 0, i.y, 0, i.z};
+  } else if (b.mass > 0) {
+    x.warn("it has no diaginertia: its mass is that of a point");
+  }
+  return moved_body(settings.place(x), b);
+}
+
 /// An inertia whose principal moments are at least so large.
 inline sym3<> with_least_moment(const sym3<>& i, double least) {
   Eigen::Matrix3d m;
