@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/detail/compiled.hpp>
 #include <kte/math/rigid_body.hpp>
 #include <kte/robots/detail/triangle_mesh.hpp>
 
@@ -37,7 +38,7 @@ struct mesh_moments {
 ///             h_x^2 = 3/2 (I_y + I_z - I_x)/V,   volume = 8 h_x h_y h_z      (4)
 ///   shell   has triangles of area A_i in place of pyramids: A_i s/3 for (1), A_i/12 for V_i/20 in (2)
 /// A mesh without faces is its convex hull. Throws `bad_argument` where the mesh has no volume or area, or a negative
-/// one (faces that point inwards, unless legacy), or numbers too large.
+/// one (faces that point inwards, unless legacy), indices out of range, or numbers not finite or too large.
 mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind);
 
 /// The body of this density, kg/m^3, or kg/m^2 of a shell, in the axes of the mesh.
@@ -90,6 +91,20 @@ inline mesh_sums sums_about(const vec3<>& apex, const triangle_mesh& mesh, mesh_
   return sums;
 }
 
+/// Throws unless all numbers are finite and all indices are those of vertices.
+inline void check_mesh(const triangle_mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const auto& v = mesh.vertices[i];
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+      raise<bad_argument>("kte: vertex " + std::to_string(i) + " of the mesh is not finite");
+  }
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+    for (const auto index : mesh.faces[i])
+      if (index >= mesh.vertices.size())
+        raise<bad_argument>("kte: index " + std::to_string(index) + " of face " + std::to_string(i) +
+                            " is out of range: the mesh has " + std::to_string(mesh.vertices.size()) + " vertices");
+}
+
 /// Throws unless there is more volume than what rounding makes of a flat mesh.
 inline void check_volume(double volume, double least) {
   if (!(std::abs(volume) > least)) raise<bad_argument>("kte: the mesh has no volume");
@@ -97,7 +112,7 @@ inline void check_volume(double volume, double least) {
     raise<bad_argument>("kte: the mesh has a volume of " + number(volume) + " m^3: its faces point inwards");
 }
 
-/// Half edges of the box of these moments, each of 1 kg, the way a mesh of MuJoCo has them.
+/// Half edges of the box with these moments of inertia of one kilogram, about the same axes.
 inline vec3<> equal_box(const std::array<double, 3>& moments) {
   const auto& [x, y, z] = moments;
   const auto half = [](double a, double b, double c) { return std::sqrt(std::max(0.0, 1.5 * (b + c - a))); };
@@ -105,6 +120,7 @@ inline vec3<> equal_box(const std::array<double, 3>& moments) {
 }
 
 KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind) {
+  check_mesh(mesh);
   const bool shell = kind == mesh_inertia::shell;
   if (kind == mesh_inertia::convex) return moments_of(convex_hull(mesh.vertices), mesh_inertia::exact);
   if (mesh.faces.empty()) return moments_of(convex_hull(mesh.vertices), kind);
@@ -149,6 +165,7 @@ KTE_FUNCTION rigid_body<> mesh_body_of_mass(const triangle_mesh& mesh, mesh_iner
 }
 
 KTE_FUNCTION std::string open_edge(const triangle_mesh& mesh) {
+  check_mesh(mesh);
   using place = std::array<double, 3>;
   const auto at = [&](std::uint32_t i) {
     const auto& v = mesh.vertices[i];
