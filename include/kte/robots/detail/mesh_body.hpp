@@ -105,8 +105,12 @@ inline void check_mesh(const triangle_mesh& mesh) {
                             " is out of range: the mesh has " + std::to_string(mesh.vertices.size()) + " vertices");
 }
 
+[[noreturn]] inline void fail_large_mesh() {
+  raise<bad_argument>("kte: the numbers of the mesh are too large for its mass properties");
+}
 /// Throws unless there is more volume than what rounding makes of a flat mesh.
 inline void check_volume(double volume, double least) {
+  if (!std::isfinite(volume) || !std::isfinite(least)) fail_large_mesh();
   if (!(std::abs(volume) > least)) raise<bad_argument>("kte: the mesh has no volume");
   if (volume < 0)
     raise<bad_argument>("kte: the mesh has a volume of " + number(volume) + " m^3: its faces point inwards");
@@ -146,8 +150,7 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
     const double volume = 8 * half.x * half.y * half.z;  // (4)
     m.inertia = scaled(volume / m.amount, m.inertia), m.amount = volume;
   }
-  if (!std::isfinite(m.amount + dot(m.centre, m.centre) + trace(m.inertia)))
-    raise<bad_argument>("kte: the numbers of the mesh are too large for its mass properties");
+  if (!std::isfinite(m.amount + dot(m.centre, m.centre) + trace(m.inertia))) fail_large_mesh();
   return m;
 }
 
