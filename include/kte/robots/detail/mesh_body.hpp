@@ -4,8 +4,6 @@
 #include <kte/math/rigid_body.hpp>
 #include <kte/robots/detail/triangle_mesh.hpp>
 
-#include <string>
-
 namespace kte::detail {
 
 /// What of a mesh has mass.
@@ -32,7 +30,7 @@ struct mesh_moments {
 /// with r from p. The first p is the centroid of the faces, weighted by their areas; (1) then gives the centre of mass.
 /// Taken once more from there, (1) gives the volume and (3) the inertia: neither cancels, however far the mesh is from
 /// its origin. Of a closed surface the sums over all faces are exact, whatever p. Of an open one they are what MuJoCo
-/// computes (`open_edge` tells which it is).
+/// computes (`open_edge` of mesh_edges.hpp tells which it is).
 ///   legacy  takes |V_i|; then the volume is that of the box of equal inertia, with h = half edges (4), and I grows in
 ///           the ratio of this volume to that of (1):
 ///             h_x^2 = 3/2 (I_y + I_z - I_x)/V,   volume = 8 h_x h_y h_z      (4)
@@ -46,19 +44,15 @@ rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind, double dens
 /// The body of this mass, kg.
 rigid_body<> mesh_body_of_mass(const triangle_mesh& mesh, mesh_inertia kind, double mass);
 
-/// Says where a surface is open or its faces are turned differently: an edge that as many faces do not run through in
-/// one direction as in the other. Empty for closed surfaces. Vertices at the same place are one.
-std::string open_edge(const triangle_mesh& mesh);
-
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
-#  include <kte/errors.hpp>
 #  include <kte/math/principal_moments.hpp>
+#  include <kte/robots/detail/mesh_edges.hpp>
 #  include <kte/robots/detail/mesh_hull.hpp>
 
+#  include <algorithm>
 #  include <cmath>
-#  include <tuple>
 
 namespace kte::detail {
 
@@ -91,20 +85,6 @@ inline mesh_sums sums_about(const vec3<>& apex, const triangle_mesh& mesh, mesh_
   return sums;
 }
 
-/// Throws unless all numbers are finite and all indices are those of vertices.
-inline void check_mesh(const triangle_mesh& mesh) {
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const auto& v = mesh.vertices[i];
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      raise<bad_argument>("kte: vertex " + std::to_string(i) + " of the mesh is not finite");
-  }
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
-    for (const auto index : mesh.faces[i])
-      if (index >= mesh.vertices.size())
-        raise<bad_argument>("kte: index " + std::to_string(index) + " of face " + std::to_string(i) +
-                            " is out of range: the mesh has " + std::to_string(mesh.vertices.size()) + " vertices");
-}
-
 [[noreturn]] inline void fail_large_mesh() {
   raise<bad_argument>("kte: the numbers of the mesh are too large for its mass properties");
 }
@@ -133,7 +113,8 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   if (!(surface.amount > 0)) raise<bad_argument>("kte: the faces of the mesh have no area");
   double size = 0;
   for (const auto& v : mesh.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const double least = shell ? 0 : 1e-15 * surface.amount * size;
+  const double tiny = 1e-300;  // whose inverse is finite
+  const double least = shell ? tiny : std::max(tiny, 1e-15 * surface.amount * size);
 
   vec3<> centre = start + (1 / surface.amount) * surface.first;
   if (!shell) {
@@ -148,6 +129,7 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   if (kind == mesh_inertia::legacy) {
     const auto half = equal_box(principal_moments(scaled(1 / m.amount, m.inertia)));
     const double volume = 8 * half.x * half.y * half.z;  // (4)
+    check_volume(volume, tiny);
     m.inertia = scaled(volume / m.amount, m.inertia), m.amount = volume;
   }
   if (!std::isfinite(m.amount + dot(m.centre, m.centre) + trace(m.inertia))) fail_large_mesh();
@@ -165,36 +147,6 @@ KTE_FUNCTION rigid_body<> mesh_body_of_mass(const triangle_mesh& mesh, mesh_iner
     raise<bad_argument>("kte: the mass of a mesh must be finite and not negative, got " + number(mass));
   const auto m = moments_of(mesh, kind);
   return {mass, m.centre, scaled(mass / m.amount, m.inertia)};
-}
-
-KTE_FUNCTION std::string open_edge(const triangle_mesh& mesh) {
-  check_mesh(mesh);
-  using place = std::array<double, 3>;
-  const auto at = [&](std::uint32_t i) {
-    const auto& v = mesh.vertices[i];
-    return place{v.x + 0.0, v.y + 0.0, v.z + 0.0};
-  };
-  struct side {
-    place low, high;
-    int direction;
-  };
-  std::vector<side> sides;
-  sides.reserve(3 * mesh.faces.size());
-  for (const auto& f : mesh.faces)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = at(f[k]), b = at(f[(k + 1) % 3]);
-      if (a != b) sides.push_back(a < b ? side{a, b, 1} : side{b, a, -1});
-    }
-  const auto ends = [](const side& s) { return std::tie(s.low, s.high); };
-  std::sort(sides.begin(), sides.end(), [&](const side& s, const side& t) { return ends(s) < ends(t); });
-  for (std::size_t i = 0; i < sides.size();) {
-    const auto& s = sides[i];
-    int count = 0;
-    for (; i < sides.size() && ends(sides[i]) == ends(s); ++i) count += sides[i].direction;
-    const auto text = [](const place& p) { return number(p[0]) + " " + number(p[1]) + " " + number(p[2]); };
-    if (count != 0) return "the edge from " + text(s.low) + " to " + text(s.high) + " has no face on one of its sides";
-  }
-  return {};
 }
 
 }  // namespace kte::detail
