@@ -17,7 +17,8 @@ enum class mesh_inertia { legacy, exact, convex, shell };
 struct mesh_moments {
   double amount = 0;  ///< volume, m^3; of a shell area, m^2
   vec3<> centre{};    ///< of mass, m
-  sym3<> inertia{};   ///< about the centre, in the axes of the mesh, m^5 or m^4
+  sym3<> second{};    ///< S of (2) about the centre, in the axes of the mesh, m^5 or m^4
+  sym3<> inertia{};   ///< the same as an inertia (3)
 };
 
 /// Volume, centre of mass and inertia of a mesh. Face i and an apex p make a pyramid of volume V_i; a, b, c are its
@@ -31,9 +32,9 @@ struct mesh_moments {
 /// Taken once more from there, (1) gives the volume and (3) the inertia: neither cancels, however far the mesh is from
 /// its origin. Of a closed surface the sums over all faces are exact, whatever p. Of an open one they are what MuJoCo
 /// computes (`open_edge` of mesh_edges.hpp tells which it is).
-///   legacy  takes |V_i|; then the volume is that of the box of equal inertia, with h = half edges (4), and I grows in
-///           the ratio of this volume to that of (1):
-///             h_x^2 = 3/2 (I_y + I_z - I_x)/V,   volume = 8 h_x h_y h_z      (4)
+///   legacy  takes |V_i|; then the volume is that of the box of equal inertia, with half edges h along the principal
+///           axes, and S and I grow in the ratio of this volume to that of (1):
+///             h_x^2 = 3 S_xx/V,   volume = 8 h_x h_y h_z                     (4)
 ///   shell   has triangles of area A_i in place of pyramids: A_i s/3 for (1), A_i/12 for V_i/20 in (2)
 /// A mesh without faces is its convex hull. Throws `bad_argument` where the mesh has no volume or area, or a negative
 /// one (faces that point inwards, unless legacy), indices out of range, or numbers not finite or too large.
@@ -96,11 +97,10 @@ inline void check_volume(double volume, double least) {
     raise<bad_argument>("kte: the mesh has a volume of " + number(volume) + " m^3: its faces point inwards");
 }
 
-/// Half edges of the box with these moments of inertia of one kilogram, about the same axes.
-inline vec3<> equal_box(const std::array<double, 3>& moments) {
-  const auto& [x, y, z] = moments;
-  const auto half = [](double a, double b, double c) { return std::sqrt(std::max(0.0, 1.5 * (b + c - a))); };
-  return {half(x, y, z), half(y, z, x), half(z, x, y)};  // (4)
+/// Half edges (4), the shortest first. S gives those of needles to all digits, which I does not.
+inline vec3<> equal_box(const sym3<>& second, double amount) {
+  const auto [x, y, z] = principal_moments(scaled(3 / amount, second));
+  return {std::sqrt(std::max(0.0, z)), std::sqrt(std::max(0.0, y)), std::sqrt(std::max(0.0, x))};  // (4)
 }
 
 KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind) {
@@ -125,12 +125,13 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   const auto sums = sums_about(centre, mesh, kind);
   check_volume(sums.amount, least);
   const auto& s = sums.second;
-  mesh_moments m{sums.amount, centre, {s.yy + s.zz, -s.xy, -s.xz, s.zz + s.xx, -s.yz, s.xx + s.yy}};  // (3)
+  mesh_moments m{sums.amount, centre, s, {s.yy + s.zz, -s.xy, -s.xz, s.zz + s.xx, -s.yz, s.xx + s.yy}};  // (3)
   if (kind == mesh_inertia::legacy) {
-    const auto half = equal_box(principal_moments(scaled(1 / m.amount, m.inertia)));
+    const auto half = equal_box(m.second, m.amount);
     const double volume = 8 * half.x * half.y * half.z;  // (4)
     check_volume(volume, tiny);
-    m.inertia = scaled(volume / m.amount, m.inertia), m.amount = volume;
+    const double ratio = volume / m.amount;
+    m.amount = volume, m.second = scaled(ratio, m.second), m.inertia = scaled(ratio, m.inertia);
   }
   if (!std::isfinite(m.amount + dot(m.centre, m.centre) + trace(m.inertia))) fail_large_mesh();
   return m;
