@@ -68,6 +68,7 @@ TEST_CASE("STL files, binary and text") {
                          says("byte 84: the file has 134 bytes, but 2 facets of binary STL need 184"));
   }
   CHECK_THROWS_MATCHES(stl(""), bad_file, says("byte 0: the title is cut off"));
+  CHECK_THROWS_MATCHES(stl("hello"), bad_file, says("the title is cut off"));
   CHECK_THROWS_MATCHES(stl(std::string(84, '\0')), bad_file, says("the mesh has no facets"));
 
   CHECK(stl("solid\n" + facet + "endsolid").vertices == corners);
