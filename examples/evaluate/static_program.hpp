@@ -7,6 +7,7 @@
 #include "evaluate/child.hpp"
 #include "evaluate/program_cache.hpp"
 #include "evaluate/robot_file.hpp"
+#include "evaluate/runtime_model.hpp"
 #include "evaluate_build.hpp"
 
 /// Programs for one robot, whose chain is a type: written, compiled once and kept.
@@ -55,6 +56,7 @@ inline void compile(std::vector<std::string> words, const std::filesystem::path&
 /// Runs the program for a robot with the same arguments, which is compiled if there is none yet, or none that is whole;
 /// its exit code. It is named after all that it depends on, by a hash. Throws if it does not say that it has done all.
 inline int run_static(const robot_file& r, const options& o, int count, char** arguments) {
+  check_frames(r.chain, o.frames);
   const auto words = compiler_words();
   const std::string header = kte::to_header(r.chain, "robot"), main = main_text(r, o);
   std::string all = header + main + time_of_build();

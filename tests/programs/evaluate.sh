@@ -101,6 +101,11 @@ rm -rf "$kept"
 rm -f log
 works='echo table; printf ! >&3'
 
+# What no program can have is said before it is compiled.
+gives 1 "'nowhere'" "$evaluate" arm.urdf states.csv --static --frame nowhere
+gives 1 "'joint' is one of the plane" "$evaluate" pendulum.json states.csv --static --frame joint
+compiled 0
+
 # Compilers that fail leave nothing.
 CXX=false static 1 "'false' does not compile the program for this robot: it ended with exit code 1"
 CXX=/nowhere/g++ static 1 "cannot run '/nowhere/g++'"
