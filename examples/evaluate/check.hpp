@@ -22,11 +22,11 @@ inline std::string check_text(const options& o) {
   const auto wanted = robot_options_of(o);
   const auto robot = kte::describe_robot(bytes, o.robot.string(), wanted);
   std::string s;
-  for (const auto& note : check_robot(robot, wanted)) s += text_of(note, o) + '\n';
+  for (const auto& text : texts_of(check_robot(robot, wanted), o.robot.string())) s += text + '\n';
   if (s.empty()) s = o.robot.string() + ": nothing odd is found\n";
-  const auto ignored = not_read(robot, wanted);
+  const auto ignored = texts_of(not_read(robot, wanted), "");
   if (!ignored.empty()) s += "not read (" + std::to_string(ignored.size()) + "):\n";
-  for (const auto& note : ignored) s += "  " + kte::detail::place_text("", note.line) + note.text + '\n';
+  for (const auto& text : ignored) s += "  " + text + '\n';
   return s;
 }
 

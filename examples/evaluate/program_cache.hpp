@@ -56,7 +56,7 @@ class program_cache {
     if (!std::filesystem::exists(program(name))) return false;
     const auto bytes = kte::detail::read_file(program(name));
     const auto size = bytes.size() - std::min(bytes.size(), hash_length);
-    return size > 0 && std::string_view(bytes).substr(size) == hash_text(std::string_view(bytes).substr(0, size));
+    return std::string_view(bytes).substr(size) == hash_text(std::string_view(bytes).substr(0, size));
   }
   /// make(folder) makes the file `program` in a folder of its own, which is removed in the end; the program gets its
   /// name when it is complete.

@@ -20,9 +20,14 @@ struct robot_file {
   std::vector<std::string> warnings;  ///< with file and line, each once
 };
 
-/// "arm.urdf:37: what is odd"
-inline std::string text_of(const kte::robot_note& note, const options& o) {
-  return kte::detail::place_text(o.robot.string(), note.line) + note.text;
+/// "arm.urdf:37: what is odd", of each note once.
+inline std::vector<std::string> texts_of(const std::vector<kte::robot_note>& notes, const std::string& source) {
+  std::vector<std::string> all;
+  for (const auto& note : notes) {
+    const auto text = kte::detail::place_text(source, note.line) + note.text;
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  }
+  return all;
 }
 
 inline kte::robot_options robot_options_of(const options& o) {
@@ -46,9 +51,7 @@ inline robot_file read_robot(const options& o) {
   }
   const auto wanted = robot_options_of(o);
   const auto robot = kte::to_robot(kte::describe_robot(bytes, o.robot.string(), wanted), wanted);
-  for (const auto& note : robot.warnings)
-    if (const auto text = text_of(note, o); std::find(r.warnings.begin(), r.warnings.end(), text) == r.warnings.end())
-      r.warnings.push_back(text);
+  r.warnings = texts_of(robot.warnings, o.robot.string());
   r.chain = without_fixed_bodies(robot.chain);
   std::set<std::string> free;
   for (const auto& e : kte::layout(r.chain)) free.insert(e.name);

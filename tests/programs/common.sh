@@ -52,3 +52,5 @@ END
 cp "$data"/pendulum.* .
 cp pendulum.json pendulum.JSON
 cp pendulum.xml 'a model; touch called'
+{ printf '\357\273\277' && cat pendulum.json; } >marked
+sed 's/^<cereal>/<!-- a <comment> -->\n\n&/' pendulum.xml >commented

@@ -21,7 +21,7 @@ gives 1 "--gravity: '1e999' is not a number" "$evaluate" arm.urdf states.csv --g
 # Model files are known by what is in them.
 gives 0 '' "$evaluate" pendulum.json states.csv
 cp out expected
-for file in pendulum.kte pendulum.xml pendulum.JSON 'a model; touch called'; do
+for file in pendulum.kte pendulum.xml pendulum.JSON 'a model; touch called' marked commented; do
   gives 0 '' "$evaluate" "$file" states.csv
   if ! cmp -s out expected; then wrong "$file gives other numbers"; fi
 done
@@ -39,6 +39,11 @@ prints "arm.urdf:3: link 'arm': no matter has such an inertia"
 prints 'not read (2):'
 prints "  line 8: joint 'q': <calibration>: not read"
 prints "  line 8: joint 'q': <safety_controller>: its k_velocity is not read"
+sed 's|<axis |<origin rpy="1.5708 1.5708 0"/>&|' arm.urdf >turned.urdf
+gives 0 "turned.urdf:8: joint 'q': <origin>: the angle 1.5708" "$evaluate" turned.urdf states.csv
+if [ "$(grep -c 'the angle' errors)" -ne 1 ]; then wrong 'a warning comes twice'; fi
+gives 0 '' "$evaluate" --check turned.urdf
+if [ "$(grep -c 'the angle' out)" -ne 1 ]; then wrong 'a warning comes twice'; fi
 sed -i 's/izz="0.3"/izz="0.1"/' arm.urdf
 gives 0 '' "$evaluate" --check arm.urdf
 prints 'arm.urdf: nothing odd is found'
@@ -51,12 +56,17 @@ gives 1 "cannot open 'no_states.csv'" "$evaluate" arm.urdf no_states.csv
 if [ -c /dev/zero ]; then
   gives 1 'kte: /dev/zero: has more than 268435456 bytes' "$evaluate" arm.urdf /dev/zero
   gives 1 'kte: /dev/zero:1: the file has more than 268435456 bytes' "$evaluate" /dev/zero states.csv
+  if (ulimit -v 200000 && "$evaluate" --help) >out 2>errors; then
+    : >out
+    gives 1 'kte: this needs more memory than there is' sh -c 'ulimit -v 200000 && exec "$0" "$@"' "$evaluate" arm.urdf /dev/zero
+  fi
 fi
 
 # Programs for one robot. This compiler makes a script; `works` is what the script does.
 cat >compiler <<'END'
 #!/bin/sh
 echo compiled >>"$log"
+echo 'no part of the table'
 for word; do case $last in -o) printf '#!/bin/sh\n%s\nexit 0\n' "$works" >"$word" && chmod +x "$word" ;; esac; last=$word; done
 END
 chmod +x compiler
@@ -72,6 +82,7 @@ compiled() { # compiled TIMES, since the last time
 kept=$HOME/.cache/kte-evaluate
 static 0 'compiling'
 prints 'table arm.urdf states.csv'
+if grep -q 'no part' out; then wrong 'what the compiler says is in the table'; fi
 static 0 ''
 prints 'table arm.urdf states.csv'
 compiled 1

@@ -13,7 +13,7 @@ full "$program" pendulum.json
 gives 0 '' "$program" pendulum.json
 prints 'inline constexpr auto pendulum = pendulum_names::assembled();'
 cp out expected
-for file in pendulum.kte pendulum.xml pendulum.JSON 'a model; touch called'; do
+for file in pendulum.kte pendulum.xml pendulum.JSON 'a model; touch called' marked commented; do
   gives 0 '' "$program" "$file" --name pendulum
   if ! cmp -s out expected; then wrong "$file gives another header"; fi
 done
