@@ -77,11 +77,11 @@ inline std::map<std::string, kte::model_record> all() {
   auto& macros = models["macros"];
   macros.gravity = {0, 0, -9.81};
   std::string from = "world";
-  for (const char* to : {"M_PI",       "NULL",         "EOF",   "EXIT_SUCCESS", "INFINITY",  "NAN",       "errno",
-                         "stdin",      "assert",       "isnan", "linux",        "unix",      "major",     "minor",
-                         "small",      "near",         "far",   "IN",           "interface", "ERROR",     "axis",
-                         "inertia_3D", "std",          "kte",   "class",        "macros",    "assembled", "robots",
-                         "zero",       "frame_3D_key", "a",     "a_2",          "a ",        "a_",        "none"}) {
+  for (const char* to : {"M_PI",   "NULL",   "EOF",       "EXIT_SUCCESS", "INFINITY", "NAN",          "errno", "stdin",
+                         "assert", "isnan",  "linux",     "unix",         "major",    "minor",        "small", "near",
+                         "far",    "IN",     "interface", "ERROR",        "axis",     "inertia_3D",   "std",   "kte",
+                         "class",  "macros", "assembled", "robots",       "zero",     "frame_3D_key", "a",     "a_2",
+                         "a ",     "a_",     "none",      "x - y"}) {
     macros.elements.push_back(link(from.c_str(), to, {0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}));
     from = to;
   }

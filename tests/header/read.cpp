@@ -16,11 +16,18 @@
 #define ERROR 0
 #define major(x) x
 
+namespace robots {  // names that would hide others
+struct kte;
+struct std;
+}  // namespace robots
+
 #include "headers.hpp"
 #if __has_include("arm_of_file.hpp")
 #  include "arm_of_file.hpp"
 static_assert(robots::arm_of_file_limits.lower.size() == 7 && robots::arm_of_file.dofs == 7);
 #endif
+
+static_assert(robots::macros_names::a_3_.name == "a " && robots::macros_names::x_y_.name == "x - y");
 
 int main() {
   int failures = 0;
