@@ -25,7 +25,7 @@ function(kte_add_header_program)
   set_target_properties(kte_header PROPERTIES OUTPUT_NAME kte-header
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/kte-header)
   target_link_libraries(kte_header PRIVATE kte::robots)
-  if(KTE_BUILD_COMPILED OR kte_compiled_FOUND)  # a tenth to compile
+  if(TARGET kte::compiled AND (KTE_BUILD_COMPILED OR KTE_BUILD_TESTS OR kte_compiled_FOUND))  # a tenth to compile
     target_link_libraries(kte_header PRIVATE kte::compiled)
   endif()
   target_compile_options(kte_header PRIVATE -O0)  # compiled faster than it ever runs
