@@ -10,7 +10,7 @@ namespace kte::detail {
 /// A text in XML from its first tag on, without declarations and comments before it.
 inline std::string_view from_first_tag(std::string_view text) {
   for (;;) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    text.remove_prefix((std::min)(text.find_first_not_of(" \t\r\n"), text.size()));
     const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : "";
     const auto found = end.empty() ? text.npos : text.find(end);
     if (found == text.npos) return text;

@@ -80,7 +80,7 @@ class argument_writer {
     int depth = 0;
     for (std::size_t i = 0; i < pattern.size();) {
       const char c = pattern[i];
-      const std::size_t end = std::min(pattern.find_first_of("{}[], ", i), pattern.size());
+      const std::size_t end = (std::min)(pattern.find_first_of("{}[], ", i), pattern.size());
       if (end > i) {
         all += token(pattern.substr(i, end - i), depth), i = end;
         continue;

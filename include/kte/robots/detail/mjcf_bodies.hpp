@@ -151,7 +151,7 @@ class mjcf_bodies {
     if (range) j.lower = unit(range->first), j.upper = unit(range->second);
     j.continuous = turns && !range;
     if (const auto force = limits(x, "actuatorfrcrange", "actuatorfrclimited"))
-      j.effort = std::max(std::abs(force->first), std::abs(force->second));
+      j.effort = (std::max)(std::abs(force->first), std::abs(force->second));
     j.soft_lower = j.lower, j.soft_upper = j.upper;
     return j;
   }
