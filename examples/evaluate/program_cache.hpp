@@ -25,7 +25,11 @@ inline std::filesystem::path cache_folder() {
 
 /// Makes a folder that only its user can read and write. Throws `kte::bad_file` if it is there and may be another's.
 inline void make_private_folder(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder.parent_path());
+  std::error_code error;
+  const auto parent = folder.parent_path();
+  if (std::filesystem::create_directories(parent, error))  // as that specification wants it
+    std::filesystem::permissions(parent, std::filesystem::perms::owner_all, error);
+  if (error) kte::detail::raise_file("make", parent, error.value());
   if (mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) kte::detail::raise_file("make", folder, errno);
   struct stat found {};
   if (lstat(folder.c_str(), &found) != 0) kte::detail::raise_file("use", folder, errno);
@@ -53,7 +57,8 @@ class program_cache {
   std::filesystem::path program(const std::string& name) const { return folder_ / name; }
   /// Whether a program is there and none of its bytes has changed.
   bool has(const std::string& name) const {
-    if (!std::filesystem::exists(program(name))) return false;
+    std::error_code none;
+    if (!std::filesystem::exists(program(name), none)) return false;
     const auto bytes = kte::detail::read_file(program(name));
     const auto size = bytes.size() - std::min(bytes.size(), hash_length);
     return std::string_view(bytes).substr(size) == hash_text(std::string_view(bytes).substr(0, size));
@@ -70,7 +75,9 @@ class program_cache {
     const auto f = kte::detail::open_file(made, "ab");
     if (std::fwrite(hash.data(), 1, hash.size(), f.get()) != hash.size() || std::fflush(f.get()) != 0)
       kte::detail::raise_file("write", made, errno);
-    std::filesystem::rename(made, program(name));
+    std::error_code error;
+    std::filesystem::rename(made, program(name), error);
+    if (error) kte::detail::raise_file("make", program(name), error.value());
   }
 
  private:

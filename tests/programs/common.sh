@@ -27,12 +27,15 @@ wrong() {
   echo "FAILED: $*"
   sed 's/^/  /' errors
 }
-# full CODE COMMAND...: fails on a full device, in words.
+# full COMMAND...: fails on a full device, and where standard output is closed, in words.
 full() {
+  : >out
+  got=0
+  "$@" >&- 2>errors || got=$?
+  if [ "$got" -ne 1 ] || ! grep -q 'cannot write to standard output: ' errors; then wrong "closed output is not noticed" "$@"; fi
   if ! [ -c /dev/full ]; then return 0; fi
   got=0
   "$@" >/dev/full 2>errors || got=$?
-  : >out
   if [ "$got" -ne 1 ] || ! grep -q 'cannot write to standard output: ' errors; then wrong "a full device is not noticed" "$@"; fi
 }
 prints() { if ! grep -qF -- "$1" out; then wrong "'$1' is not printed"; fi; }

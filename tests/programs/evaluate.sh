@@ -146,12 +146,13 @@ fi
 XDG_CACHE_HOME=relative static 0 'compiling'
 if [ -e relative ] || [ ! -d "$kept" ]; then wrong 'a relative XDG_CACHE_HOME is used'; fi
 XDG_CACHE_HOME=$folder/xdg static 0 'compiling'
-if [ ! -d xdg/kte-evaluate ]; then wrong 'XDG_CACHE_HOME is not used'; fi
+if [ ! -d xdg/kte-evaluate ] || [ "$(stat -c %a xdg)" != 700 ]; then wrong 'XDG_CACHE_HOME is not used, or not private'; fi
 rm -f log
 for HOME in '' relative; do
   static 1 'neither is an absolute path'
   XDG_CACHE_HOME=relative static 1 'neither is an absolute path'
 done
+HOME=$folder/states.csv static 1 "cannot make '$folder/states.csv/.cache': Not a directory"
 unset HOME
 static 1 'neither is an absolute path'
 compiled 0
