@@ -274,7 +274,7 @@ KTE_FUNCTION void kte_map_chain::add(std::unique_ptr<kte_map>* all, std::size_t 
   const vec3<> g = with_gravity_of(part);
   if (count == 0) return put_gravity(g);
   if (const std::size_t size = elements_.size() + count; size > elements_.capacity())
-    elements_.reserve(std::max(size, 2 * elements_.capacity()));
+    elements_.reserve((std::max)(size, 2 * elements_.capacity()));
   topology& t = topology_.edit();
   try {
     for (std::size_t i = 0; i < count; ++i) all[i]->connect(t);

@@ -191,7 +191,7 @@ class chain_builder {
       const auto& j = d_.joints[tree_.joint(e.name)];
       const auto i = static_cast<std::size_t>(e.v);
       hard.lower[i] = j.lower, hard.upper[i] = j.upper, hard.rate[i] = j.rate, hard.effort[i] = j.effort;
-      soft.lower[i] = std::max(j.lower, j.soft_lower), soft.upper[i] = std::min(j.upper, j.soft_upper);
+      soft.lower[i] = (std::max)(j.lower, j.soft_lower), soft.upper[i] = (std::min)(j.upper, j.soft_upper);
     }
     out_.soft_limits = hard;
     out_.soft_limits.lower = soft.lower, out_.soft_limits.upper = soft.upper;

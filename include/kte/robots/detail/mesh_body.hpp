@@ -100,7 +100,7 @@ inline void check_volume(double volume, double least) {
 /// Half edges (4), the shortest first. S gives those of needles to all digits, which I does not.
 inline vec3<> equal_box(const sym3<>& second, double amount) {
   const auto [x, y, z] = principal_moments(scaled(3 / amount, second));
-  return {std::sqrt(std::max(0.0, z)), std::sqrt(std::max(0.0, y)), std::sqrt(std::max(0.0, x))};  // (4)
+  return {std::sqrt((std::max)(0.0, z)), std::sqrt((std::max)(0.0, y)), std::sqrt((std::max)(0.0, x))};  // (4)
 }
 
 KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind) {
@@ -112,9 +112,9 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   const auto surface = sums_about(start, mesh, mesh_inertia::shell);
   if (!(surface.amount > 0)) raise<bad_argument>("kte: the faces of the mesh have no area");
   double size = 0;
-  for (const auto& v : mesh.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  for (const auto& v : mesh.vertices) size = (std::max)({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   const double tiny = 1e-300;  // whose inverse is finite
-  const double least = shell ? tiny : std::max(tiny, 1e-15 * surface.amount * size);
+  const double least = shell ? tiny : (std::max)(tiny, 1e-15 * surface.amount * size);
 
   vec3<> centre = start + (1 / surface.amount) * surface.first;
   if (!shell) {

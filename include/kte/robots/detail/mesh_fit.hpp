@@ -61,9 +61,9 @@ inline vec3<> bounding_size(robot_shape::form form, const std::vector<vec3<>>& p
   if (form == shape::box || form == shape::ellipsoid) return box;
   double radius = 0, half = form == shape::cylinder ? box.z : 0;
   const auto across = [](const vec3<>& p) { return p.x * p.x + p.y * p.y; };
-  for (const auto& p : points) radius = std::max(radius, form == shape::sphere ? dot(p, p) : across(p));
+  for (const auto& p : points) radius = (std::max)(radius, form == shape::sphere ? dot(p, p) : across(p));
   for (const auto& p : points)
-    if (form == shape::capsule) half = std::max(half, std::abs(p.z) - std::sqrt(std::max(0.0, radius - across(p))));
+    if (form == shape::capsule) half = (std::max)(half, std::abs(p.z) - std::sqrt((std::max)(0.0, radius - across(p))));
   return {std::sqrt(radius), half, 0};
 }
 
@@ -88,8 +88,8 @@ KTE_FUNCTION fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, 
   for (const auto& v : mesh.vertices) points.push_back(transpose(axes) * (v - m.centre));
   vec3<> low = points[0], high = low;
   for (const auto& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
   }
   const vec3<> middle = 0.5 * (low + high);
   for (auto& p : points) p = p - middle;

@@ -51,7 +51,7 @@ inline void apply_mass_rules(const mjcf_mass_rules& rules, std::vector<robot_lin
       const double mean = (b.inertia.xx + b.inertia.yy + b.inertia.zz) / 3;
       b.inertia = {mean, 0, 0, mean, 0, mean};
     }
-    b.mass = std::max(b.mass, rules.least_mass);
+    b.mass = (std::max)(b.mass, rules.least_mass);
     if (rules.least_moment > 0) b.inertia = with_least_moment(b.inertia, rules.least_moment);
     total += b.mass;
   }
