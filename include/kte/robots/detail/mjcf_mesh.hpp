@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/robots/detail/mesh_body.hpp>
+#include <kte/robots/detail/mesh_edges.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>
 #include <kte/robots/detail/mjcf_geom.hpp>
 
@@ -32,6 +33,9 @@ class mjcf_meshes {
     const auto& mesh = read(geom, model);
     const auto kind = kind_of(geom, model);
     return guarded(geom, [&] {
+      const bool by_volume = kind == mesh_inertia::legacy || kind == mesh_inertia::exact;
+      if (const auto edge = by_volume ? open_edge(mesh) : std::string(); !edge.empty())
+        geom.warn("its mesh is not closed, so that its mass may be wrong: " + edge);
       return geom.has("mass") ? mesh_body_of_mass(mesh, kind, geom.not_negative("mass"))
                               : mesh_body(mesh, kind, geom.not_negative_or("density", 1000));
     });
@@ -89,7 +93,8 @@ class mjcf_meshes {
     } else {
       mesh = written_out(*a);
     }
-    place(*a, mesh);
+    const auto turn = a->has("refquat") ? rotation_of_quaternion(*a, a->list("refquat")) : robot_pose{}.rotation;
+    mesh = placed_mesh(std::move(mesh), a->vector_or("refpos", {}), turn, a->vector_or("scale", {1, 1, 1}));
     return meshes_.emplace(a, std::move(mesh)).first->second;
   }
   static triangle_mesh written_out(const xml_item& a) {
@@ -111,18 +116,6 @@ class mjcf_meshes {
       }
     }
     return mesh;
-  }
-  /// v = scale R^T (v - refpos), R of refquat.
-  static void place(const xml_item& a, triangle_mesh& mesh) {
-    const auto from = a.vector_or("refpos", {}), scale = a.vector_or("scale", {1, 1, 1});
-    const auto back =
-        a.has("refquat") ? transpose(rotation_of_quaternion(a, a.list("refquat"))) : robot_pose{}.rotation;
-    for (auto& v : mesh.vertices) {
-      const auto r = back * (v - from);
-      v = {scale.x * r.x, scale.y * r.y, scale.z * r.z};
-    }
-    if (scale.x * scale.y * scale.z < 0)
-      for (auto& f : mesh.faces) std::swap(f[1], f[2]);
   }
 
   std::map<const mjcf_model*, std::map<std::string, xml_item, std::less<>>> assets_;
