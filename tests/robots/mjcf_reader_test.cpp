@@ -60,8 +60,7 @@ TEST_CASE("what a file in MJCF says") {
         "42 <sensor>: not read\n"
         "15 <light>: not read\n"
         "34 freejoint 'drone': the pose of its body is where it starts, which is no part of a chain\n"
-        "4 <option>: its timestep is not read\n"
-        "40 <position>: its kp is not read\n");
+        "4 <option>: its timestep is not read\n");
 }
 
 TEST_CASE("angles of MJCF turn with the frame, or do not, and capsules weigh") {

@@ -213,12 +213,12 @@ class mjcf_bodies {
   void actuator(const xml_item& x, const mjcf_scope& in) {
     const auto driven = [&](const auto& j) { return j.name == in.named(x.text("joint")); };
     if (!in.prefix.empty() && x.has("joint") && std::none_of(d_.joints.begin(), d_.joints.end(), driven)) return;
-    unread_.actuator(x);
+    const bool is_motor = unread_.actuator(x);
     if (!x.has("joint")) return x.not_read("acts on no joint, and is not read");
     const auto gear = x.has("gear") ? x.list("gear") : std::vector<double>{1};
     d_.actuators.push_back({x.has("name") ? in.named(x.text("name")) : "", x.line(), in.named(x.text("joint")),
                             gear.empty() ? 1 : gear[0]});
-    x.only({}, {"name", "class", "joint", "gear", "group"});
+    if (is_motor) x.only({}, {"name", "class", "joint", "gear", "group", "gainprm", "gaintype", "biastype"});
   }
 
   robot_description& d_;

@@ -37,11 +37,13 @@ class mjcf_unread {
       x.not_read("not read");
     }
   }
-  void actuator(const xml_item& x) {
-    if (x.name() == "motor" || gains_of_motor(x)) return;
+  /// Whether its force is its control.
+  bool actuator(const xml_item& x) {
+    if (x.name() == "motor" || gains_of_motor(x)) return true;
     auto& [first, names, count] = actuators_[std::string(x.name())];
     if (count++ == 0) first.emplace(x);
     if (count <= 3) names += (count > 1 ? ", '" : "'") + excerpt(x.text_or("name", "")) + "'";
+    return false;
   }
   /// What was gathered, as warnings.
   void finish() {
