@@ -2,6 +2,7 @@
 
 #include <kte/robots/detail/mesh_body.hpp>
 #include <kte/robots/detail/mesh_edges.hpp>
+#include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>
 #include <kte/robots/detail/mjcf_geom.hpp>
 
