@@ -6,6 +6,8 @@
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <unordered_set>
 
@@ -263,12 +265,16 @@ inline void chain_builder::append_spring_dampers() {
   for (const auto& e : places)
     if (e.what == kte::kind::gen) q[e.q] = d_.joints[tree_.joint(e.name)].reference;
   auto s = out_.chain.make_state();
-  const auto inverse = mass_matrix_inverse(out_.chain, s, q);
+  const Eigen::LLT<Eigen::MatrixXd> factor(mass_matrix(out_.chain, s, q));
+  if (factor.info() != Eigen::Success)
+    raise<bad_file>("kte: " + place_text(d_.source, 0) + "the mass matrix of the robot '" + d_.name +
+                    "' is singular, so that springdamper has no meaning");
   for (const auto& e : places) {
     if (e.what != kte::kind::gen || !has(d_.joints[tree_.joint(e.name)])) continue;
     const auto& j = d_.joints[tree_.joint(e.name)];
     auto x = j.dynamics;
-    const double inertia = 1 / inverse(e.v, e.v), t = x.time_constant, tz = t * x.damping_ratio;
+    const double inertia = 1 / factor.solve(Eigen::VectorXd::Unit(out_.chain.dofs(), e.v))[e.v], t = x.time_constant,
+                 tz = t * x.damping_ratio;
     x.damping = 2 * inertia / t, x.stiffness = inertia / (tz * tz);
     append_spring(j, x);
   }

@@ -4,6 +4,7 @@
 #include <kte/robots/detail/xml_item.hpp>
 #include <kte/robots/detail/xml_text.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 

@@ -8,8 +8,6 @@ namespace kte::detail {
 /// or one for all of a kind; the rest is listed.
 class mjcf_unread {
  public:
-  explicit mjcf_unread(robot_description& d) : d_(d) {}
-
   /// Contact is not modelled: all that is said of it is one warning.
   void contact_of(const xml_item& geom, bool collides) {
     if (!collides) return;
@@ -80,7 +78,6 @@ class mjcf_unread {
     x.moves_differently("its " + forces + (forces.find(',') == forces.npos ? " is" : " are") + " not modelled");
   }
 
-  robot_description& d_;
   std::map<std::string, group> actuators_;
   std::optional<xml_item> contact_;
   std::size_t contacts_ = 0;
