@@ -29,7 +29,7 @@ TEST_CASE("files of MJCF that are included stand where they are included") {
   f.write("parts/hand.xml", "<mujoco>\n<geom name='palm' type='sphere' size='0.1'/>\n" + hinged("hand") + "</mujoco>");
   f.write("motors.xml", mjcf("<actuator><motor name='m' joint='hand' gear='7'/></actuator>"));
   const auto file =
-      f.write("robot.xml", mjcf("<include file='parts/settings.xml'/><worldbody>" + hinged("base") +
+      f.write("robot.xml", mjcf("<include file='parts\\settings.xml'/><worldbody>" + hinged("base") +
                                 "<include file='parts/arm.xml'/></worldbody><include file='motors.xml'/>"));
   const auto d = load_mjcf(file);
   REQUIRE(d.joints.size() == 3);

@@ -159,6 +159,22 @@ TEST_CASE("frames and replicates stand where they say") {
   refused("<flexcomp name='cloth'/>", "flexcomp 'cloth': is not read: what it makes is flexible");
 }
 
+TEST_CASE("frames and replicates in each other") {
+  const auto d =
+      from_mjcf(mjcf("<frame pos='1 0 0' euler='0 0 90'><frame pos='2 0 0'><replicate count='10' offset='1 0 0' "
+                     "euler='0 0 90'><replicate "
+                     "count='2' offset='0 0 1' sep='_'><body name='b'><joint name='j' "
+                     "damping='2'/></body></replicate></replicate></frame>"
+                     "</frame>",
+                     "<default><joint damping='5' armature='1'/></default>"));
+  CHECK(d.joints[0].name == "j_00");
+  CHECK(d.joints[19].name == "j_19");
+  CHECK((d.joints[0].dynamics.damping == 2 && d.joints[0].dynamics.armature == 1));  // its own counts
+  CHECK(d.joints[0].origin.position == vec3<>{1, 2, 0});
+  CHECK(d.joints[3].origin.position == vec3<>{1, 3, 1});  // a step along x, which points along y
+  CHECK(d.joints[4].origin.position == vec3<>{0, 3, 0});  // the next in the axes of the one before
+}
+
 TEST_CASE("sites are frames and keyframes configurations") {
   const auto r = robot_of(
       mjcf("<body name='drone'><freejoint name='drone'/>" + heavy + "<body name='arm'><joint name='q'/>" + heavy +
@@ -177,9 +193,11 @@ TEST_CASE("sites are frames and keyframes configurations") {
   CHECK(forward_kinematics(r.chain, s, q, "rope").rotation.z.z == within(0, 0));
   CHECK(forward_kinematics(r.chain, s, q, "arm.site").position.z == 3);
   CHECK(texts(r.not_read).find("site 'arm': its frame is 'arm.site', as a body has its name") != std::string::npos);
-  CHECK_THROWS_MATCHES(
-      robot_of(mjcf("<body><freejoint/>" + heavy + "</body>", "<keyframe><key qpos='0 0 0 0 0 0 0'/></keyframe>")),
-      bad_file, says("the quaternion of joint 'body1_joint' has length 0"));
+  const auto zero =
+      robot_of(mjcf("<body><freejoint/>" + heavy + "</body>", "<keyframe><key qpos='1 0 0 0 0 0 0'/></keyframe>"));
+  CHECK(zero.configurations[0].q == std::vector<double>{1, 0, 0, 1, 0, 0, 0});
+  CHECK(texts(zero.warnings) ==
+        "<key>: the quaternion of joint 'body1_joint' has length 0: it is taken as no rotation\n");
 }
 
 TEST_CASE("what moves differently is warned of first, or refused") {

@@ -11,7 +11,8 @@ inline std::size_t numbers_of_q(const robot_joint& j) {
 }
 
 /// A <key> as a configuration: its qpos has the numbers of all joints in the order of the bodies, each before what it
-/// carries, as the joints of the description are. Quaternions get length 1.
+/// carries, as the joints of the description are. Quaternions get length 1, and those of length 0 are no rotation, as
+/// in MuJoCo.
 inline void read_mjcf_keyframe(const xml_item& x, robot_description& d) {
   x.only({}, {"name", "qpos"});
   if (!x.has("qpos")) return;
@@ -32,8 +33,8 @@ inline void read_mjcf_keyframe(const xml_item& x, robot_description& d) {
     if (count > 1) {
       auto* const r = own.data() + count - 4;
       const double length = std::hypot(std::hypot(r[0], r[1]), std::hypot(r[2], r[3]));
-      if (!(length > 0)) x.fail("the quaternion of joint '" + j.name + "' has length 0");
-      for (int i = 0; i < 4; ++i) r[i] /= length;
+      if (length == 0) x.warn("the quaternion of joint '" + j.name + "' has length 0: it is taken as no rotation");
+      for (int i = 0; i < 4; ++i) r[i] = length > 0 ? r[i] / length : i == 0 ? 1 : 0;
     }
     c.joints.emplace_back(j.name, std::move(own));
   }
