@@ -1,6 +1,6 @@
 /// kte-header: a robot of a file as a C++ header, in which it is a type (docs/robots.md).
-#include <kte/io/file.hpp>
 #include <kte/io/model_reader.hpp>
+#include <kte/io/replace_file.hpp>
 #include <kte/robots/header.hpp>
 #include <kte/robots/load_robot.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/io/file.hpp>
+#include <kte/io/replace_file.hpp>
 #include <kte/robots/header.hpp>
 
 #include <cstdlib>
