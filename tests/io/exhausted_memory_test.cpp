@@ -15,20 +15,11 @@ using kte::test::scratch;
 namespace {
 
 /// A file in a folder of its own.
-struct kept_file {
-  std::filesystem::path folder, path;
-  explicit kept_file(const char* extension) {
-    const scratch name;
-    folder = name.path.string() + ".folder";
-    std::filesystem::create_directory(folder);
-    path = folder / (std::string("a model of a long name that needs memory of its own") + extension);
-    detail::replace_file(path, "what was there");
-  }
-  kept_file(const kept_file&) = delete;
-  kept_file& operator=(const kept_file&) = delete;
-  ~kept_file() { std::filesystem::remove_all(folder); }
-  auto entries() const {
-    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+struct kept_file : test::scratch_folder {
+  std::filesystem::path file;
+  explicit kept_file(const char* extension)
+      : file(path / (std::string("a model of a long name that needs memory of its own") + extension)) {
+    detail::replace_file(file, "what was there");
   }
 };
 /// save(path) with each of its allocations failing.
@@ -36,11 +27,11 @@ template <class Save>
 void check_saving(const char* extension, const Save& save) {
   CAPTURE(extension);
   const kept_file good(extension);
-  save(good.path);
-  const auto whole = detail::read_file(good.path);
-  allocations::fail_each([&] { return std::make_unique<kept_file>(extension); }, [&](auto& f) { save(f->path); },
+  save(good.file);
+  const auto whole = detail::read_file(good.file);
+  allocations::fail_each([&] { return std::make_unique<kept_file>(extension); }, [&](auto& f) { save(f->file); },
                          [&](auto& f, bool threw) {
-                           REQUIRE(detail::read_file(f->path) == (threw ? "what was there" : whole));
+                           REQUIRE(detail::read_file(f->file) == (threw ? "what was there" : whole));
                            REQUIRE(f->entries() == 1);
                          });
 }
