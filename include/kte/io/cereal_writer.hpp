@@ -1,11 +1,13 @@
 #pragma once
 
+#include <kte/errors.hpp>
 #include <kte/io/field_writer.hpp>
 #include <kte/io/numbers.hpp>
 
 #include <cereal/archives/json.hpp>
 #include <cereal/archives/xml.hpp>
 
+#include <limits>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -58,6 +60,9 @@ class cereal_writer final : public field_writer {
       archive_->saveValue(checked_text{value});
       archive_->finishNode();
     } else {
+      if (constexpr std::size_t most = std::numeric_limits<unsigned>::max(); value.size() > most)
+        raise<bad_file>("kte: a text of " + std::to_string(value.size()) + " bytes: in JSON there may be " +
+                        std::to_string(most));
       archive_->writeName();
       archive_->saveValue(value);
     }
