@@ -25,10 +25,12 @@ TEST_CASE("A file is replaced as a whole, and keeps its permissions") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
   replace_file(path, "old");
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
-  replace_file(path, "new");
-  CHECK(text_of(path) == "new");
-  CHECK(fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  for (const auto kept : {0600, 0664, 0444, 0755}) {
+    fs::permissions(path, static_cast<fs::perms>(kept));
+    replace_file(path, "new");
+    CHECK(text_of(path) == "new");
+    CHECK(fs::status(path).permissions() == static_cast<fs::perms>(kept));
+  }
   CHECK(folder.entries() == 1);
 }
 
