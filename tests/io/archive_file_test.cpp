@@ -241,9 +241,18 @@ TEST_CASE("what is not there, or something else, is said by name") {
   };
   CHECK(restored("\"q\":1,\"dq\":2").ends_with("coordinate 'q' has no 'dq'"));
   CHECK(restored("\"q_dot\":[1,2]").ends_with("coordinate 'q' has 2 numbers as 'q_dot', not 1"));
+  CHECK(restored("\"q_dot\":[]").ends_with("coordinate 'q' has 0 numbers as 'q_dot', not 1"));
   CHECK(s.coordinate("q").q == 3);
   CHECK(restored("\"q_dot\":4").empty());
   CHECK((s.coordinate("q").q == 3 && s.coordinate("q").q_dot == 4));
+
+  // frames live apart from what else has a name
+  const kte::thing_record one{kte::kind::gen, "q", {}}, other{kte::kind::frame_2D, "q", {}};
+  in_all_formats(kte::archive({{{"s", kte::state_record{{one, other}}}}}), [](const auto&) {});
+  for (const auto& x : {one, other})
+    CHECK(message([&] {
+            (void)kte::to_binary(kte::archive_record{{{"s", kte::state_record{{x, x}}}}});
+          }) == "kte: root 's': it has two things 'q'");
 
   const scratch file(".json");
   kte::save_archive(file.path, kte::archive().add("one", golden).add("two", golden));

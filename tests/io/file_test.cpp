@@ -47,6 +47,16 @@ TEST_CASE("Links stay links") {
   CHECK((fs::is_symlink(link) && fs::is_symlink(second) && !fs::is_symlink(target)));
   CHECK(folder.entries() == 3);
 
+  auto last = link;
+  for (int i = 0; i < 20; ++i) {
+    const auto next = folder.path / std::to_string(i);
+    fs::create_symlink(last, next);
+    last = next;
+  }
+  replace_file(last, "far");
+  CHECK(text_of(target) == "far");
+  CHECK(fs::is_symlink(last));
+
   const auto loop = folder.path / "loop.json";
   fs::create_symlink("loop.json", loop);
   CHECK(message(loop) == "kte: cannot write '" + loop.string() + "': Too many levels of symbolic links");
@@ -117,4 +127,15 @@ TEST_CASE("What is written beside a file is new, and for its owner alone where t
   const fs::path longest = folder.path / std::string(255, 'x');
   replace_file(longest, "of the longest name");
   CHECK(text_of(longest) == "of the longest name");
+}
+
+TEST_CASE("Of a file with more bytes than are allowed there are more than these, else all") {
+  const scratch_folder folder;
+  const auto path = folder.path / "model.json";
+  for (const std::size_t size : {1, 1 << 14, (1 << 14) + 1, 3 << 14}) {  // as it is read in parts of 2^14 bytes
+    replace_file(path, std::string(size, 'x'));
+    CHECK(kte::detail::read_file(path, size).size() == size);
+    CHECK(kte::detail::read_file(path, size - 1).size() >= size);
+    if (size > 1 << 14) CHECK(kte::detail::read_file(path, 1 << 14).size() > 1 << 14);
+  }
 }
