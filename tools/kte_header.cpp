@@ -1,6 +1,7 @@
 /// kte-header: a robot of a file as a C++ header, in which it is a type (docs/robots_as_types.md).
 #include <kte/io/model_content.hpp>
 #include <kte/io/program.hpp>
+#include <kte/io/replace_file.hpp>
 #include <kte/robots/header.hpp>
 #include <kte/robots/load_robot.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/io/replace_file.hpp>
 #include <kte/robots/header.hpp>
 
 #include <sstream>
