@@ -76,12 +76,13 @@ TEST_CASE("models that others attach keep settings of their own") {
               "</mujoco>");
   f.write("cube.obj", cube);
   const auto file = f.write(
-      "robot.xml", mjcf("<asset><model file='hand.xml'/><model name='again' file='hand.xml'/></asset><worldbody>" +
-                        hinged("arm",
-                               "<frame pos='1 0 0'><attach model='Hand' body='palm' prefix='left_'/></frame>"
-                               "<attach model='again' body='palm' prefix='right_'/>") +
-                        "<frame name='stand'>" + hinged("pole") + "</frame><attach frame='stand' prefix='second_'/>" +
-                        "<attach model='Hand' prefix='whole_'/></worldbody>"));
+      "robot.xml",
+      mjcf("<asset><model file='hand.xml'/><model name='again' file='hand.xml'/></asset><worldbody>" +
+           hinged("arm",
+                  "<frame pos='1 0 0' childclass='mine'><attach model='Hand' body='palm' prefix='left_'/></frame>"
+                  "<attach model='again' body='palm' prefix='right_'/>") +
+           "<frame name='stand'>" + hinged("pole") + "</frame><attach frame='stand' prefix='second_'/>" +
+           "<attach model='Hand' prefix='whole_'/></worldbody><default><default class='mine'/></default>"));
   const auto d = load_mjcf(file);
   std::string names;
   for (const auto& j : d.joints) names += j.name + " ";
