@@ -1,0 +1,94 @@
+#pragma once
+
+#include <kte/robots/detail/angles.hpp>
+#include <kte/robots/detail/unwritten.hpp>
+#include <kte/robots/detail/xml_writer.hpp>
+
+#include <map>
+
+namespace kte::detail {
+
+inline void write_urdf_origin(xml_writer& out, const robot_pose& p) {
+  if (is_nothing(p)) return;
+  out.open("origin"), out.attribute("xyz", p.position);
+  if (p.rotation != robot_pose{}.rotation) out.attribute("rpy", rpy_of_rotation(p.rotation));
+  out.close();
+}
+
+/// Shapes as URDF has them: boxes, spheres, cylinders and meshes.
+class urdf_shapes {
+ public:
+  urdf_shapes(xml_writer& out, const robot_writing& o, unwritten& left_out) : out_(out), o_(o), left_out_(left_out) {}
+
+  void write(const robot_link& l) {
+    owner_ = "link '" + l.name + "'";
+    for (const auto& s : l.visuals) shape("visual", s);
+    for (const auto& s : l.collisions) shape("collision", s);
+  }
+
+ private:
+  using form = robot_shape::form;
+
+  void note(const robot_shape& s, const std::string& what) {
+    left_out_.list(s.line, owner_ + ": its shape" + (s.name.empty() ? "" : " '" + s.name + "'") + what);
+  }
+  void shape(const char* what, robot_shape s) {
+    if (s.is == form::none) return note(s, " is left out: its form is not known");
+    if (s.is == form::ellipsoid) return note(s, " is left out: it is an ellipsoid");
+    if (s.is == form::plane) return note(s, " is left out: it is a plane");
+    if (s.is == form::mesh) {
+      const auto path = o_.mesh_path && !s.mesh.empty() ? o_.mesh_path(s.mesh) : s.mesh;
+      if (path.empty()) return note(s, " is left out: its mesh '" + s.mesh + "' has no file");
+      s.mesh = path;
+    }
+    if (s.is != form::capsule) return simple(what, s);
+    note(s, " is a capsule, and written as a cylinder and two balls");
+    auto part = s;
+    part.is = form::cylinder;
+    simple(what, part);
+    part.is = form::sphere;
+    for (const double end : {-0.5, 0.5}) {
+      part.origin.position = s.origin.position + s.origin.rotation * vec3<>{0, 0, end * s.size.y};
+      simple(what, part);
+    }
+  }
+  void simple(const char* what, const robot_shape& s) {
+    out_.open(what);
+    if (!s.name.empty()) out_.attribute("name", std::string_view(s.name));
+    write_urdf_origin(out_, s.origin);
+    out_.open("geometry");
+    if (s.is == form::box) out_.leaf("box", "size", s.size);
+    if (s.is == form::sphere) out_.leaf("sphere", "radius", s.size.x);
+    if (s.is == form::cylinder) {
+      out_.open("cylinder"), out_.attribute("radius", s.size.x), out_.attribute("length", s.size.y), out_.close();
+    }
+    if (s.is == form::mesh) {
+      out_.open("mesh"), out_.attribute("filename", std::string_view(s.mesh));
+      if (s.scale != vec3<>{1, 1, 1}) out_.attribute("scale", s.scale);
+      out_.close();
+    }
+    out_.close();
+    material(s);
+    out_.close();
+  }
+  /// A name stands for one colour in the whole file.
+  void material(const robot_shape& s) {
+    if (s.material.empty() && s.rgba.empty()) return;
+    auto name = s.material;
+    if (!name.empty() && !s.rgba.empty())
+      while (colours_.emplace(name, s.rgba).first->second != s.rgba) name += '\'';
+    if (name != s.material)
+      note(s, ": its material is called \"" + name + "\", as '" + s.material + "' has another colour elsewhere");
+    out_.open("material"), out_.attribute("name", std::string_view(name));
+    if (!s.rgba.empty()) out_.leaf("color", "rgba", s.rgba);
+    out_.close();
+  }
+
+  xml_writer& out_;
+  const robot_writing& o_;
+  unwritten& left_out_;
+  std::string owner_;
+  std::map<std::string, std::vector<double>, std::less<>> colours_;
+};
+
+}  // namespace kte::detail
