@@ -11,10 +11,8 @@ namespace kte {
 /// (docs/robots.md): followers, bodies that move without mass, moments that no matter has, poses that float in what
 /// moves; `robot_writing::lossy` has them as near as may be. What else is not in the file is listed.
 std::string to_mjcf(const robot_description& d, const robot_writing& o = {});
-inline std::string to_mjcf(const robot& r, const robot_writing& o = {}) { return to_mjcf(describe(r), o); }
-inline std::string to_mjcf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {}) {
-  return to_mjcf(describe(c, name), o);
-}
+std::string to_mjcf(const robot& r, const robot_writing& o = {});
+std::string to_mjcf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {});
 
 }  // namespace kte
 
@@ -24,6 +22,14 @@ inline std::string to_mjcf(const kte_map_chain& c, const std::string& name = "ro
 namespace kte {
 KTE_FUNCTION std::string to_mjcf(const robot_description& d, const robot_writing& o) {
   return detail::mjcf_writer(d, o).write();
+}
+KTE_FUNCTION std::string to_mjcf(const robot& r, const robot_writing& o) {
+  const auto d = describe(r);
+  return detail::mjcf_writer(d, o, d.not_read).write();
+}
+KTE_FUNCTION std::string to_mjcf(const kte_map_chain& c, const std::string& name, const robot_writing& o) {
+  const auto d = describe(c, name);
+  return detail::mjcf_writer(d, o, d.not_read).write();
 }
 }  // namespace kte
 #endif

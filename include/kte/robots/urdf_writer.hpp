@@ -11,10 +11,8 @@ namespace kte {
 /// URDF cannot say: spherical joints; springs and rotor inertias, which `robot_writing::lossy` leaves out. What else is
 /// not in the file is listed: gravity, motors, planes, ellipsoids.
 std::string to_urdf(const robot_description& d, const robot_writing& o = {});
-inline std::string to_urdf(const robot& r, const robot_writing& o = {}) { return to_urdf(describe(r), o); }
-inline std::string to_urdf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {}) {
-  return to_urdf(describe(c, name), o);
-}
+std::string to_urdf(const robot& r, const robot_writing& o = {});
+std::string to_urdf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {});
 
 }  // namespace kte
 
@@ -24,6 +22,14 @@ inline std::string to_urdf(const kte_map_chain& c, const std::string& name = "ro
 namespace kte {
 KTE_FUNCTION std::string to_urdf(const robot_description& d, const robot_writing& o) {
   return detail::urdf_writer(d, o).write();
+}
+KTE_FUNCTION std::string to_urdf(const robot& r, const robot_writing& o) {
+  const auto d = describe(r);
+  return detail::urdf_writer(d, o, d.not_read).write();
+}
+KTE_FUNCTION std::string to_urdf(const kte_map_chain& c, const std::string& name, const robot_writing& o) {
+  const auto d = describe(c, name);
+  return detail::urdf_writer(d, o, d.not_read).write();
 }
 }  // namespace kte
 #endif

@@ -1,18 +1,20 @@
 #pragma once
 
-#include <kte/robots/detail/no_limit.hpp>
-#include <kte/robots/detail/split_joints.hpp>
 #include <kte/robots/detail/write_mjcf_geoms.hpp>
-#include <kte/robots/detail/write_mjcf_plan.hpp>
+#include <kte/robots/detail/write_mjcf_joints.hpp>
 
 namespace kte::detail {
 
 class mjcf_writer {
  public:
-  mjcf_writer(const robot_description& d, const robot_writing& o)
-      : d_(split_joints(d)), o_(o), left_out_(o, "MJCF"), plan_(d_), geoms_(d_, o, left_out_) {
+  mjcf_writer(const robot_description& d, const robot_writing& o, std::vector<robot_note> before = {})
+      : d_(split_joints(d)),
+        o_(o),
+        left_out_(o, "MJCF", std::move(before)),
+        plan_(d_),
+        geoms_(d_, o, left_out_),
+        joints_(d_, o, left_out_, plan_, out_) {
     for (const auto& l : d_.links) links_.insert(l.name);
-    for (const auto& j : d_.joints) joints_.insert(j.name);
   }
 
   std::string write() {
@@ -24,7 +26,8 @@ class mjcf_writer {
     out_.open("worldbody");
     const auto& root = d_.links[plan_.root()];
     if (root.name == "world") {
-      if (root.inertial) left_out_.list(root.line, "link 'world': its mass does not move, and is left out");
+      if (plan_.weight(plan_.root()))
+        left_out_.list(root.line, "link 'world': its mass does not move, and is left out");
       geoms_.write(out_, plan_.root(), true);
       bodies_below(plan_.root());
     } else {
@@ -45,7 +48,6 @@ class mjcf_writer {
  private:
   using kind = robot_joint::kind;
 
-  static std::string title(const robot_joint& j) { return "joint '" + j.name + "'"; }
   static std::string title(const robot_link& l) { return "link '" + l.name + "'"; }
 
   void bodies_below(std::size_t link) {
@@ -66,9 +68,9 @@ class mjcf_writer {
     for (std::size_t i = 0; i < b.joints.size(); ++i) {
       const auto& j = d_.joints[b.joints[i]];
       if (j.is == kind::fixed && j.name != j.child + "_fixed")
-        left_out_.list(j.line, title(j) + ": fixed joints have no names in MJCF");
-      if (j.is != kind::fixed) joint(j, b.behind[i]), ++moving;
-      if (i + 1 < b.joints.size() && j.child != l.name + ".joint" && j.child != l.name + "." + std::to_string(moving))
+        left_out_.list(j.line, mjcf_title(j) + ": fixed joints have no names in MJCF");
+      if (j.is != kind::fixed) joints_.write(j, b.behind[i]), ++moving;
+      if (i + 1 < b.joints.size() && !comes_back(j.child, l.name, moving))
         left_out_.list(j.line, "link '" + j.child + "': frames between joints of one body, here of '" + l.name +
                                    "', have no names in MJCF");
     }
@@ -76,6 +78,12 @@ class mjcf_writer {
     geoms_.write(out_, b.link, plan_.rest(l.name).has_value());
     bodies_below(b.link);
     out_.close();
+  }
+
+  /// Whether readers of this library give a frame behind so many joints of a body this name.
+  static bool comes_back(std::string_view frame, const std::string& body, int joints) {
+    if (frame.ends_with(".joint")) frame.remove_suffix(6);
+    return frame == body || frame == body + "." + std::to_string(joints);
   }
 
   void inertial(const mjcf_body& b) {
@@ -87,8 +95,8 @@ class mjcf_writer {
       own = plan_.gathered(b.link, from);
       for (const auto i : from)
         if (i != b.link)
-          left_out_.list(d_.links[i].line, title(d_.links[i]) + ": its mass is written into link '" + l.name +
-                                               "', which it is fixed to");
+          left_out_.list(d_.links[i].line,
+                         title(d_.links[i]) + ": its mass is written into link '" + l.name + "', which it is fixed to");
     }
     if (!own && !too_light) {
       if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // no mass of the mesh
@@ -113,11 +121,10 @@ class mjcf_writer {
     const auto [mass, moments] = plan_.carried(b.link);
     bool same = w.mass >= 1e-6 || (mass >= 1e-6 && moments >= 1e-6);
     bool rotors = true;
-    for (const auto i : b.joints)
-      rotors &= d_.joints[i].is == kind::fixed || d_.joints[i].dynamics.armature >= 1e-6;
+    for (const auto i : b.joints) rotors &= d_.joints[i].is == kind::fixed || d_.joints[i].dynamics.armature >= 1e-6;
     same |= rotors;
-    const std::string why = "it moves with a mass of " + number(w.mass) + " kg, and moments down to " +
-                            number(w.least()) + " kg m^2";
+    const std::string why =
+        "it moves with a mass of " + number(w.mass) + " kg, and moments down to " + number(w.least()) + " kg m^2";
     if (same)
       left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo takes");
     else
@@ -131,77 +138,12 @@ class mjcf_writer {
     out_.attribute("diaginertia", std::vector<double>(w.moments.begin(), w.moments.end())), out_.close();
   }
 
-  void joint(const robot_joint& j, const robot_pose& behind) {
-    if (j.is == kind::floating) return free_joint(j);
-    if (j.is == kind::planar) return planar_joint(j, behind);
-    open_joint(j.name, j.is == kind::revolute ? "hinge" : j.is == kind::prismatic ? "slide" : "ball", behind);
-    if (j.is != kind::spherical) out_.attribute("axis", transpose(behind.rotation) * j.axis);
-    limits(j), dynamics(j);
-    out_.close();
-  }
-  void open_joint(const std::string& name, std::string_view type, const robot_pose& behind) {
-    out_.open("joint"), out_.attribute("name", std::string_view(name)), out_.attribute("type", type);
-    if (const auto p = inverse_of(behind).position; type != "slide" && p != vec3<>{}) out_.attribute("pos", p);
-  }
-  void free_joint(const robot_joint& j) {
-    const auto& seat = plan_.rest(j.parent);
-    if (!seat) left_out_.refuse(title(j), "it floats in a link that moves, '" + j.parent + "'");
-    if (!is_nothing(*seat * j.origin)) left_out_.refuse(title(j), "its seat stands elsewhere than the world");
-    if (j.parent != "world")
-      left_out_.list(j.line, title(j) + ": it floats in the world, in which link '" + j.parent + "' rests");
-    out_.open("joint"), out_.attribute("name", std::string_view(j.name));
-    out_.attribute("type", std::string_view("free")), dynamics(j), out_.close();
-  }
-  void planar_joint(const robot_joint& j, const robot_pose& behind) {
-    const auto plane = transpose(transpose(behind.rotation) * turn_of_z_to(j.axis));
-    const auto x = fresh_name(joints_, j.name + "_x"), y = fresh_name(joints_, j.name + "_y"),
-               angle = fresh_name(joints_, j.name + "_angle");
-    left_out_.list(j.line, title(j) + ": it is planar, and written as slides '" + x + "', '" + y + "' and a hinge '" +
-                               angle + "'");
-    if (const robot_joint_dynamics none; j.dynamics.damping != none.damping || j.dynamics.friction != none.friction ||
-                                         j.dynamics.stiffness != none.stiffness || j.dynamics.armature != none.armature)
-      left_out_.list(j.line, title(j) + ": damping, friction, springs and rotors are only those of one coordinate");
-    open_joint(x, "slide", behind), out_.attribute("axis", plane.x), out_.close();
-    open_joint(y, "slide", behind), out_.attribute("axis", plane.y), out_.close();
-    open_joint(angle, "hinge", behind), out_.attribute("axis", plane.z), out_.close();
-  }
-
-  void limits(const robot_joint& j) {
-    const auto no = [&](const std::string& what) { left_out_.list(j.line, title(j) + ": " + what); };
-    if (j.lower != -robot_joint::none || j.upper != robot_joint::none) {
-      if (!(j.lower <= j.upper))
-        left_out_.refuse(title(j), "its limits " + number(j.lower) + " and " + number(j.upper) + " are no range");
-      const double lower = limit_in_file(j.lower);
-      double upper = limit_in_file(j.upper);
-      if (lower == upper) {
-        upper = std::nextafter(upper, robot_joint::none);
-        no("MuJoCo takes no range of nothing: its upper limit is the next number above " + number(lower));
-      }
-      out_.attribute("limited", std::string_view("true")), out_.attribute("range", std::vector<double>{lower, upper});
-    }
-    if (j.soft_lower > j.lower || j.soft_upper < j.upper) no("its soft limits are left out");
-    if (j.rate != robot_joint::none) no("the limit of its rate, " + number(j.rate) + ", is left out");
-    if (j.effort == robot_joint::none) return;
-    if (o_.effort_limits && j.effort > 0)
-      out_.attribute("actuatorfrcrange", std::vector<double>{0.0 - j.effort, j.effort});
-    else
-      no("the limit of its effort, " + number(j.effort) + ", is left out");
-  }
-  void dynamics(const robot_joint& j) {
-    const auto unless_zero = [&](const char* key, double x) {
-      if (x != 0) out_.attribute(key, x);
-    };
-    unless_zero("damping", j.dynamics.damping), unless_zero("frictionloss", j.dynamics.friction);
-    unless_zero("stiffness", j.dynamics.stiffness), unless_zero("springref", j.dynamics.rest);
-    unless_zero("armature", j.dynamics.armature);
-  }
-
   /// MuJoCo's are soft.
   void followers() {
     bool any = false;
     for (const auto& j : d_.joints) {
       if (!j.mimic) continue;
-      left_out_.change(j.line, title(j), "it follows joint '" + j.mimic->joint + "'",
+      left_out_.change(j.line, mjcf_title(j), "it follows joint '" + j.mimic->joint + "'",
                        "it has a coordinate of its own, and an equality, which is soft");
       if (!any) out_.open("equality");
       any = true;
@@ -215,7 +157,8 @@ class mjcf_writer {
     std::set<std::string, std::less<>> names;
     bool any = false;
     for (const auto& a : d_.actuators) {
-      const auto on = std::find_if(d_.joints.begin(), d_.joints.end(), [&](const auto& j) { return j.name == a.joint; });
+      const auto on =
+          std::find_if(d_.joints.begin(), d_.joints.end(), [&](const auto& j) { return j.name == a.joint; });
       const auto title = "actuator '" + a.name + "'";
       if (on == d_.joints.end() || on->is == kind::fixed || on->is == kind::planar) {
         left_out_.list(a.line, title + ": left out: '" + a.joint + "' is no joint of MJCF");
@@ -238,8 +181,9 @@ class mjcf_writer {
   unwritten left_out_;
   mjcf_plan plan_;
   mjcf_geoms geoms_;
-  std::set<std::string, std::less<>> links_, joints_;
+  std::set<std::string, std::less<>> links_;
   xml_writer out_;
+  mjcf_joints joints_;
 };
 
 }  // namespace kte::detail

@@ -39,13 +39,14 @@ class mjcf_geoms {
     if (meshes_.empty() && materials_.empty()) return;
     out.open("asset");
     for (const auto& m : meshes_) {
-      out.open("mesh"), out.attribute("name", std::string_view(m.name)), out.attribute("file", std::string_view(m.path));
+      out.open("mesh"), out.attribute("name", std::string_view(m.name)),
+          out.attribute("file", std::string_view(m.path));
       if (m.scale != vec3<>{1, 1, 1}) out.attribute("scale", m.scale);
       out.close();
     }
     for (const auto& [name, s] : materials_) {
       out.open("material"), out.attribute("name", std::string_view(name));
-      if (!s->rgba.empty()) out.attribute("rgba", s->rgba);
+      if (const auto rgba = colour_of(*s); !rgba.empty()) out.attribute("rgba", rgba);
       out.close();
     }
     out.close();
@@ -75,7 +76,7 @@ class mjcf_geoms {
       if (!g.collides) out.attribute("contype", 0.0), out.attribute("conaffinity", 0.0);
       if (!g.seen || !g.collides) out.attribute("group", g.seen ? 2.0 : 3.0);
       if (!s.material.empty()) out.attribute("material", std::string_view(s.material));
-      if (!s.rgba.empty()) out.attribute("rgba", s.rgba);
+      if (const auto rgba = colour_of(s); !rgba.empty()) out.attribute("rgba", rgba);
       out.attribute("mass", 0.0), out.close();
     }
   }
@@ -106,8 +107,8 @@ class mjcf_geoms {
     return {x.x, x.y, x.z};
   }
   void leave_out(const robot_shape& s, const std::string& owner, const std::string& why) {
-    left_out_.list(s.line, owner + ": its shape" + (s.name.empty() ? "" : " '" + s.name + "'") +
-                               " is left out: " + why);
+    left_out_.list(s.line,
+                   owner + ": its shape" + (s.name.empty() ? "" : " '" + s.name + "'") + " is left out: " + why);
   }
 
   void add(std::size_t link, const robot_link& l, const robot_shape& s, bool seen, bool collides) {

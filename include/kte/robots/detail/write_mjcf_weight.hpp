@@ -33,8 +33,8 @@ struct mjcf_weight {
       if (a.determinant() < 0) a.col(2) = -a.col(2);
       for (int k = 0; k < 3; ++k) moments[static_cast<std::size_t>(k)] = static_cast<double>(modes.eigenvalues()[k]);
       using row = vec3<wide>;
-      axes = as<double>(to_quaternion(mat3<row>{
-          row{a(0, 0), a(0, 1), a(0, 2)}, row{a(1, 0), a(1, 1), a(1, 2)}, row{a(2, 0), a(2, 1), a(2, 2)}}));
+      axes = as<double>(to_quaternion(
+          mat3<row>{row{a(0, 0), a(0, 1), a(0, 2)}, row{a(1, 0), a(1, 1), a(1, 2)}, row{a(2, 0), a(2, 1), a(2, 2)}}));
     }
     if (fault() <= 1e-13 * largest()) mend();  // of rounding
   }

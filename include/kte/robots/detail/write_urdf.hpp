@@ -9,8 +9,8 @@ namespace kte::detail {
 
 class urdf_writer {
  public:
-  urdf_writer(const robot_description& d, const robot_writing& o)
-      : d_(split_joints(d)), left_out_(o, "URDF"), shapes_(out_, o, left_out_) {}
+  urdf_writer(const robot_description& d, const robot_writing& o, std::vector<robot_note> before = {})
+      : d_(split_joints(d)), left_out_(o, "URDF", std::move(before)), shapes_(out_, o, left_out_) {}
 
   std::string write() {
     const robot_tree good(d_, {});
@@ -19,7 +19,8 @@ class urdf_writer {
     for (const auto& j : d_.joints) joint(j);
     out_.close();
     if (d_.gravity && *d_.gravity != vec3<>{0, 0, -9.81})
-      left_out_.list(0, "gravity " + numbers_to_text(std::vector<double>{d_.gravity->x, d_.gravity->y, d_.gravity->z}) + " is left out");
+      left_out_.list(0, "gravity " + numbers_to_text(std::vector<double>{d_.gravity->x, d_.gravity->y, d_.gravity->z}) +
+                            " is left out");
     for (const auto& a : d_.actuators) left_out_.list(a.line, "actuator '" + a.name + "' is left out");
     for (const auto& n : left_out_.notes()) out_.comment("not as in the robot: " + n.text);
     left_out_.hand_over();
@@ -51,7 +52,8 @@ class urdf_writer {
     if (j.dynamics.stiffness != 0) left_out_.change(j.line, title, "it has a spring", "that is left out");
     if (j.dynamics.armature != 0) left_out_.change(j.line, title, "it has a rotor inertia", "that is left out");
     out_.open("joint"), out_.attribute("name", std::string_view(j.name));
-    const bool continuous = j.is == kind::revolute && no_range(j.lower, j.upper) && no_range(j.soft_lower, j.soft_upper);
+    const bool continuous =
+        j.is == kind::revolute && no_range(j.lower, j.upper) && no_range(j.soft_lower, j.soft_upper);
     static constexpr std::string_view types[]{"fixed", "revolute", "prismatic", "", "planar", "floating"};
     out_.attribute("type", continuous ? std::string_view("continuous") : types[static_cast<std::size_t>(j.is)]);
     out_.leaf("parent", "link", std::string_view(j.parent));
@@ -70,9 +72,7 @@ class urdf_writer {
     }
     out_.close();
   }
-  static bool no_range(double lower, double upper) {
-    return lower == -robot_joint::none && upper == robot_joint::none;
-  }
+  static bool no_range(double lower, double upper) { return lower == -robot_joint::none && upper == robot_joint::none; }
   void limit(const robot_joint& j, bool continuous) {
     const auto number_of = [&](const char* key, double x) { out_.attribute(key, limit_in_file(x)); };
     if (continuous && j.effort == robot_joint::none && j.rate == robot_joint::none) return;

@@ -73,14 +73,15 @@ class urdf_shapes {
   }
   /// A name stands for one colour in the whole file.
   void material(const robot_shape& s) {
-    if (s.material.empty() && s.rgba.empty()) return;
+    const auto rgba = colour_of(s);
+    if (s.material.empty() && rgba.empty()) return;
     auto name = s.material;
-    if (!name.empty() && !s.rgba.empty())
-      while (colours_.emplace(name, s.rgba).first->second != s.rgba) name += '\'';
+    if (!name.empty() && !rgba.empty())
+      while (colours_.emplace(name, rgba).first->second != rgba) name += '\'';
     if (name != s.material)
       note(s, ": its material is called \"" + name + "\", as '" + s.material + "' has another colour elsewhere");
     out_.open("material"), out_.attribute("name", std::string_view(name));
-    if (!s.rgba.empty()) out_.leaf("color", "rgba", s.rgba);
+    if (!rgba.empty()) out_.leaf("color", "rgba", rgba);
     out_.close();
   }
 
