@@ -8,10 +8,40 @@
 
 namespace kte::detail {
 
+/// With so many decimals; quarter turns with all.
+inline double cut_angle(double x, int decimals) {
+  if (nearest_quarter(x).distance <= 1e-15) return x;
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, x, std::chars_format::fixed, decimals).ptr;
+  double y{};
+  std::from_chars(digits, end, y);
+  return y + 0.0;
+}
+
+/// Roll, pitch and yaw that are read back as the same rotation. Those of files have few decimals, and may be beyond
+/// the ranges of `rpy_of_rotation`: pitch pi - p with roll and yaw half a turn on, angles a turn on. If none of these is
+/// the same to the last bit, those of `rpy_of_rotation`.
+inline vec3<> rpy_in_file(const mat3<vec3<>>& m) {
+  constexpr double half = std::numbers::pi;
+  const auto all = rpy_of_rotation(m);
+  const auto other = [](double x) { return x > 0 ? x - half : x + half; };
+  const vec3<> flipped{other(all.x), (all.y < 0 ? -half : half) - all.y, other(all.z)};
+  for (const int decimals : {5, 8, 11, 15})
+    for (int way = 0; way < 16; ++way) {
+      const auto cut = [&](double x, bool turn) {
+        return cut_angle(turn ? x + (x > 0 ? -2 * half : 2 * half) : x, decimals);
+      };
+      const auto& from = way & 8 ? flipped : all;
+      const vec3<> few{cut(from.x, way & 1), cut(from.y, way & 2), cut(from.z, way & 4)};
+      if (rotation_of_rpy(few, 1e-15) == m) return few;
+    }
+  return all;
+}
+
 inline void write_urdf_origin(xml_writer& out, const robot_pose& p) {
   if (is_nothing(p)) return;
   out.open("origin"), out.attribute("xyz", p.position);
-  if (p.rotation != robot_pose{}.rotation) out.attribute("rpy", rpy_of_rotation(p.rotation));
+  if (p.rotation != robot_pose{}.rotation) out.attribute("rpy", rpy_in_file(p.rotation));
   out.close();
 }
 
