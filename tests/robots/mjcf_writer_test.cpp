@@ -152,6 +152,9 @@ TEST_CASE("bodies that MuJoCo would not take") {
   };
   CHECK(to_mjcf(fork(1, "ixx='1' iyy='1' izz='1'")) == holding("mass=\"1e-15\""));
   CHECK_THROWS_AS(to_mjcf(fork(1, "ixx='1e-7' iyy='1e-7' izz='1e-7'")), bad_argument);
+  CHECK_THROWS_AS(to_mjcf(fork(0, "ixx='1' iyy='1' izz='1'")), bad_argument);
+  const auto once = to_mjcf(fork(1, "ixx='1' iyy='1' izz='1'"));
+  CHECK(to_mjcf(to_robot(from_mjcf(once))) == !holding("raised"));  // MuJoCo takes 1e-15
   // what is directly fixed to it may have the mass, otherwise it is taken from behind
   const std::string fixed = joint_text("c_fixed", "fixed", "b", "c", "<origin xyz='1 0 0'/>");
   CHECK(to_mjcf(hanging("<link name='b'/>" + heavy("c"), fixed)) ==
@@ -175,8 +178,9 @@ TEST_CASE("bodies that MuJoCo would not take") {
       to_mjcf(odd), bad_argument,
       says("kte: link 'b': no matter has such moments: one is wrong by 0.75 kg m^2, which MJCF cannot"));
   CHECK(to_mjcf(odd, {.lossy = true}) == holding("diaginertia=\"1.25 1.25 2.5\""));
-  CHECK(to_mjcf(made(body("a", 1, "ixx='2.75' iyy='1' izz='1'"))) ==
-        (holding("diaginertia=\"2.5 1.25 1.25\"") && holding("nearest that matter has, which")));
+  CHECK(
+      to_mjcf(made(body("a", 1, "ixx='2.75' iyy='1' izz='1'"))) ==
+      (holding("diaginertia=\"2.5 1.25 1.25\"") && holding("it is at rest, and has the nearest that matter has -->")));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.30000000000000004'"))) ==
         holding("diaginertia=\"0.1 0.2 0.30000000000000004\""));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.3000000000000002'"))) ==
@@ -317,7 +321,21 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
   CHECK(to_mjcf(d, {.not_written = &notes, .mesh_path = only_b}) ==
         (holding("<mesh name=\"b.obj\" file=\"meshes/b.obj\"/>") && !holding("STL\"")));
   CHECK(notes.size() == 8);
-  l.collisions.clear(), l.visuals.resize(3);
+  // what collides is one with what is seen if all is the same
+  const auto groups = [&l, &d](const auto& change) {
+    l.visuals.assign(1, {}), l.visuals[0].is = form::sphere, l.visuals[0].size = {1, 0, 0};
+    l.collisions = l.visuals;
+    change(l.collisions[0]);
+    const auto file_text = to_mjcf(d);
+    return (file_text.find("group=\"2\"") != file_text.npos) + (file_text.find("group=\"3\"") != file_text.npos);
+  };
+  CHECK(groups([](robot_shape&) {}) == 0);
+  CHECK(groups([](robot_shape& s) { s.name = "x"; }) == 2);
+  CHECK(groups([](robot_shape& s) { s.size.x = 2; }) == 2);
+  CHECK(groups([](robot_shape& s) { s.is = form::plane; }) == 2);
+  CHECK(groups([](robot_shape& s) { s.origin.position.x = 2; }) == 2);
+  l.visuals.resize(3), l.visuals[2].is = form::plane;
+  l.collisions.clear();
   CHECK(to_mjcf(d) == (!holding("inertial ")));
   d.links.emplace_back().name = "world", d.links[1].visuals = {l.visuals[2]};
   d.joints.emplace_back().name = "q", d.joints[0].parent = "world", d.joints[0].child = "a";

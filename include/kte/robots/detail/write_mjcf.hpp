@@ -9,7 +9,6 @@ class mjcf_writer {
  public:
   mjcf_writer(const robot_description& d, const robot_writing& o, std::vector<robot_note> before = {})
       : d_(split_joints(d)),
-        o_(o),
         left_out_(o, "MJCF", std::move(before)),
         plan_(d_),
         geoms_(d_, o, left_out_),
@@ -105,9 +104,10 @@ class mjcf_writer {
     mjcf_weight w(own.value_or(rigid_body<>{0, {}, {}}));
     if (!(w.mass >= 0)) left_out_.refuse(title(l), "its mass is " + number(w.mass));
     if (w.fault() > 0) {
-      const std::string why = "no matter has such moments: one is wrong by " + number(w.fault()) + " kg m^2";
+      char why[80];
+      std::snprintf(why, sizeof why, "no matter has such moments: one is wrong by %.3g kg m^2", w.fault());
       if (plan_.rest(l.name))
-        left_out_.list(l.line, title(l) + ": " + why + ": it has the nearest that matter has, which rest");
+        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that matter has");
       else
         left_out_.change(l.line, title(l), why, "it has the nearest that matter has");
       w.mend();
@@ -177,7 +177,6 @@ class mjcf_writer {
   }
 
   const robot_description d_;
-  const robot_writing& o_;
   unwritten left_out_;
   mjcf_plan plan_;
   mjcf_geoms geoms_;
