@@ -4,6 +4,7 @@
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
+#include <kte/elements/spherical_joint.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 
@@ -124,6 +125,10 @@ TEST_CASE("joints with nothing but a frame between them are those of one body in
         joint + "</model></sdf>";
     return to_mjcf(to_robot(from_sdf(model)), {.lossy = true});
   };
+  kte_map_chain c;
+  c << spherical_joint_3D("p", "a", "b") << revolute_joint_3D("q", "b", "c")
+    << inertia_3D("c", rigid_body<>{1, {}, {1, 0, 0, 1, 0, 1}});
+  CHECK(to_mjcf(c) == holding("<body name=\"b\">"));
   const std::string ends_of = "'><parent>b</parent><child>c</child><axis><xyz>0 0 1</xyz></axis></joint>";
   CHECK(behind_ball("<joint name='q' type='revolute" + ends_of) == holding("<body name=\"b\""));
   CHECK(behind_ball("<joint name='q' type='prismatic" + ends_of) ==
@@ -153,6 +158,8 @@ TEST_CASE("bodies that MuJoCo would not take") {
   CHECK(to_mjcf(fork(1, "ixx='1' iyy='1' izz='1'")) == holding("mass=\"1e-15\""));
   CHECK_THROWS_AS(to_mjcf(fork(1, "ixx='1e-7' iyy='1e-7' izz='1e-7'")), bad_argument);
   CHECK_THROWS_AS(to_mjcf(fork(0, "ixx='1' iyy='1' izz='1'")), bad_argument);
+  CHECK_THROWS_AS(to_mjcf(fork(1, "ixx='1' iyy='1' izz='1e-7'")), bad_argument);
+  CHECK_THROWS_AS(to_mjcf(hanging(body("b", 0, "ixx='1' iyy='1' izz='1'"), "")), bad_argument);
   const auto once = to_mjcf(fork(1, "ixx='1' iyy='1' izz='1'"));
   CHECK(to_mjcf(to_robot(from_mjcf(once))) == !holding("raised"));  // MuJoCo takes 1e-15
   // what is directly fixed to it may have the mass, otherwise it is taken from behind
@@ -181,6 +188,7 @@ TEST_CASE("bodies that MuJoCo would not take") {
   CHECK(
       to_mjcf(made(body("a", 1, "ixx='2.75' iyy='1' izz='1'"))) ==
       (holding("diaginertia=\"2.5 1.25 1.25\"") && holding("it is at rest, and has the nearest that matter has -->")));
+  CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.3000000001'"))) == holding("<!--"));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.30000000000000004'"))) ==
         holding("diaginertia=\"0.1 0.2 0.30000000000000004\""));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.3000000000000002'"))) ==
@@ -254,6 +262,8 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
   CHECK(texts(notes) == std::vector<std::string>{
                             "joint 'q': a description has no rate over which friction changes its sign, here 0.25"});
   auto reversed = describe(f);
+  reversed.joints[0].lower = -1, reversed.joints[0].soft_lower = -0.5;
+  CHECK(to_mjcf(reversed) == holding("joint 'q': its soft limits are left out"));
   reversed.joints[0].lower = 2, reversed.joints[0].upper = 1;
   CHECK_THROWS_MATCHES(to_mjcf(reversed), bad_argument, says("kte: joint 'q': its limits 2 and 1 are no range"));
   robot empty;
@@ -352,6 +362,12 @@ TEST_CASE("joints of descriptions whose child stands elsewhere, and poses that f
   d.joints[0].is = robot_joint::kind::floating, d.joints[0].dynamics.damping = 2;
   CHECK(to_mjcf(d) == holding("    <body name=\"b.joint\">\n      <joint name=\"q\" type=\"free\" "
                               "damping=\"2\"/>\n      <body name=\"b\" pos=\"0 0 1\">"));
+  d.joints[0].child_pose = {};
+  d.joints[0].parent = "c", d.joints[0].origin.position = {0, 0, -1};  // back at the origin of the world
+  d.links.emplace_back().name = "c";
+  d.joints.emplace_back().name = "c_fixed", d.joints[1].origin.position = {0, 0, 1};
+  d.joints[1].parent = "a", d.joints[1].child = "c";
+  CHECK(to_mjcf(d) == holding("\n    <body name=\"b\">\n      <joint name=\"q\" type=\"free\""));
   d.joints[0].is = robot_joint::kind::planar;
   CHECK(to_mjcf(d) == holding("<!-- not as in the robot: joint 'q': damping, friction, springs and rotors "
                               "are only those of one coordinate -->"));

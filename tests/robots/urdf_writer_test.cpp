@@ -68,10 +68,17 @@ TEST_CASE("angles of files come back to the last bit") {
   }
 }
 
+TEST_CASE("quarter turns keep their digits beside other angles") {
+  const std::string rpy = "0.1 0 1.5707963267948966";
+  const auto file = urdf(heavy("a") + heavy("b") + joint_text("q", "fixed", "a", "b", "<origin rpy='" + rpy + "'/>"));
+  CHECK(to_urdf(from_urdf(file)) == holding("rpy=\"" + rpy + "\""));
+}
+
 TEST_CASE("limits, shapes and children that URDF has no words for") {
   std::vector<robot_note> notes;
   auto r = load_robot(robot_file("parts.urdf"));
   r.chain.gravity(vec3<>{0, 0, -1.5}), r.actuators = {{"m", 3, "turn", 2}};
+  r.shapes[0].origin.rotation = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
   r.shapes[1].is = robot_shape::form::plane, r.shapes[2].is = robot_shape::form::ellipsoid;
   auto& mesh = r.shapes.emplace_back(r.shapes[0]);
   mesh.is = robot_shape::form::mesh, mesh.name = "nothing";
@@ -95,8 +102,8 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   const auto& arm = from_urdf(text).links.at(2);
   REQUIRE(arm.visuals.size() == 4);
   CHECK(arm.visuals[0].size == vec3<>{0.1, 0.5, 0});
-  CHECK(arm.visuals[1].origin.position == vec3<>{0, 0, -0.25});
-  CHECK(arm.visuals[2].origin.position == vec3<>{0, 0, 0.25});
+  CHECK(arm.visuals[1].origin.position == vec3<>{0, 0.25, 0});
+  CHECK(arm.visuals[2].origin.position == vec3<>{0, -0.25, 0});
   CHECK(arm.visuals[2].size.x == 0.1);
 
   auto d = from_urdf(urdf(heavy("a") + heavy("b") + joint_text("q", "continuous", "a", "b", "")));
@@ -104,6 +111,7 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   d.joints[0].rate = 5;
   CHECK(to_urdf(d) == holding("<limit effort=\"1e+308\" velocity=\"5\"/>"));
   d.joints[0].soft_upper = 2;  // a continuous joint has no room for it
+  CHECK(to_urdf(d) == !holding("inf\""));
   CHECK(to_robot(from_urdf(to_urdf(d))).soft_limits == to_robot(d).soft_limits);
   d.joints[0].child_pose.position = {1, 0, 0};
   CHECK(record_of(to_robot(from_urdf(to_urdf(d))).chain) == record_of(to_robot(d).chain));
@@ -123,6 +131,8 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   CHECK(to_urdf(d) == (holding("<material name=\"paint\">\n        <color rgba=\"0.5 0.5 0.5 1\"/>") &&
                        holding("<material name=\"paint'\">\n        <color rgba=\"1 0 0 1\"/>") &&
                        !holding("paint''") && holding("<material name=\"paint\"/>")));
+  for (auto& x : shapes) x.material.clear();
+  CHECK(to_urdf(d) == !holding("name=\"'"));
 }
 
 TEST_CASE("what URDF cannot say is refused by name") {

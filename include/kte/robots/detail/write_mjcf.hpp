@@ -3,6 +3,8 @@
 #include <kte/robots/detail/write_mjcf_geoms.hpp>
 #include <kte/robots/detail/write_mjcf_joints.hpp>
 
+#include <cstdio>
+
 namespace kte::detail {
 
 class mjcf_writer {
