@@ -68,6 +68,17 @@ TEST_CASE("angles of files come back to the last bit") {
   }
 }
 
+TEST_CASE("rotations of rounded entries that are nearly a quarter turn in pitch come back to rounding") {
+  for (const double off : {1e-3, 3.7e-6, 1e-9, 1e-12}) {
+    const auto turn = detail::rotation_of_rpy({0.4, std::numbers::pi / 2 - off, -1.3}, 0);
+    const auto other = detail::rotation_of_rpy({0.3, 0.2, 0.1}, 0);
+    const auto rounded = transpose(other) * (other * turn);
+    const auto m = detail::rotation_of_rpy(detail::rpy_of_rotation(rounded), 0);
+    for (const auto& [x, y] : {std::pair{m.x, rounded.x}, {m.y, rounded.y}, {m.z, rounded.z}})
+      CHECK(dot(x - y, x - y) == within(0, 1e-30));
+  }
+}
+
 TEST_CASE("quarter turns keep their digits beside other angles") {
   const std::string rpy = "0.1 0 1.5707963267948966";
   const auto file = urdf(heavy("a") + heavy("b") + joint_text("q", "fixed", "a", "b", "<origin rpy='" + rpy + "'/>"));
@@ -123,6 +134,7 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   d.links[0].name = d.joints[0].parent = "a\n--b-->";
   d.links[0].visuals.emplace_back();
   CHECK(from_urdf(to_urdf(d)).links[0].name == "a\n--b-->");
+  CHECK(to_urdf(d) == holding("link 'a\n- -b- ->': its shape is left out"));
 
   auto& shapes = d.links[1].visuals;
   shapes.resize(4, r.shapes[0]);
