@@ -90,8 +90,8 @@ TEST_CASE("joints with nothing but a frame between them are those of one body in
       << inertia_3D("b", rigid_body<>{2, {}, {1, 0, 0, 1, 0, 1}});
     return to_mjcf(c);
   };
-  const auto half_turn = mat3<vec3<>>{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
-  CHECK(several(prismatic_joint_3D("q2", "a", "b", vec3<>{1, 0, 0}).at(vec3<>{0, 0, 0.5}, half_turn)) ==
+  const auto turned = mat3<vec3<>>{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+  CHECK(several(prismatic_joint_3D("q2", "a", "b", vec3<>{1, 0, 0}).at(vec3<>{0, 0, 0.5}, turned)) ==
         holding(R"(    <body name="b" pos="1 0 0.5" quat="0.7071067811865475 0 0 0.7071067811865475">
       <joint name="q1" type="hinge" pos="0 0 -0.5" axis="0 0 1"/>
       <joint name="q2" type="slide" axis="1 0 0"/>
