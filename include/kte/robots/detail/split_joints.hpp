@@ -3,6 +3,7 @@
 #include <kte/robots/detail/angles.hpp>
 
 #include <set>
+#include <utility>
 
 namespace kte::detail {
 

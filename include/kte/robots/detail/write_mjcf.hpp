@@ -3,6 +3,7 @@
 #include <kte/robots/detail/write_mjcf_geoms.hpp>
 #include <kte/robots/detail/write_mjcf_joints.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace kte::detail {

@@ -4,6 +4,7 @@
 #include <kte/robots/detail/unwritten.hpp>
 #include <kte/robots/detail/xml_writer.hpp>
 
+#include <algorithm>
 #include <map>
 #include <set>
 

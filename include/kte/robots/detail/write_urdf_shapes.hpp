@@ -4,7 +4,9 @@
 #include <kte/robots/detail/unwritten.hpp>
 #include <kte/robots/detail/xml_writer.hpp>
 
+#include <charconv>
 #include <map>
+#include <numbers>
 
 namespace kte::detail {
 
@@ -19,8 +21,8 @@ inline double cut_angle(double x, int decimals) {
 }
 
 /// Roll, pitch and yaw that are read back as the same rotation. Those of files have few decimals, and may be beyond
-/// the ranges of `rpy_of_rotation`: pitch pi - p with roll and yaw half a turn on, angles a turn on. If none of these is
-/// the same to the last bit, those of `rpy_of_rotation`.
+/// the ranges of `rpy_of_rotation`: pitch pi - p with roll and yaw half a turn on, angles a turn on. If none of these
+/// is the same to the last bit, those of `rpy_of_rotation`.
 inline vec3<> rpy_in_file(const mat3<vec3<>>& m) {
   constexpr double half = std::numbers::pi;
   const auto all = rpy_of_rotation(m);
