@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/runtime.hpp>
 #include <kte/elements/compiled_elements.hpp>
+#include <kte/robots/detail/no_limit.hpp>
 #include <kte/robots/detail/physical.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
@@ -192,8 +193,10 @@ class chain_builder {
       if (e.what != kte::kind::gen) continue;
       const auto& j = d_.joints[tree_.joint(e.name)];
       const auto i = static_cast<std::size_t>(e.v);
-      hard.lower[i] = j.lower, hard.upper[i] = j.upper, hard.rate[i] = j.rate, hard.effort[i] = j.effort;
-      soft.lower[i] = (std::max)(j.lower, j.soft_lower), soft.upper[i] = (std::min)(j.upper, j.soft_upper);
+      hard.lower[i] = limit_from_file(j.lower), hard.upper[i] = limit_from_file(j.upper);
+      hard.rate[i] = limit_from_file(j.rate), hard.effort[i] = limit_from_file(j.effort);
+      soft.lower[i] = (std::max)(hard.lower[i], limit_from_file(j.soft_lower));
+      soft.upper[i] = (std::min)(hard.upper[i], limit_from_file(j.soft_upper));
     }
     out_.soft_limits = hard;
     out_.soft_limits.lower = soft.lower, out_.soft_limits.upper = soft.upper;
