@@ -144,5 +144,6 @@ TEST_CASE("a body of a mesh is read where its mass matters, and only there") {
   const std::string own = "<joint/><inertial pos='0 0 0' mass='5' diaginertia='1 1 1'/>";
   CHECK(read("<geom type='mesh' mesh='lost'/>", "", own).links[1].inertial->mass == 5);
   CHECK_THROWS_AS(read("<geom type='mesh' mesh='lost'/>", "inertiafromgeom='true'", own), bad_file);
-  CHECK(read("<geom type='mesh' mesh='cube'/>", "", own).links[1].visuals[0].mesh == "meshes/cube.obj");
+  CHECK(read("<geom type='mesh' mesh='cube'/>", "", own).links[1].visuals[0].mesh ==
+        (f.path / "meshes" / "cube.obj").generic_string());
 }

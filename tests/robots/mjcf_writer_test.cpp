@@ -282,7 +282,8 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
     CHECK(m.collisions.size() == l.collisions.size());
     for (std::size_t i = 0; i < l.visuals.size(); ++i) {
       const auto &x = l.visuals[i], &y = m.visuals[i];
-      CHECK((x.name == y.name && x.is == y.is && x.size == y.size && x.origin == y.origin && x.mesh == y.mesh));
+      CHECK((x.name == y.name && x.is == y.is && x.size == y.size && x.origin == y.origin));
+      CHECK((x.mesh.empty() ? y.mesh.empty() : std::filesystem::equivalent(x.mesh, y.mesh)));
       CHECK((x.rgba == y.rgba && x.material == y.material));
     }
   }
@@ -302,7 +303,8 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
   l.visuals[l.visuals.size() - 4].scale = {2, 2, 2};
   l.collisions.push_back(l.visuals.back());
   std::vector<robot_note> notes;
-  CHECK(to_mjcf(d, {.not_written = &notes}) == holding(R"(
+  const auto as_it_is = [](const std::string& mesh) { return mesh; };
+  CHECK(to_mjcf(d, {.not_written = &notes, .mesh_path = as_it_is}) == holding(R"(
   <asset>
     <mesh name="a.STL" file="a.STL"/>
     <mesh name="a.STL'" file="a.STL" scale="2 2 2"/>
@@ -331,6 +333,9 @@ TEST_CASE("shapes are geoms without mass in MJCF") {
   CHECK(to_mjcf(d, {.not_written = &notes, .mesh_path = only_b}) ==
         (holding("<mesh name=\"b.obj\" file=\"meshes/b.obj\"/>") && !holding("STL\"")));
   CHECK(notes.size() == 8);
+  notes.clear();
+  CHECK(to_mjcf(d, {.not_written = &notes}) == !holding("<mesh"));
+  CHECK(notes.back().text == "link 'a': its shape is left out: there is no file 'b.obj'");
   // what collides is one with what is seen if all is the same
   const auto groups = [&l, &d](const auto& change) {
     l.visuals.assign(1, {}), l.visuals[0].is = form::sphere, l.visuals[0].size = {1, 0, 0};
@@ -371,4 +376,38 @@ TEST_CASE("joints of descriptions whose child stands elsewhere, and poses that f
   d.joints[0].is = robot_joint::kind::planar;
   CHECK(to_mjcf(d) == holding("<!-- not as in the robot: joint 'q': damping, friction, springs and rotors "
                               "are only those of one coordinate -->"));
+}
+
+TEST_CASE("springs and dampers of balls, damping of free bodies and forces against weights come back from chains") {
+  const auto text = [](const std::string& more) {
+    return "<mujoco><worldbody><body name='b'><joint name='ball' type='ball' pos='0 0 1' damping='2' stiffness='3'/>"
+           "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body><body name='f'" +
+           more +
+           "><joint name='free' type='free' damping='4'/><inertial pos='1 0 0' mass='2' diaginertia='1 1 1'/></body>"
+           "</worldbody></mujoco>";
+  };
+  const auto r = to_robot(from_mjcf(text("")));
+  const auto d = describe(r);
+  const auto joint = [&](const std::string& name) {
+    return *std::find_if(d.joints.begin(), d.joints.end(), [&](const auto& j) { return j.name == name; });
+  };
+  CHECK((joint("ball").dynamics == robot_joint_dynamics{2, 0, 3, 0, 0}));
+  CHECK((joint("free").dynamics == robot_joint_dynamics{4, 0, 0, 0, 0}));
+  CHECK(to_mjcf(r) == holding("type=\"ball\" pos=\"0 0 1\" damping=\"2\" stiffness=\"3\""));
+  CHECK(record_of(to_robot(from_mjcf(to_mjcf(r))).chain) == record_of(r.chain));
+
+  const auto borne = to_robot(from_mjcf(text(" gravcomp='0.5'")));
+  for (const auto& l : describe(borne).links) CHECK(l.gravity_compensation == (l.name == "f" ? 0.5 : 0));
+  CHECK_THROWS_MATCHES(to_mjcf(borne), bad_argument, says("link 'f': a force bears a part of its weight, which MJCF"));
+  std::vector<robot_note> notes;
+  CHECK(to_mjcf(borne, {.not_written = &notes, .lossy = true}) == !holding("gravcomp=\""));
+  CHECK(notes.size() == 1);
+
+  kte_map_chain other;
+  other << base_3D("g") << revolute_joint_3D("q", "g", "a", axis::z) << constant_force_3D("a", vec3<>{0, 0, 1});
+  CHECK_THROWS_MATCHES(describe(other), bad_argument,
+                       says("constant_force_3D (frame 'a'): it is no link, joint or body"));
+  kte_map_chain drag;
+  drag << base_3D("g") << free_joint_3D("q", "g", "a") << fluid_drag_3D("a", 1.0, 2.0);
+  CHECK_THROWS_MATCHES(describe(drag), bad_argument, says("fluid_drag_3D (frame 'a'): it is no link"));
 }

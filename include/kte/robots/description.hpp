@@ -33,7 +33,7 @@ struct robot_shape {
   robot_pose origin;  ///< in the link
   form is = form::none;
   vec3<> size{};          ///< box: edges; cylinder, capsule: radius, length; sphere: radius; ellipsoid: half axes
-  std::string mesh;       ///< name of the file, as written
+  std::string mesh;       ///< name of the file, as written; of MJCF with the folders that it is in
   vec3<> scale{1, 1, 1};  ///< of the mesh
   std::string material;
   std::vector<double> rgba;  ///< four numbers, or none

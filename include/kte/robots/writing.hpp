@@ -17,7 +17,7 @@ struct robot_writing {
   /// MJCF: whether limits of efforts are written (actuatorfrcrange: MuJoCo reads it from 2.3.7 on), else listed.
   bool effort_limits = false;
   /// The path that is written for the mesh of a shape; of an empty one the shape is left out, and listed. If it is not
-  /// set, paths are written as they are.
+  /// set, URDF has paths as they are, and MJCF absolute ones of the files that are there; others are left out.
   std::function<std::string(const std::string& mesh)> mesh_path{};
 };
 

@@ -131,10 +131,10 @@ class chain_builder {
       if (j.mimic) append_mimic(j);
       append_moving(j, from, end, seat, axis);
       if (end != to) append_link(end, to, rest);
+      append_dynamics(j, from, end, seat);
     }
     append_body(tree_.link(to));
     append_compensation(d_.links[tree_.link(to)]);
-    if (j.is != kind::fixed) append_dynamics(j);
   }
   void append_frames() {
     std::unordered_set<std::string> frames;
@@ -170,10 +170,11 @@ class chain_builder {
     if (master.mimic) append_mimic(master);
     append(mimic_gen(master.name, j.name, j.mimic->ratio, j.mimic->offset));
   }
-  void append_dynamics(const robot_joint& j);
+  void append_dynamics(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& seat);
   void append_spring(const robot_joint& j, const robot_joint_dynamics& x);
   void append_spring_dampers();
-  void append_dynamics_of_ball(const robot_joint& j);
+  void append_dynamics_of_ball(const robot_joint& j, const std::string& from, const std::string& to,
+                               const robot_pose& seat);
 
   void list_joints() {
     for (const auto& j : d_.joints)
@@ -240,10 +241,11 @@ class chain_builder {
 
 /// Damping by itself is a `damper_gen` from a coordinate at rest: linear, and cheaper than friction. With dry friction
 /// both are one `joint_friction_gen`.
-inline void chain_builder::append_dynamics(const robot_joint& j) {
+inline void chain_builder::append_dynamics(const robot_joint& j, const std::string& from, const std::string& to,
+                                           const robot_pose& seat) {
   const auto& x = j.dynamics;
   if (x == robot_joint_dynamics{} || !o_.joint_dynamics) return;
-  if (!has_number(j)) return append_dynamics_of_ball(j);
+  if (!has_number(j)) return append_dynamics_of_ball(j, from, to, seat);
   if (x.time_constant == 0) append_spring(j, x);
   if (x.armature != 0) append(inertia_gen(j.name, x.armature));
 }
@@ -284,17 +286,18 @@ inline void chain_builder::append_spring_dampers() {
 }
 
 /// Damping d and stiffness k of what turns freely are a torque, -d w - k r, with the velocity w and the rotation vector
-/// r of the child in the parent; a free body is also damped by the force -d v at its origin.
-inline void chain_builder::append_dynamics_of_ball(const robot_joint& j) {
+/// r of what the joint moves in its seat; a free body is also damped by the force -d v at its origin.
+inline void chain_builder::append_dynamics_of_ball(const robot_joint& j, const std::string& from, const std::string& to,
+                                                   const robot_pose& seat) {
   auto left = j.dynamics;
   const bool ball = j.is == kind::spherical, free = j.is == kind::floating;
   if ((ball || free) && left.damping != 0) {
-    append(torsion_damper_3D(j.parent, j.child, left.damping));
-    if (free) append(fluid_drag_3D(j.child, 0.0, left.damping, vec3<>{}));
+    append(torsion_damper_3D(from, to, left.damping));
+    if (free) append(fluid_drag_3D(to, 0.0, left.damping, vec3<>{}));
     left.damping = 0;
   }
   if (ball && left.stiffness != 0) {
-    append(torsion_spring_3D(j.parent, j.child, left.stiffness, 0.0, j.origin.rotation * j.child_pose.rotation));
+    append(torsion_spring_3D(from, to, left.stiffness, 0.0, seat.rotation));
     left.stiffness = 0;
   }
   left.rest = 0;

@@ -127,9 +127,53 @@ class chain_reader {
         d_.not_read.push_back({0, "joint '" + to(e, "coordinate") +
                                       "': a description has no rate over which friction changes its sign, here " +
                                       detail::number(rate)});
-    } else {
+    } else if (!free_turning(e) && !compensation(e)) {
       refuse(e, "it is no link, joint or body, nor damping or friction of a joint");
     }
+  }
+  /// Whether it is a spring or damper of a ball, or the damping of a free body: a torque, and then a force.
+  bool free_turning(const element_record& e) {
+    const bool drag = e.type == "fluid_drag_3D", spring = e.type == "torsion_spring_3D";
+    if (!drag && !spring && e.type != "torsion_damper_3D") return false;
+    for (auto& j : d_.joints) {
+      const bool free = j.is == kind::floating;
+      if (drag) {
+        if (free && j.child == to(e, "frame") && number(e, "quadratic") == 0 && vector(e, "flow") == vec3<>{} &&
+            number(e, "linear") == j.dynamics.damping)
+          return true;
+      } else if ((j.is == kind::spherical || free) && j.parent == to(e, "anchor1") && j.child == to(e, "anchor2")) {
+        if (!spring) return j.dynamics.damping += number(e, "damping"), true;
+        if (free || number(e, "saturation") != 0 || place_of_rest(e) != j.origin.rotation) return false;
+        return j.dynamics.stiffness += number(e, "stiffness"), true;
+      }
+    }
+    return false;
+  }
+  static mat3<vec3<>> place_of_rest(const element_record& e) {
+    const auto r = numbers(e, "rest_rotation");
+    if (r.size() != 9) return robot_pose{}.rotation;
+    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
+  }
+  /// Whether it is a force at the centre of mass of a link against its weight.
+  bool compensation(const element_record& e) {
+    if (e.type != "constant_force_3D" || vector(e, "torque") != vec3<>{}) return false;
+    const auto at = to(e, "frame");
+    const auto force = vector(e, "force"), g = *d_.gravity;
+    for (auto& l : d_.links) {
+      if (!l.inertial || !(l.inertial->mass > 0) || !stands_at(at, l)) continue;
+      const double weight = l.inertial->mass * dot(g, g), k = weight > 0 ? 0.0 - dot(force, g) / weight : 0;
+      const vec3<> off = force + (k * l.inertial->mass) * g;
+      if (!(weight > 0) || dot(off, off) > 1e-30 * dot(force, force)) continue;
+      return l.gravity_compensation += k, true;
+    }
+    return false;
+  }
+  /// Whether a frame is that of the centre of mass of a link.
+  bool stands_at(const std::string& frame, const robot_link& l) const {
+    if (frame == l.name) return l.inertial->com == vec3<>{};
+    for (const auto& j : d_.joints)
+      if (j.is == kind::fixed && j.parent == l.name && j.child == frame) return j.origin.position == l.inertial->com;
+    return false;
   }
   /// Fixed joints have no coordinate to be named after.
   void name_fixed() {

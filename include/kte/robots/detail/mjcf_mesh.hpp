@@ -26,7 +26,7 @@ class mjcf_meshes {
     const auto* a = asset(model, geom.text("mesh"));
     if (!a) return geom.not_read("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
     s.scale = a->vector_or("scale", {1, 1, 1});
-    if (a->has("file")) s.mesh = (path_of_text(model.settings.mesh_folder()) / file_of(*a, model)).generic_string();
+    if (a->has("file")) s.mesh = path_of(*a, model).generic_string();
   }
   /// The body of a geom that is a mesh, in the axes of the mesh.
   rigid_body<> body(const xml_item& geom, mjcf_model& model) {
@@ -63,9 +63,10 @@ class mjcf_meshes {
     const auto it = all.find(name);
     return it == all.end() ? nullptr : &it->second;
   }
-  static std::filesystem::path file_of(const xml_item& asset, const mjcf_model& model) {
+  static std::filesystem::path path_of(const xml_item& asset, const mjcf_model& model) {
     const auto file = path_of_text(asset.text("file"));
-    return model.settings.strips_paths() ? file.filename() : file;
+    return model.folder / path_of_text(model.settings.mesh_folder()) /
+           (model.settings.strips_paths() ? file.filename() : file);
   }
   mesh_inertia kind_of(const xml_item& geom, mjcf_model& model) {
     if (model.settings.exact_meshes()) return mesh_inertia::exact;
@@ -86,7 +87,7 @@ class mjcf_meshes {
     if (const auto known = meshes_.find(a); known != meshes_.end()) return known->second;
     triangle_mesh mesh;
     if (a->has("file")) {
-      const auto path = model.folder / path_of_text(model.settings.mesh_folder()) / file_of(*a, model);
+      const auto path = path_of(*a, model);
       if (!std::filesystem::exists(path))
         geom.fail("its mass is that of a mesh, and there is no file '" + excerpt(path.generic_string()) + "'");
       mesh = read_mesh(path);

@@ -28,6 +28,12 @@ class unwritten {
                           " cannot say (robot_writing::lossy: " + instead + ")");
     list(line, of + ": " + why + ", which " + format_ + " cannot say: " + instead);
   }
+  /// Forces against weights, which no format has that all readers take.
+  void compensations(const robot_description& d) {
+    for (const auto& l : d.links)
+      if (l.gravity_compensation != 0)
+        change(l.line, "link '" + l.name + "'", "a force bears a part of its weight", "it is left out");
+  }
   [[noreturn]] void refuse(const std::string& of, const std::string& why) const {
     raise<bad_argument>("kte: " + of + ": " + why + ", which " + format_ + " cannot say");
   }

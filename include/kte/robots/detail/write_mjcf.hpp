@@ -20,6 +20,7 @@ class mjcf_writer {
   }
 
   std::string write() {
+    left_out_.compensations(d_);
     out_.open("mujoco"), out_.attribute("model", std::string_view(d_.name));
     out_.open("compiler"), out_.attribute("angle", std::string_view("radian"));
     out_.attribute("inertiafromgeom", std::string_view("false")), out_.close();

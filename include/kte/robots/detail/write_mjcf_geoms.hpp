@@ -5,6 +5,7 @@
 #include <kte/robots/detail/xml_writer.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -127,7 +128,7 @@ class mjcf_geoms {
     of_link_[link].push_back(std::move(g));
   }
   bool find_mesh(const robot_shape& s, geom& g) {
-    const auto path = o_.mesh_path && !s.mesh.empty() ? o_.mesh_path(s.mesh) : s.mesh;
+    auto path = o_.mesh_path && !s.mesh.empty() ? o_.mesh_path(s.mesh) : s.mesh;
     std::string ending = path.substr(path.size() - std::min<std::size_t>(path.size(), 4));
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (path.empty()) return leave_out(s, g.owner, "its mesh '" + s.mesh + "' has no file"), false;
@@ -135,9 +136,13 @@ class mjcf_geoms {
       return leave_out(s, g.owner, "MuJoCo takes paths of meshes, not '" + path + "'"), false;
     if (ending != ".stl" && ending != ".obj" && ending != ".msh")
       return leave_out(s, g.owner, "MuJoCo reads stl, obj and msh, not '" + path + "'"), false;
+    if (!o_.mesh_path) {
+      if (!std::filesystem::exists(path)) return leave_out(s, g.owner, "there is no file '" + path + "'"), false;
+      path = std::filesystem::absolute(path).lexically_normal().generic_string();
+    }
     for (const auto& m : meshes_)
       if (m.path == path && m.scale == s.scale) return g.mesh = m.name, true;
-    g.mesh = s.mesh;
+    g.mesh = std::filesystem::path(path).filename().string();
     while (!mesh_names_.insert(g.mesh).second) g.mesh += '\'';
     meshes_.push_back({g.mesh, path, s.scale});
     return true;

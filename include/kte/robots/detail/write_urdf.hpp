@@ -14,6 +14,7 @@ class urdf_writer {
 
   std::string write() {
     const robot_tree good(d_, {});
+    left_out_.compensations(d_);
     out_.open("robot"), out_.attribute("name", std::string_view(d_.name));
     for (const auto& l : d_.links) link(l);
     for (const auto& j : d_.joints) joint(j);
