@@ -14,6 +14,8 @@
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/robots/check_robot.hpp>
+#include <kte/robots/detail/mesh_file.hpp>
+#include <kte/robots/detail/mesh_fit.hpp>
 #include <kte/robots/detail/read_any.hpp>
 #include <kte/robots/detail/xml_text.hpp>
 #include <kte/robots/mjcf_writer.hpp>

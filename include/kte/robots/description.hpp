@@ -65,8 +65,8 @@ struct robot_joint_dynamics {
   double stiffness = 0;  ///< of a spring, Nm/rad or N/m
   double rest = 0;       ///< where that spring is at rest
   double armature = 0;   ///< inertia of the rotor as the joint feels it, kg m^2 or kg
-  /// Instead of `damping` and `stiffness`, what they make of the inertia I that the joint feels where the robot stands
-  /// as written: with a time constant T, s, and a damping ratio z they are d = 2 I/T and k = I/(T z)^2. 0: not given.
+  /// A time constant T, s, and a damping ratio z, instead of `damping` and `stiffness`, which are then d = 2 I/T and
+  /// k = I/(T z)^2. 1/I is the joint's entry on the diagonal of M^-1 where the robot stands as written. 0: not given.
   double time_constant = 0, damping_ratio = 0;
   bool operator==(const robot_joint_dynamics&) const = default;
 };

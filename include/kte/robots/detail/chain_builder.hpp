@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kte/dynamics/runtime.hpp>
 #include <kte/elements/compiled_elements.hpp>
 #include <kte/robots/detail/physical.hpp>
-#include <kte/robots/detail/reference_inertia.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
 
@@ -28,6 +28,7 @@ class chain_builder {
     append_base();
     append_body(tree_.root());
     for (const auto& s : tree_.steps()) append_joint(s);
+    append_spring_dampers();
     append_frames();
     list_joints(), list_shapes(), read_limits(), read_configurations();
     judge();
@@ -130,7 +131,7 @@ class chain_builder {
     }
     append_body(tree_.link(to));
     append_compensation(d_.links[tree_.link(to)]);
-    if (j.is != kind::fixed) append_dynamics(j, s.joint);
+    if (j.is != kind::fixed) append_dynamics(j);
   }
   void append_frames() {
     std::unordered_set<std::string> frames;
@@ -167,7 +168,9 @@ class chain_builder {
     if (master.mimic) append_mimic(master);
     append(mimic_gen(master.name, j.name, j.mimic->ratio, j.mimic->offset));
   }
-  void append_dynamics(const robot_joint& j, std::size_t which);
+  void append_dynamics(const robot_joint& j);
+  void append_spring(const robot_joint& j, const robot_joint_dynamics& x);
+  void append_spring_dampers();
   void append_dynamics_of_ball(const robot_joint& j);
 
   void list_joints() {
@@ -233,14 +236,14 @@ class chain_builder {
 
 /// Damping by itself is a `damper_gen` from a coordinate at rest: linear, and cheaper than friction. With dry friction
 /// both are one `joint_friction_gen`.
-inline void chain_builder::append_dynamics(const robot_joint& j, std::size_t which) {
-  auto x = j.dynamics;
+inline void chain_builder::append_dynamics(const robot_joint& j) {
+  const auto& x = j.dynamics;
   if (x == robot_joint_dynamics{} || !o_.joint_dynamics) return;
   if (!has_number(j)) return append_dynamics_of_ball(j);
-  if (x.time_constant > 0) {
-    const double inertia = reference_inertia(d_, tree_, which), t = x.time_constant, z = x.damping_ratio;
-    x.damping = 2 * inertia / t, x.stiffness = inertia / (t * z * t * z);
-  }
+  if (x.time_constant == 0) append_spring(j, x);
+  if (x.armature != 0) append(inertia_gen(j.name, x.armature));
+}
+inline void chain_builder::append_spring(const robot_joint& j, const robot_joint_dynamics& x) {
   if (rest_.empty() && (x.stiffness != 0 || (x.damping != 0 && x.friction == 0))) {
     rest_ = fresh("rest");
     append(base_gen(rest_));
@@ -250,7 +253,26 @@ inline void chain_builder::append_dynamics(const robot_joint& j, std::size_t whi
   else if (x.damping != 0)
     append(damper_gen(rest_, j.name, x.damping));
   if (x.stiffness != 0) append(spring_gen(rest_, j.name, x.rest, x.stiffness));
-  if (x.armature != 0) append(inertia_gen(j.name, x.armature));
+}
+/// Of joints with a time constant T and a damping ratio z, d = 2 I/T and k = I/(T z)^2, where 1/I is the joint's entry
+/// on the diagonal of M^-1 with the robot as it is written.
+inline void chain_builder::append_spring_dampers() {
+  const auto has = [](const robot_joint& j) { return has_number(j) && j.dynamics.time_constant > 0; };
+  if (!o_.joint_dynamics || std::none_of(d_.joints.begin(), d_.joints.end(), has)) return;
+  auto q = neutral_configuration(out_.chain);
+  const auto places = layout(out_.chain);
+  for (const auto& e : places)
+    if (e.what == kte::kind::gen) q[e.q] = d_.joints[tree_.joint(e.name)].reference;
+  auto s = out_.chain.make_state();
+  const auto inverse = mass_matrix_inverse(out_.chain, s, q);
+  for (const auto& e : places) {
+    if (e.what != kte::kind::gen || !has(d_.joints[tree_.joint(e.name)])) continue;
+    const auto& j = d_.joints[tree_.joint(e.name)];
+    auto x = j.dynamics;
+    const double inertia = 1 / inverse(e.v, e.v), t = x.time_constant, tz = t * x.damping_ratio;
+    x.damping = 2 * inertia / t, x.stiffness = inertia / (tz * tz);
+    append_spring(j, x);
+  }
 }
 
 /// Damping d and stiffness k of what turns freely are a torque, -d w - k r, with the velocity w and the rotation vector

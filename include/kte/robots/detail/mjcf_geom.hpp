@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/robots/detail/mjcf_settings.hpp>
+#include <kte/robots/detail/mjcf_tree.hpp>
 #include <kte/robots/detail/physical.hpp>
 #include <kte/robots/detail/solid.hpp>
 
@@ -10,24 +10,26 @@ namespace kte::detail {
 struct mjcf_geom {
   robot_shape shape;
   bool collides = true;
-  std::optional<rigid_body<>> body;  ///< in the axes of the link; of planes and meshes none
+  vec3<> half{};  ///< sizes as MJCF has them
 };
 
-inline mjcf_geom read_geom(const xml_item& x, const mjcf_settings& settings) {
+/// The form and place of a geom. With `fromto` it reaches from one point to another.
+inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   using form = robot_shape::form;
   mjcf_geom g;
   auto& s = g.shape;
-  s.name = x.text_or("name", ""), s.line = x.line(), s.material = x.text_or("material", "");
+  s.name = x.has("name") ? in.named(x.text("name")) : "", s.line = x.line(), s.material = x.text_or("material", "");
   if (x.has("rgba")) s.rgba = x.list("rgba");
   g.collides = x.number_or("contype", 1) != 0 || x.number_or("conaffinity", 1) != 0;
   static const std::map<std::string, form, std::less<>> types{
       {"plane", form::plane},     {"hfield", form::none},         {"sphere", form::sphere},
       {"capsule", form::capsule}, {"ellipsoid", form::ellipsoid}, {"cylinder", form::cylinder},
-      {"box", form::box},         {"mesh", form::mesh},           {"sdf", form::none}};
-  const auto type = types.find(x.text_or("type", x.has("mesh") ? "mesh" : "sphere"));
+      {"box", form::box},         {"mesh", form::mesh},           {"sdf", form::mesh}};
+  const auto type = types.find(x.text_or("type", "sphere"));
   if (type == types.end()) x.fail("type '" + excerpt(x.text("type")) + "' is no type of geom");
   s.is = type->second, s.mesh = x.text_or("mesh", "");
-  s.origin = settings.place(x);
+  if (x.has("mesh") && s.is != form::mesh) return g;  // fitted to the mesh
+  s.origin = in.model->settings.place(x);
   auto size = x.has("size") ? x.list("size") : std::vector<double>{};
   const bool round = s.is == form::capsule || s.is == form::cylinder;
   if (x.has("fromto")) {
@@ -44,14 +46,20 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_settings& settings) {
                                                                             : 0;
   if (size.size() < needed) x.fail("its size must have " + std::to_string(needed) + " numbers");
   size.resize(3);
-  const vec3<> half{size[0], size[1], size[2]};
-  s.size = s.is == form::box ? 2.0 * half : round ? vec3<>{half.x, 2 * half.y, 0} : half;
-  if (needed == 0) return g;
-  const auto [volume, moments] = solid(s.is, half);
-  const double mass = x.has("mass") ? x.not_negative("mass") : volume * x.not_negative_or("density", 1000);
-  if (mass > 0)
-    g.body = moved_body(s.origin, {mass, {}, {mass * moments.x, 0, 0, mass * moments.y, 0, mass * moments.z}});
+  g.half = {size[0], size[1], size[2]};
+  s.size = s.is == form::box ? 2.0 * g.half : round ? vec3<>{g.half.x, 2 * g.half.y, 0} : g.half;
   return g;
+}
+
+/// The body that a geom is, in axes of the link, from its mass or its density; of planes and fields none.
+inline std::optional<rigid_body<>> body_of_geom(const xml_item& x, const mjcf_geom& g) {
+  using form = robot_shape::form;
+  if (g.shape.is == form::plane || g.shape.is == form::none) return {};
+  if (x.text_or("shellinertia", "false") == "true") x.fail("shellinertia is not read: its body needs an <inertial>");
+  const auto [volume, moments] = solid(g.shape.is, g.half);
+  const double mass = x.has("mass") ? x.not_negative("mass") : volume * x.not_negative_or("density", 1000);
+  if (!(mass > 0)) return {};
+  return moved_body(g.shape.origin, {mass, {}, {mass * moments.x, 0, 0, mass * moments.y, 0, mass * moments.z}});
 }
 
 }  // namespace kte::detail

@@ -14,28 +14,28 @@ namespace kte::detail {
 /// is included once, which also bounds what is read.
 class mjcf_includes {
  public:
-  mjcf_includes(robot_description& d, xml_parser parse)
-      : d_(d), parse_(parse), folder_(std::filesystem::path(d.source).parent_path()) {
+  mjcf_includes(robot_description& d, const std::filesystem::path& folder, xml_parser parse)
+      : d_(d), parse_(parse), folder_(folder) {
     seen_.insert(std::filesystem::weakly_canonical(d.source));
   }
 
-  void resolve(xml_node& n) { resolve(n, folder_); }
+  void resolve(xml_node& n) { resolve_in(folder_, n); }
 
  private:
-  void resolve(xml_node& n, const std::filesystem::path& folder) {
+  void resolve_in(const std::filesystem::path& folder, xml_node& n) {
     if (std::none_of(n.children.begin(), n.children.end(), [](const auto& c) { return c.name == "include"; })) {
-      for (auto& c : n.children) resolve(c, folder);
+      for (auto& c : n.children) resolve_in(folder, c);
       return;
     }
     std::vector<xml_node> all;
     for (auto& c : n.children) {
       if (c.name != "include") {
-        resolve(c, folder), all.push_back(std::move(c));
+        resolve_in(folder, c), all.push_back(std::move(c));
         continue;
       }
       const auto path = file_of({c, d_}, folder);
       auto file = parse_(path);
-      resolve(file, path.parent_path());
+      resolve_in(path.parent_path(), file);
       for (auto& x : file.children) all.push_back(std::move(x));
     }
     n.children = std::move(all);

@@ -1,85 +1,89 @@
 #pragma once
 
+#include <kte/robots/detail/mjcf_classes.hpp>
 #include <kte/robots/detail/read_values.hpp>
-
-#include <deque>
-#include <map>
 
 namespace kte::detail {
 
-/// What holds for a whole file in MJCF: the compiler's settings and the classes of defaults.
+/// What the <compiler> of MJCF says of masses after the bodies are read.
+struct mjcf_mass_rules {
+  double least_mass = 0, least_moment = 0;  ///< boundmass, boundinertia
+  double total = -1;                        ///< settotalmass; none below 0
+  bool balance = false;                     ///< balanceinertia
+};
+
+/// What holds for a whole file in MJCF: the compiler's settings and the classes of defaults. Several <compiler> count
+/// as one: of an attribute that comes twice the last holds.
 class mjcf_settings {
  public:
-  mjcf_settings(const xml_item& root, robot_description& d, const robot_options& o) : d_(d), options_(o) {
+  mjcf_settings(const xml_item& root, robot_description& d, const robot_options& o) : options_(o), classes_(root, d) {
     for (const auto& c : root.children("compiler")) compiler(c);
-    for (const auto& x : root.children("default")) add_class(x, "main", {});
   }
 
-  /// The element with the attributes that its class gives it.
-  xml_item resolved(const xml_item& x, const std::string& around) {
-    const auto name = x.text_or("class", around.empty() ? "main" : around.c_str());
-    const auto known = classes_.find(name);
-    if (known == classes_.end() && x.has("class")) x.fail("there is no default class '" + excerpt(name) + "'");
-    xml_node n = x.node();
-    if (known != classes_.end())
-      if (const auto of = known->second.find(n.name); of != known->second.end())
-        for (const auto& [key, value] : of->second)
-          if (!x.has(key.c_str())) n.attributes.emplace_back(key, value);
-    return {kept_.emplace_back(std::move(n)), d_};
-  }
-  bool has_class(const std::string& name) const { return name == "main" || classes_.contains(name); }
-
+  const mjcf_classes& classes() const { return classes_; }
   double angle(double x) const { return degrees_ ? x * (std::numbers::pi / 180) : x; }
   bool limits_by_range() const { return auto_limits_; }
-  bool always_from_geoms() const { return from_geoms_; }
+  /// Whether geoms make the mass of a body.
+  bool from_geoms(bool has_inertial) const { return from_geoms_ == "auto" ? !has_inertial : from_geoms_ == "true"; }
+  /// Whether geoms of a group count for masses.
+  bool counts(double group) const { return group >= groups_[0] && group <= groups_[1]; }
+  const mjcf_mass_rules& masses() const { return masses_; }
+  const std::string& mesh_folder() const { return mesh_folder_.empty() ? asset_folder_ : mesh_folder_; }
+  bool strips_paths() const { return strip_path_; }
+  bool exact_meshes() const { return exact_meshes_; }
+  bool fits_boxes() const { return fit_boxes_; }
   const robot_options& options() const { return options_; }
 
   /// Position, and rotation by quat, axisangle, euler, xyaxes or zaxis.
   robot_pose place(const xml_item& x) const { return {x.vector_or("pos", {}), rotation(x)}; }
+  /// Of three angles, in the order of eulerseq.
+  mat3<vec3<>> rotation_of_euler(const xml_item& x, const vec3<>& e) const {
+    mat3<vec3<>> r{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const char c = sequence_[i];
+      const double a = angle(i == 0 ? e.x : i == 1 ? e.y : e.z);
+      note_near_quarter(x, a, options_);
+      const auto turn = turn_about((c | 32) - 'x', a, options_.quarter_turn_tolerance);
+      r = c >= 'x' ? r * turn : turn * r;  // small letters turn with the frame
+    }
+    return without_minus_zero(r);
+  }
 
  private:
-  using attributes = std::map<std::string, std::string, std::less<>>;
-  using by_element = std::map<std::string, attributes, std::less<>>;
-
   void compiler(const xml_item& c) {
-    c.only({}, {"angle", "eulerseq", "coordinate", "autolimits", "inertiafromgeom", "meshdir", "texturedir"});
-    degrees_ = c.text_or("angle", "degree") == "degree";
-    sequence_ = c.text_or("eulerseq", "xyz");
+    c.only({"lengthrange"},
+           {"angle",        "eulerseq",          "coordinate",       "autolimits",   "inertiafromgeom", "meshdir",
+            "texturedir",   "assetdir",          "strippath",        "settotalmass", "balanceinertia",  "boundmass",
+            "boundinertia", "inertiagrouprange", "exactmeshinertia", "fitaabb",      "discardvisual",   "fusestatic",
+            "usethread",    "convexhull",        "saveinertial"});
+    const auto truth = [&](const char* name, bool& value) {
+      if (c.has(name)) value = c.text(name) == "true";
+    };
+    if (c.has("angle")) degrees_ = c.text("angle") == "degree";
+    if (c.has("eulerseq")) sequence_ = c.text("eulerseq");
     if (sequence_.size() != 3 || sequence_.find_first_not_of("xyzXYZ") != sequence_.npos)
       c.fail("eulerseq must be three of x, y, z, X, Y, Z, got '" + excerpt(sequence_) + "'");
     if (c.text_or("coordinate", "local") != "local") c.fail("coordinate='global' is not read: only local poses are");
-    auto_limits_ = c.text_or("autolimits", "true") == "true";
-    from_geoms_ = c.text_or("inertiafromgeom", "auto") == "true";
-  }
-  void add_class(const xml_item& x, const std::string& fallback, by_element all) {
-    const auto name = x.text_or("class", fallback.c_str());
-    if (name.empty()) x.fail("has no class");
-    for (const auto& c : x.children())
-      if (c.name() != "default")
-        for (const auto& [key, value] : c.node().attributes) all[std::string(c.name())][key] = value;
-    classes_[name] = all;
-    for (const auto& c : x.children("default")) add_class(c, "", all);
+    if (c.has("inertiafromgeom")) from_geoms_ = c.text("inertiafromgeom");
+    truth("autolimits", auto_limits_), truth("strippath", strip_path_), truth("balanceinertia", masses_.balance);
+    truth("exactmeshinertia", exact_meshes_), truth("fitaabb", fit_boxes_);
+    mesh_folder_ = c.text_or("meshdir", mesh_folder_.c_str());
+    asset_folder_ = c.text_or("assetdir", asset_folder_.c_str());
+    masses_.least_mass = c.not_negative_or("boundmass", masses_.least_mass);
+    masses_.least_moment = c.not_negative_or("boundinertia", masses_.least_moment);
+    masses_.total = c.number_or("settotalmass", masses_.total);
+    if (!c.has("inertiagrouprange")) return;
+    groups_ = c.list("inertiagrouprange");
+    if (groups_.size() != 2) c.fail("inertiagrouprange must have two numbers, got " + std::to_string(groups_.size()));
   }
 
   mat3<vec3<>> rotation(const xml_item& x) const {
-    const double t = options_.quarter_turn_tolerance;
     if (x.has("quat")) return rotation_of_quaternion(x, x.list("quat"));
-    if (x.has("euler")) {
-      const auto e = x.vector("euler");
-      mat3<vec3<>> r{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-      for (std::size_t i = 0; i < 3; ++i) {
-        const char c = sequence_[i];
-        const double a = angle(i == 0 ? e.x : i == 1 ? e.y : e.z);
-        note_near_quarter(x, a, options_);
-        const auto turn = turn_about((c | 32) - 'x', a, t);
-        r = c >= 'x' ? r * turn : turn * r;  // small letters turn with the frame
-      }
-      return without_minus_zero(r);
-    }
+    if (x.has("euler")) return rotation_of_euler(x, x.vector("euler"));
     if (x.has("axisangle")) {
       const auto a = x.list("axisangle");
       if (a.size() != 4) x.fail("axisangle must have four numbers, got " + std::to_string(a.size()));
-      const auto [c, s] = turn_by(angle(a[3]), t);
+      const auto [c, s] = turn_by(angle(a[3]), options_.quarter_turn_tolerance);
       return without_minus_zero(as<double>(rotation_about(unit_axis(x, {a[0], a[1], a[2]}), c, s)));
     }
     if (x.has("xyaxes")) {
@@ -94,12 +98,12 @@ class mjcf_settings {
     return robot_pose{}.rotation;
   }
 
-  robot_description& d_;
   const robot_options& options_;
-  bool degrees_ = true, auto_limits_ = true, from_geoms_ = false;
-  std::string sequence_ = "xyz";
-  std::map<std::string, by_element, std::less<>> classes_;
-  std::deque<xml_node> kept_;
+  mjcf_classes classes_;
+  bool degrees_ = true, auto_limits_ = true, strip_path_ = false, exact_meshes_ = false, fit_boxes_ = false;
+  std::string from_geoms_ = "auto", sequence_ = "xyz", mesh_folder_, asset_folder_;
+  std::vector<double> groups_{-1e9, 1e9};
+  mjcf_mass_rules masses_;
 };
 
 }  // namespace kte::detail

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <kte/robots/detail/mjcf_tree.hpp>
+
+namespace kte::detail {
+
+/// A range, where there is one: by its own flag, or as the compiler says because it is written.
+inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, const char* range, const char* limited,
+                                                           const mjcf_settings& settings) {
+  const auto on = x.text_or(limited, "auto");
+  if (on != "true" && !(on == "auto" && settings.limits_by_range() && x.has(range))) return {};
+  const auto r = x.list(range);
+  if (r.size() != 2) x.fail(std::string(range) + " must have two numbers, got " + std::to_string(r.size()));
+  check_range(x, r[0], r[1], "the lower end", "the upper");
+  return std::pair{r[0], r[1]};
+}
+
+/// Of a hinge or slide: where it stands, its axis, and `ref`, the coordinate where the body stands as written.
+inline void place_mjcf_joint(const xml_item& x, const mjcf_scope& in, robot_joint& j, double ref) {
+  j.origin.position = in.place.position + in.place.rotation * x.vector_or("pos", {});
+  j.child_pose.position = vec3<>{} - j.origin.position;
+  if (j.is == robot_joint::kind::spherical) return;
+  j.axis = unit_direction(x, x.vector_or("axis", {0, 0, 1}));
+  if (in.place.rotation != robot_pose{}.rotation) j.axis = unit_direction(x, in.place.rotation * j.axis);
+  j.reference = ref;
+  if (ref == 0) return;
+  if (j.is == robot_joint::kind::revolute) {
+    const auto [c, s] = turn_by(-ref, in.model->settings.options().quarter_turn_tolerance);
+    const robot_pose back{{}, without_minus_zero(as<double>(rotation_about(j.axis, c, s)))};
+    j.child_pose = back * j.child_pose;
+  } else {
+    j.child_pose.position = j.child_pose.position - ref * j.axis;
+  }
+}
+
+inline robot_joint_dynamics mjcf_joint_dynamics(const xml_item& x, double rest) {
+  robot_joint_dynamics y{x.not_negative_or("damping", 0), x.not_negative_or("frictionloss", 0),
+                         x.not_negative_or("stiffness", 0), rest, x.not_negative_or("armature", 0)};
+  if (!x.has("springdamper")) return y;
+  const auto t = x.list("springdamper");
+  if (t.size() != 2) x.fail("springdamper must have two numbers, got " + std::to_string(t.size()));
+  if (t[0] > 0 && t[1] > 0) y.time_constant = t[0], y.damping_ratio = t[1];
+  return y;
+}
+
+/// A joint of MJCF, in the axes of its body. `usual_name` is for one that has none.
+inline robot_joint read_mjcf_joint(const xml_item& x, const mjcf_scope& in, const std::string& usual_name) {
+  using kind = robot_joint::kind;
+  static const std::map<std::string, kind, std::less<>> types{
+      {"free", kind::floating}, {"hinge", kind::revolute}, {"slide", kind::prismatic}, {"ball", kind::spherical}};
+  robot_joint j;
+  j.line = x.line(), j.file = x.file();
+  j.name = x.has("name") ? in.named(x.text("name")) : usual_name;
+  if (x.name() == "freejoint") {
+    x.only({}, {"name", "class", "group", "align", "user"});
+    j.is = kind::floating;
+    return j;
+  }
+  x.only({}, {"name",
+              "class",
+              "type",
+              "pos",
+              "axis",
+              "range",
+              "limited",
+              "damping",
+              "stiffness",
+              "armature",
+              "frictionloss",
+              "springref",
+              "ref",
+              "springdamper",
+              "group",
+              "user",
+              "actuatorfrcrange",
+              "actuatorfrclimited",
+              "solreflimit",
+              "solimplimit",
+              "solreffriction",
+              "solimpfriction",
+              "margin"});
+  const auto type = types.find(x.text_or("type", "hinge"));
+  if (type == types.end()) x.fail("type '" + excerpt(x.text("type")) + "' is none of hinge, slide, ball, free");
+  j.is = type->second;
+  const auto unit = [&](double a) { return j.is == kind::revolute ? in.model->settings.angle(a) : a; };
+  j.dynamics = mjcf_joint_dynamics(x, unit(x.number_or("springref", 0)));
+  if (j.is == kind::floating) return j;
+  place_mjcf_joint(x, in, j, unit(x.number_or("ref", 0)));
+  if (j.is == kind::spherical) {
+    j.reference = 0;
+    if (mjcf_range(x, "range", "limited", in.model->settings))
+      x.moves_differently("the range of a ball is not modelled");
+    return j;
+  }
+  const auto range = mjcf_range(x, "range", "limited", in.model->settings);
+  if (range) j.lower = unit(range->first), j.upper = unit(range->second);
+  j.continuous = j.is == kind::revolute && !range;
+  if (const auto force = mjcf_range(x, "actuatorfrcrange", "actuatorfrclimited", in.model->settings))
+    j.effort = std::max(std::abs(force->first), std::abs(force->second));
+  j.soft_lower = j.lower, j.soft_upper = j.upper;
+  return j;
+}
+
+}  // namespace kte::detail

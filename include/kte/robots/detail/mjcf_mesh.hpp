@@ -1,0 +1,130 @@
+#pragma once
+
+#include <kte/robots/detail/mesh_body.hpp>
+#include <kte/robots/detail/mesh_fit.hpp>
+#include <kte/robots/detail/mjcf_geom.hpp>
+
+namespace kte::detail {
+
+/// The meshes among the assets of files in MJCF, each read once, and only if its mass or its size is asked for.
+class mjcf_meshes {
+  /// Says for which geom a mesh has no body.
+  template <class F>
+  static auto guarded(const xml_item& geom, const F& f) {
+    try {
+      return f();
+    } catch (const bad_argument& e) {
+      geom.fail("of its mesh '" + excerpt(geom.text("mesh")) + "': " + std::string(e.what()).substr(5));
+    }
+  }
+
+ public:
+  /// What makes the mesh of a geom a shape: file and scale, as far as the assets know it.
+  void describe(const xml_item& geom, mjcf_model& model, robot_shape& s) {
+    const auto* a = asset(model, geom.text("mesh"));
+    if (!a) return geom.not_read("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
+    s.scale = a->vector_or("scale", {1, 1, 1});
+    if (a->has("file"))
+      s.mesh = (std::filesystem::path(model.settings.mesh_folder()) / file_of(*a, model)).generic_string();
+  }
+  /// The body of a geom that is a mesh, in the axes of the mesh.
+  rigid_body<> body(const xml_item& geom, mjcf_model& model) {
+    const auto& mesh = read(geom, model);
+    const auto kind = kind_of(geom, model);
+    return guarded(geom, [&] {
+      return geom.has("mass") ? mesh_body_of_mass(mesh, kind, geom.not_negative("mass"))
+                              : mesh_body(mesh, kind, geom.not_negative_or("density", 1000));
+    });
+  }
+  /// Gives a geom of another form than a mesh the place and sizes that fit its mesh.
+  void fit(const xml_item& geom, const mjcf_scope& in, mjcf_geom& g) {
+    const auto& mesh = read(geom, *in.model);
+    const auto kind = kind_of(geom, *in.model);
+    const auto fitted =
+        guarded(geom, [&] { return fit_mesh(mesh, kind, g.shape.is, in.model->settings.fits_boxes()); });
+    const double k = geom.number_or("fitscale", 1);
+    g.half = k * fitted.half, g.shape.origin = in.model->settings.place(geom) * fitted.pose;
+  }
+
+ private:
+  const xml_item* asset(mjcf_model& model, const std::string& name) {
+    auto& all = assets_[&model];
+    if (all.empty())
+      for (const auto& a : xml_item(model.root, model.d).children("asset"))
+        for (const auto& written : a.children("mesh")) {
+          const auto m = model.settings.classes().resolved(written, "");
+          const auto stem = std::filesystem::path(m.text_or("file", "")).stem().string();
+          all.emplace(m.text_or("name", stem.c_str()), m);
+        }
+    const auto it = all.find(name);
+    return it == all.end() ? nullptr : &it->second;
+  }
+  static std::filesystem::path file_of(const xml_item& asset, const mjcf_model& model) {
+    const std::filesystem::path file(asset.text("file"));
+    return model.settings.strips_paths() ? file.filename() : file;
+  }
+  mesh_inertia kind_of(const xml_item& geom, mjcf_model& model) {
+    if (model.settings.exact_meshes()) return mesh_inertia::exact;
+    const auto* a = asset(model, geom.text("mesh"));
+    const auto kind = a->text_or("inertia", "legacy");
+    static const std::map<std::string, mesh_inertia, std::less<>> kinds{{"legacy", mesh_inertia::legacy},
+                                                                        {"exact", mesh_inertia::exact},
+                                                                        {"convex", mesh_inertia::convex},
+                                                                        {"shell", mesh_inertia::shell}};
+    const auto it = kinds.find(kind);
+    if (it == kinds.end()) a->fail("inertia '" + excerpt(kind) + "' is none of legacy, exact, convex, shell");
+    return it->second;
+  }
+  const triangle_mesh& read(const xml_item& geom, mjcf_model& model) {
+    const auto name = geom.text("mesh");
+    const auto* a = asset(model, name);
+    if (!a) geom.fail("there is no mesh '" + excerpt(name) + "' among the assets");
+    if (const auto known = meshes_.find(a); known != meshes_.end()) return known->second;
+    triangle_mesh mesh;
+    if (a->has("file")) {
+      const auto path = model.folder / model.settings.mesh_folder() / file_of(*a, model);
+      if (!std::filesystem::exists(path))
+        geom.fail("its mass is that of a mesh, and there is no file '" + excerpt(path.generic_string()) + "'");
+      mesh = read_mesh(path);
+    } else {
+      mesh = written_out(*a);
+    }
+    place(*a, mesh);
+    return meshes_.emplace(a, std::move(mesh)).first->second;
+  }
+  static triangle_mesh written_out(const xml_item& a) {
+    triangle_mesh mesh;
+    const auto v = a.list("vertex");
+    if (v.size() % 3 != 0) a.fail("vertex must have three numbers a vertex, got " + std::to_string(v.size()));
+    for (std::size_t i = 0; i < v.size(); i += 3) mesh.vertices.push_back({v[i], v[i + 1], v[i + 2]});
+    if (!a.has("face")) return mesh;
+    const auto f = a.list("face");
+    if (f.size() % 3 != 0) a.fail("face must have three numbers a face, got " + std::to_string(f.size()));
+    for (std::size_t i = 0; i < f.size(); i += 3) {
+      auto& face = mesh.faces.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!(f[i + k] >= 0 && f[i + k] < static_cast<double>(mesh.vertices.size())))
+          a.fail("face names vertex " + number(f[i + k]) + " of " + std::to_string(mesh.vertices.size()));
+        face[k] = static_cast<std::uint32_t>(f[i + k]);
+      }
+    }
+    return mesh;
+  }
+  /// v = scale R^T (v - refpos), R of refquat.
+  static void place(const xml_item& a, triangle_mesh& mesh) {
+    const auto from = a.vector_or("refpos", {}), scale = a.vector_or("scale", {1, 1, 1});
+    const auto back =
+        a.has("refquat") ? transpose(rotation_of_quaternion(a, a.list("refquat"))) : robot_pose{}.rotation;
+    for (auto& v : mesh.vertices) {
+      const auto r = back * (v - from);
+      v = {scale.x * r.x, scale.y * r.y, scale.z * r.z};
+    }
+    if (scale.x * scale.y * scale.z < 0)
+      for (auto& f : mesh.faces) std::swap(f[1], f[2]);
+  }
+
+  std::map<const mjcf_model*, std::map<std::string, xml_item, std::less<>>> assets_;
+  std::map<const xml_item*, triangle_mesh> meshes_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,297 @@
+#pragma once
+
+#include <kte/robots/detail/mjcf_joint.hpp>
+#include <kte/robots/detail/mjcf_masses.hpp>
+#include <kte/robots/detail/mjcf_mesh.hpp>
+#include <kte/robots/detail/mjcf_unread.hpp>
+
+#include <unordered_set>
+
+namespace kte::detail {
+
+/// Links and joints of a file in MJCF. The world is a link; a body without joints is fixed to what it is in.
+class mjcf_reader {
+ public:
+  mjcf_reader(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), tree_(d, o, parse), unread_(d) {}
+
+  void read(const xml_node& file) {
+    auto& top = tree_.top(file);
+    const xml_item root(top.root, d_);
+    d_.name = root.text_or("model", "");
+    root.only({"compiler", "default", "worldbody", "actuator", "option", "asset", "keyframe", "equality", "tendon",
+               "contact", "deformable"},
+              {"model"});
+    collect_names(top.root);
+    d_.links.emplace_back().name = "world";
+    for (const auto& w : root.children("worldbody")) {
+      if (d_.links[0].line == 0) d_.links[0].line = w.line(), d_.links[0].file = w.file();
+      w.only({"geom", "body", "site", "frame", "replicate", "attach", "inertial"}, {"name", "childclass"});
+      contents({&top, {}, w.text_or("childclass", "")}, w, here{0, true, false});
+    }
+    apply_mass_rules(top.settings.masses(), d_.links, bodies_);
+    options(root);
+    sections(root, {&top});
+    for (const auto& a : tree_.attached()) sections({a.model->root, d_}, a);
+    name_frames();
+    for (const auto& k : root.children("keyframe"))
+      for (const auto& x : k.children("key")) keyframe(x);
+    unread_.finish();
+  }
+
+ private:
+  using kind = robot_joint::kind;
+
+  /// The link that is read: whether it is fixed to the world, and whether geoms make its mass.
+  struct here {
+    std::size_t link;
+    bool fixed, weighs;
+  };
+
+  /// What has no name in the file gets one that nothing has there.
+  void collect_names(const xml_node& n) {
+    for (const auto& [key, value] : n.attributes)
+      if (key == "name" && (n.name == "body" || n.name == "joint" || n.name == "freejoint")) taken_.insert(value);
+    for (const auto& c : n.children) collect_names(c);
+  }
+  std::string fresh(std::string name) {
+    while (!taken_.insert(name).second) name += '\'';
+    return name;
+  }
+
+  void options(const xml_item& root) {
+    bool gravity = true, springs = true, dampers = true, friction = true;
+    const auto flag = [](const xml_item& f, const char* name, bool& on) {
+      if (f.has(name)) on = f.text(name) != "disable";
+    };
+    for (const auto& o : root.children("option")) {
+      unread_.option(o);
+      if (o.has("gravity")) d_.gravity = o.vector("gravity");
+      for (const auto& f : o.children("flag")) {
+        flag(f, "passive", springs), flag(f, "passive", dampers), flag(f, "spring", springs),
+            flag(f, "damper", dampers);
+        flag(f, "gravity", gravity), flag(f, "frictionloss", friction);
+      }
+    }
+    if (!gravity) d_.gravity = vec3<>{};
+    for (auto& j : d_.joints) {
+      auto& y = j.dynamics;
+      if (!springs) y.stiffness = y.time_constant = 0;
+      if (!dampers) y.damping = y.time_constant = 0;
+      if (!friction) y.friction = 0;
+    }
+    if (!springs && !dampers)
+      for (auto& l : d_.links) l.gravity_compensation = 0;
+  }
+
+  /// Sites, geoms and bodies of a body, or of the world.
+  void contents(const mjcf_scope& in, const xml_item& x, const here& at) {
+    for (const auto& c : tree_.children(x, in)) {
+      if (c.x.name() == "geom") geom(c, at);
+      if (c.x.name() == "site") site(c, at.link);
+      if (c.x.name() == "body") body(c, at);
+      if (c.x.name() == "plugin") c.x.moves_differently("plugins are not modelled");
+    }
+  }
+  void body(const mjcf_child& c, const here& above) {
+    if (++depth_ > 1000) c.x.fail("bodies nest deeper than 1000");
+    const auto& settings = c.in.model->settings;
+    const auto x = settings.classes().cleaned(c.x);
+    x.only({"inertial", "joint", "freejoint", "geom", "body", "site", "frame", "replicate", "attach", "plugin"},
+           {"name", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "childclass", "gravcomp", "mocap", "user"});
+    mjcf_scope in{c.in.model, {}, x.text_or("childclass", c.in.around.c_str()), c.in.prefix, c.in.suffix};
+    if (!in.around.empty() && !settings.classes().has(in.around))
+      x.fail("there is no default class '" + excerpt(in.around) + "'");
+    if (x.text_or("mocap", "false") == "true") x.not_read("mocap is not read: it stands still");
+    const std::size_t index = d_.links.size();
+    bodies_.push_back(index);
+    auto& l = d_.links.emplace_back();
+    l.name = x.has("name") ? c.in.named(x.text("name")) : fresh("body" + std::to_string(index));
+    l.line = x.line(), l.file = x.file();
+    l.gravity_compensation = x.number_or("gravcomp", 0);
+    std::vector<mjcf_child> moving;
+    bool has_inertial = false;
+    for (const auto& y : tree_.children(x, in)) {
+      if (y.x.name() == "joint" || y.x.name() == "freejoint") moving.push_back(y);
+      has_inertial = has_inertial || y.x.name() == "inertial";
+    }
+    const here at{index, above.fixed && moving.empty(), settings.from_geoms(has_inertial)};
+    if (has_inertial && !at.weighs) l.inertial = body_of(settings, x.needed_child("inertial"));
+    const auto own = l.name;
+    joints(moving, x, c.in.place * settings.place(x), d_.links[above.link].name, own);
+    contents(in, x, at);
+    --depth_;
+  }
+
+  static rigid_body<> body_of(const mjcf_settings& settings, const xml_item& written) {
+    const auto x = settings.classes().cleaned(written);
+    x.only({}, {"pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "mass", "diaginertia", "fullinertia"});
+    rigid_body<> b{x.not_negative("mass"), {}, {}};
+    if (x.has("fullinertia")) {
+      const auto f = x.list("fullinertia");
+      if (f.size() != 6) x.fail("fullinertia must have six numbers, got " + std::to_string(f.size()));
+      b.inertia = {f[0], f[3], f[4], f[1], f[5], f[2]};  // from xx yy zz xy xz yz
+    } else if (x.has("diaginertia")) {
+      const auto i = x.vector("diaginertia");
+      b.inertia = {i.x, 0, 0, i.y, 0, i.z};
+    } else if (b.mass > 0) {
+      x.warn("it has no diaginertia: its mass is that of a point");
+    }
+    return moved_body(settings.place(x), b);
+  }
+
+  void geom(const mjcf_child& c, const here& at) {
+    const auto& settings = c.in.model->settings;
+    const auto x = settings.classes().resolved(c.x, c.in.around);
+    x.only({"plugin"},
+           {"name",    "class",  "type",   "pos",      "quat",        "axisangle",    "euler",    "xyaxes",
+            "zaxis",   "size",   "fromto", "mass",     "density",     "mesh",         "rgba",     "material",
+            "contype", "group",  "hfield", "fitscale", "conaffinity", "shellinertia", "friction", "solref",
+            "solimp",  "solmix", "margin", "gap",      "condim",      "priority"});
+    auto g = read_geom(x, c.in);
+    const bool wants_mass = at.weighs && settings.counts(x.number_or("group", 0));
+    const bool by_mesh = x.has("mesh");
+    std::optional<rigid_body<>> b;
+    if (by_mesh)
+      b = mesh(x, c.in, g, wants_mass, at.fixed);
+    else if (wants_mass)
+      b = body_of_geom(x, g);
+    auto& l = d_.links[at.link];
+    if (b && wants_mass) {
+      const auto placed = moved_body(c.in.place, *b);
+      l.inertial = l.inertial ? together(*l.inertial, placed) : placed;
+    }
+    g.shape.origin = c.in.place * g.shape.origin;
+    unread_.contact_of(x, g.collides);
+    l.visuals.push_back(g.shape);
+    if (g.collides) l.collisions.push_back(g.shape);
+  }
+
+  /// A geom with a mesh, which is read where its mass or sizes matter.
+  std::optional<rigid_body<>> mesh(const xml_item& x, const mjcf_scope& in, mjcf_geom& g, bool weighs, bool fixed) {
+    meshes_.describe(x, *in.model, g.shape);
+    const bool fitted = g.shape.is != robot_shape::form::mesh;
+    const auto& o = in.model->settings.options();
+    const bool massless = x.has("mass") ? x.number("mass") == 0 : x.number_or("density", 1000) == 0;
+    const bool stands = fixed && !o.floating_base && o.root.empty() && !(in.model->settings.masses().total > 0);
+    if (!weighs || massless || stands) {
+      if (fitted) g.shape.is = robot_shape::form::mesh, g.shape.origin = in.model->settings.place(x);
+      return {};
+    }
+    if (!fitted) return moved_body(g.shape.origin, meshes_.body(x, *in.model));
+    meshes_.fit(x, in, g);
+    return body_of_geom(x, g);
+  }
+
+  void site(const mjcf_child& c, std::size_t link) {
+    const auto& settings = c.in.model->settings;
+    const auto x = settings.classes().resolved(c.x, c.in.around);
+    if (!x.has("name")) return;
+    const auto place = x.has("fromto") ? read_geom(x, c.in).shape.origin : settings.place(x);
+    d_.frames.push_back({c.in.named(x.text("name")), x.line(), d_.links[link].name, c.in.place * place});
+  }
+  /// Sites may have names of bodies, frames may not.
+  void name_frames() {
+    std::unordered_set<std::string> names;
+    for (const auto& l : d_.links) names.insert(l.name);
+    for (auto& f : d_.frames) {
+      if (names.insert(f.name).second) continue;
+      const auto old = f.name;
+      do f.name += ".site";
+      while (!names.insert(f.name).second);
+      d_.not_read.push_back({f.line, "site '" + old + "': its frame is '" + f.name + "', as a body has its name"});
+    }
+  }
+
+  /// Joints of one body act one after another: links in between, without mass.
+  void joints(const std::vector<mjcf_child>& all, const xml_item& x, robot_pose place, const std::string& parent,
+              const std::string& own) {
+    if (all.empty()) {
+      robot_joint j;
+      j.name = fresh(own + "_fixed"), j.line = x.line(), j.file = x.file();
+      j.parent = parent, j.child = own, j.origin = place;
+      d_.joints.push_back(std::move(j));
+    }
+    std::string from = parent;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto& c = all[i];
+      const auto y = c.x.name() == "freejoint" ? c.in.model->settings.classes().cleaned(c.x)
+                                               : c.in.model->settings.classes().resolved(c.x, c.in.around);
+      const bool last = i + 1 == all.size();
+      auto j =
+          read_mjcf_joint(y, c.in, y.has("name") ? "" : fresh(own + "_joint" + (i == 0 ? "" : std::to_string(i + 1))));
+      j.parent = from, j.child = last ? own : fresh(own + "." + std::to_string(i + 1));
+      if (j.is == kind::floating) {
+        if (all.size() > 1 || parent != "world") y.fail("a free joint must be the only one of a body in the world");
+        if (!is_nothing(place)) y.not_read("the pose of its body is where it starts, which is no part of a chain");
+      } else {
+        j.origin = place * j.origin;
+      }
+      if (!last) {
+        auto& between = d_.links.emplace_back();
+        between.name = j.child, between.line = j.line, between.file = j.file;
+      }
+      from = j.child, place = {};
+      d_.joints.push_back(std::move(j));
+    }
+  }
+
+  /// Actuators, and what is not read, of a model and of those that it attaches.
+  void sections(const xml_item& root, const mjcf_scope& in) {
+    for (const auto& x : root.children()) {
+      const auto n = x.name();
+      if (n == "contact" || n == "equality" || n == "tendon" || n == "deformable") unread_.section(x);
+      if (n == "actuator")
+        for (const auto& a : x.children()) actuator(in.model->settings.classes().resolved(a, ""), in);
+    }
+  }
+  void actuator(const xml_item& x, const mjcf_scope& in) {
+    unread_.actuator(x);
+    if (!x.has("joint")) return x.not_read("acts on no joint, and is not read");
+    const auto gear = x.has("gear") ? x.list("gear") : std::vector<double>{1};
+    d_.actuators.push_back({x.has("name") ? in.named(x.text("name")) : "", x.line(), in.named(x.text("joint")),
+                            gear.empty() ? 1 : gear[0]});
+    x.only({}, {"name", "class", "joint", "gear", "group"});
+  }
+
+  void keyframe(const xml_item& x) {
+    x.only({}, {"name", "qpos"});
+    if (!x.has("qpos")) return;
+    const auto q = x.list("qpos");
+    robot_configuration c{
+        x.text_or("name", ("keyframe" + std::to_string(d_.configurations.size())).c_str()), x.line(), {}};
+    std::size_t at = 0;
+    for (const auto& j : d_.joints) {
+      const std::size_t numbers = j.is == kind::fixed       ? 0
+                                  : j.is == kind::floating  ? 7
+                                  : j.is == kind::spherical ? 4
+                                                            : 1;
+      if (numbers == 0) continue;
+      if (at + numbers > q.size()) break;
+      std::vector<double> of(q.begin() + static_cast<std::ptrdiff_t>(at),
+                             q.begin() + static_cast<std::ptrdiff_t>(at + numbers));
+      if (numbers > 1) {
+        const std::size_t k = numbers - 4;
+        const double length = std::hypot(std::hypot(of[k], of[k + 1]), std::hypot(of[k + 2], of[k + 3]));
+        if (!(length > 0)) x.fail("the quaternion of joint '" + j.name + "' has length 0");
+        for (std::size_t i = k; i < numbers; ++i) of[i] /= length;
+      }
+      c.joints.emplace_back(j.name, std::move(of)), at += numbers;
+    }
+    if (c.joints.size() != static_cast<std::size_t>(std::count_if(d_.joints.begin(), d_.joints.end(),
+                                                                  [](const auto& j) { return j.is != kind::fixed; })) ||
+        at != q.size())
+      return x.warn("its qpos has " + std::to_string(q.size()) +
+                    " numbers, which is not the size of the robot's q: not read");
+    d_.configurations.push_back(std::move(c));
+  }
+
+  robot_description& d_;
+  mjcf_tree tree_;
+  mjcf_unread unread_;
+  mjcf_meshes meshes_;
+  std::vector<std::size_t> bodies_;  ///< the links that are bodies of the file
+  std::unordered_set<std::string> taken_;
+  int depth_ = 0;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <kte/robots/detail/mjcf_includes.hpp>
+#include <kte/robots/detail/mjcf_settings.hpp>
+
+#include <deque>
+#include <memory>
+
+namespace kte::detail {
+
+/// A file in MJCF and the models that it attaches, each with settings of its own.
+struct mjcf_model {
+  xml_node root;
+  robot_description& d;
+  std::filesystem::path folder;
+  mjcf_settings settings;
+  mjcf_model(xml_node r, robot_description& to, std::filesystem::path in, const robot_options& o)
+      : root(std::move(r)), d(to), folder(std::move(in)), settings({root, to}, to, o) {}
+};
+
+/// Where elements of MJCF stand while a body is read: those of <frame>, <replicate> and <attach> in what is around
+/// them.
+struct mjcf_scope {
+  mjcf_model* model;
+  robot_pose place{};              ///< in the axes of the body
+  std::string around{};            ///< the class of defaults
+  std::string prefix{}, suffix{};  ///< of names
+  std::string named(const std::string& name) const { return prefix + name + suffix; }
+};
+
+/// An element of a body, and how it stands there.
+struct mjcf_child {
+  xml_item x;
+  mjcf_scope in;
+};
+
+/// The elements of a body as if <frame>, <replicate> and <attach> had been written out.
+class mjcf_tree {
+ public:
+  mjcf_tree(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), options_(o), parse_(parse) {}
+
+  /// The robot's own file.
+  mjcf_model& top(const xml_node& root) { return load(root, std::filesystem::path(d_.source).parent_path()); }
+
+  std::vector<mjcf_child> children(const xml_item& x, const mjcf_scope& in) {
+    std::vector<mjcf_child> all;
+    expand(x, in, all);
+    return all;
+  }
+  const std::deque<mjcf_model>& models() const { return models_; }
+  /// The models that were attached, with the prefixes of their names.
+  const std::vector<mjcf_scope>& attached() const { return attached_; }
+
+ private:
+  static constexpr std::size_t most_elements = 300000;
+
+  mjcf_model& load(xml_node root, const std::filesystem::path& folder) {
+    mjcf_includes(d_, folder, parse_).resolve(root);
+    return models_.emplace_back(std::move(root), d_, folder, options_);
+  }
+  void expand(const xml_item& x, const mjcf_scope& in, std::vector<mjcf_child>& all) {
+    for (const auto& c : x.children()) {
+      if (c.name() == "frame")
+        frame(c, in, all);
+      else if (c.name() == "replicate")
+        replicate(c, in, all);
+      else if (c.name() == "attach")
+        attach(c, in, all);
+      else if (c.name() == "composite" || c.name() == "flexcomp")
+        c.fail("is not read: what it makes is flexible");
+      else
+        all.push_back({c, in});
+      if (++count_ > most_elements) c.fail("the robot has more than " + std::to_string(most_elements) + " elements");
+    }
+  }
+  void frame(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
+    const auto own = in.model->settings.classes().cleaned(x);
+    own.only(
+        {"body", "geom", "site", "joint", "freejoint", "frame", "replicate", "attach", "camera", "light", "inertial"},
+        {"name", "childclass", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis"});
+    in.place = in.place * in.model->settings.place(own);
+    in.around = own.text_or("childclass", in.around.c_str());
+    if (!in.around.empty() && !in.model->settings.classes().has(in.around))
+      x.fail("there is no default class '" + excerpt(in.around) + "'");
+    expand(x, in, all);
+  }
+  /// Copy i stands at T^i, T = (offset, euler); its number, with zeros in front, ends its names.
+  void replicate(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
+    x.only({"body", "geom", "site", "frame", "replicate", "attach", "camera", "light"},
+           {"count", "sep", "offset", "euler", "childclass"});
+    const double count = x.number("count");
+    if (!(count >= 1 && count <= 1e6) || count != std::floor(count))
+      x.fail("count must be a whole number from 1 to 1000000, got " + number(count));
+    const robot_pose step{x.vector_or("offset", {}), in.model->settings.rotation_of_euler(x, x.vector_or("euler", {}))};
+    const auto before = in.suffix;
+    const std::size_t digits = std::to_string(static_cast<long>(count) - 1).size();
+    for (long i = 0; i < static_cast<long>(count); ++i, in.place = in.place * step) {
+      auto text = std::to_string(i);
+      text.insert(0, digits - std::min(digits, text.size()), '0');
+      in.suffix = x.text_or("sep", "") + text + before;
+      expand(x, in, all);
+    }
+  }
+  /// A body of another model, or all that its world holds.
+  void attach(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
+    x.only({}, {"model", "body", "prefix", "name"});
+    const auto name = x.text("model");
+    if (++depth_ > 32) x.fail("models attach each other more than 32 deep");
+    in.model = &model(x, *in.model, name);
+    in.prefix += x.text_or("prefix", ""), in.around.clear();
+    attached_.push_back(in);
+    const std::size_t before = all.size();
+    const auto body = x.text_or("body", "");
+    for (const auto& w : xml_item(in.model->root, d_).children("worldbody"))
+      if (body.empty())
+        expand(w, in, all);
+      else
+        find(w, body, in, all);
+    if (!body.empty() && all.size() == before)
+      x.fail("the model '" + excerpt(name) + "' has no body '" + excerpt(body) + "'");
+    --depth_;
+  }
+  static void find(const xml_item& in_this, const std::string& body, const mjcf_scope& in,
+                   std::vector<mjcf_child>& all) {
+    for (const auto& b : in_this.children()) {
+      if (b.name() == "body" && b.text_or("name", "") == body) return all.push_back({b, in});
+      if (b.name() == "body" || b.name() == "frame") find(b, body, in, all);
+    }
+  }
+  /// The model of an <asset>, read once.
+  mjcf_model& model(const xml_item& x, mjcf_model& from, const std::string& name) {
+    for (const auto& a : xml_item(from.root, d_).children("asset"))
+      for (const auto& m : a.children("model")) {
+        const auto file = m.text("file");
+        if (m.text_or("name", file.c_str()) != name) continue;
+        const auto path = from.folder / file;
+        if (const auto known = by_path_.find(path.string()); known != by_path_.end()) return *known->second;
+        if (!std::filesystem::exists(path)) m.fail("there is no file '" + excerpt(file) + "'");
+        auto& made = load(parse_(path), path.parent_path());
+        return *by_path_.emplace(path.string(), &made).first->second;
+      }
+    x.fail("there is no model '" + excerpt(name) + "' among the assets");
+  }
+
+  robot_description& d_;
+  const robot_options& options_;
+  xml_parser parse_;
+  std::deque<mjcf_model> models_;
+  std::map<std::string, mjcf_model*> by_path_;
+  std::vector<mjcf_scope> attached_;
+  int depth_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <kte/robots/detail/mjcf_tree.hpp>
+
+namespace kte::detail {
+
+/// What a file in MJCF has beside bodies and joints: of what moves a robot and is not modelled there is a warning each,
+/// or one for all of a kind; the rest is listed.
+class mjcf_unread {
+ public:
+  explicit mjcf_unread(robot_description& d) : d_(d) {}
+
+  /// Contact is not modelled: all that is said of it is one warning.
+  void contact_of(const xml_item& geom, bool collides) {
+    if (!collides) return;
+    for (const auto* name : {"friction", "solref", "solimp", "solmix", "margin", "gap", "condim", "priority"})
+      if (geom.has(name)) return note_contact(geom);
+  }
+  void option(const xml_item& x) {
+    for (const auto* name : {"density", "viscosity"})
+      if (x.number_or(name, 0) != 0) x.moves_differently(std::string("the drag of its ") + name + " is not modelled");
+    x.only({"flag"}, {"gravity", "density", "viscosity"});
+    for (const auto& f : x.children("flag")) f.only({}, {"gravity", "passive", "spring", "damper", "frictionloss"});
+  }
+  void section(const xml_item& x) {
+    if (x.name() == "contact") {
+      for (const auto& c : x.children()) c.name() == "pair" ? note_contact(c) : c.not_read("not read");
+    } else if (x.name() == "equality") {
+      for (const auto& c : x.children())
+        if (c.text_or("active", "true") == "true") c.moves_differently("this constraint is not modelled");
+    } else if (x.name() == "tendon") {
+      for (const auto& c : x.children()) tendon(c);
+    } else if (x.name() == "deformable") {
+      for (const auto& c : x.children())
+        c.name() == "skin" ? c.not_read("not read") : c.moves_differently("what is flexible is not modelled");
+    } else {
+      x.not_read("not read");
+    }
+  }
+  void actuator(const xml_item& x) {
+    if (x.name() == "motor" || gains_of_motor(x)) return;
+    auto& [first, names, count] = actuators_[std::string(x.name())];
+    if (count++ == 0) first.emplace(x);
+    if (count <= 3) names += (count > 1 ? ", '" : "'") + excerpt(x.text_or("name", "")) + "'";
+  }
+  /// What was gathered, as warnings.
+  void finish() {
+    for (const auto& [kind, a] : actuators_)
+      a.first->moves_differently("its law is not modelled, nor that of any <" + kind + ">: " + a.names +
+                                 (a.count > 3 ? " and " + std::to_string(a.count - 3) + " more" : ""));
+    if (contact_)
+      contact_->moves_differently("contact is not modelled: friction, solref and the like of " +
+                                  std::to_string(contacts_) + (contacts_ == 1 ? " element" : " elements"));
+  }
+
+ private:
+  struct group {
+    std::optional<xml_item> first;
+    std::string names;
+    std::size_t count = 0;
+  };
+  /// Of <general>: whether its force is its control, times the gear.
+  static bool gains_of_motor(const xml_item& x) {
+    return x.name() == "general" && !x.has("biasprm") && !x.has("dyntype") &&
+           x.text_or("gaintype", "fixed") == "fixed" && x.text_or("biastype", "none") == "none" &&
+           x.text_or("gainprm", "1") == "1";
+  }
+  void note_contact(const xml_item& x) {
+    if (!contact_) contact_.emplace(x);
+    ++contacts_;
+  }
+  void tendon(const xml_item& x) {
+    std::string forces;
+    for (const auto* name : {"stiffness", "damping", "frictionloss", "armature"})
+      if (x.has(name) && x.list(name)[0] != 0) forces += std::string(forces.empty() ? "" : ", ") + name;
+    if (x.has("range") && x.text_or("limited", "auto") != "false") forces += forces.empty() ? "range" : ", range";
+    if (forces.empty()) return x.not_read("not read");
+    x.moves_differently("its " + forces + (forces.find(',') == forces.npos ? " is" : " are") + " not modelled");
+  }
+
+  robot_description& d_;
+  std::map<std::string, group> actuators_;
+  std::optional<xml_item> contact_;
+  std::size_t contacts_ = 0;
+};
+
+}  // namespace kte::detail
