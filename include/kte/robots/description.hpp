@@ -99,8 +99,8 @@ struct robot_joint {
 
 /// Whether a joint moves by one number.
 inline bool has_one_coordinate(const robot_joint& j) {
-  using kind = robot_joint::kind;
-  return j.is == kind::revolute || j.is == kind::prismatic || j.is == kind::screw;
+  using enum robot_joint::kind;
+  return j.is == revolute || j.is == prismatic || j.is == screw;
 }
 
 /// What drives a joint, as far as it is known: a name, the joint, the gear from one to the other.
