@@ -9,6 +9,7 @@ inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, co
                                                            const mjcf_settings& settings) {
   const auto on = x.text_or(limited, "auto");
   if (on != "true" && !(on == "auto" && settings.limits_by_range() && x.has(range))) return {};
+  if (!x.has(range)) return x.warn(std::string("it is limited and has no ") + range), std::nullopt;
   const auto r = x.list(range);
   if (r.size() != 2) x.fail(std::string(range) + " must have two numbers, got " + std::to_string(r.size()));
   check_range(x, r[0], r[1], "the lower end", "the upper");
@@ -87,8 +88,7 @@ inline robot_joint read_mjcf_joint(const xml_item& x, const mjcf_scope& in, cons
   if (j.is == kind::floating) return j;
   place_mjcf_joint(x, in, j, unit(x.number_or("ref", 0)));
   if (j.is == kind::spherical) {
-    j.reference = 0;
-    if (mjcf_range(x, "range", "limited", in.model->settings))
+    if (x.has("range") && mjcf_range(x, "range", "limited", in.model->settings))
       x.moves_differently("the range of a ball is not modelled");
     return j;
   }

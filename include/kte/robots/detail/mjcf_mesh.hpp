@@ -94,6 +94,8 @@ class mjcf_meshes {
   }
   static triangle_mesh written_out(const xml_item& a) {
     triangle_mesh mesh;
+    if (!a.has("vertex"))
+      a.fail("it has no file and no vertex: the mass of what a plugin or a builtin makes is not read");
     const auto v = a.list("vertex");
     if (v.size() % 3 != 0) a.fail("vertex must have three numbers a vertex, got " + std::to_string(v.size()));
     for (std::size_t i = 0; i < v.size(); i += 3) mesh.vertices.push_back({v[i], v[i + 1], v[i + 2]});

@@ -101,6 +101,11 @@ class mjcf_reader {
     mjcf_scope in{c.in.model, {}, x.text_or("childclass", c.in.around.c_str()), c.in.prefix, c.in.suffix};
     if (!in.around.empty() && !settings.classes().has(in.around))
       x.fail("there is no default class '" + excerpt(in.around) + "'");
+    const auto place = settings.place(x);
+    if (settings.in_world()) {
+      if (!x.has("pos")) x.fail("has no pos: coordinate='global' is read where bodies have one");
+      in.place = inverse_of(place);
+    }
     if (x.text_or("mocap", "false") == "true") x.not_read("mocap is not read: it stands still");
     const std::size_t index = d_.links.size();
     bodies_.push_back(index);
@@ -115,9 +120,9 @@ class mjcf_reader {
       has_inertial = has_inertial || y.x.name() == "inertial";
     }
     const here at{index, above.fixed && moving.empty(), settings.from_geoms(has_inertial)};
-    if (has_inertial && !at.weighs) l.inertial = body_of(settings, x.needed_child("inertial"));
+    if (has_inertial && !at.weighs) l.inertial = moved_body(in.place, body_of(settings, x.needed_child("inertial")));
     const auto own = l.name;
-    joints(moving, x, c.in.place * settings.place(x), d_.links[above.link].name, own);
+    joints(moving, x, c.in.place * place, d_.links[above.link].name, own);
     contents(in, x, at);
     --depth_;
   }
@@ -245,6 +250,8 @@ class mjcf_reader {
     }
   }
   void actuator(const xml_item& x, const mjcf_scope& in) {
+    const auto driven = [&](const auto& j) { return j.name == in.named(x.text("joint")); };
+    if (!in.prefix.empty() && x.has("joint") && std::none_of(d_.joints.begin(), d_.joints.end(), driven)) return;
     unread_.actuator(x);
     if (!x.has("joint")) return x.not_read("acts on no joint, and is not read");
     const auto gear = x.has("gear") ? x.list("gear") : std::vector<double>{1};

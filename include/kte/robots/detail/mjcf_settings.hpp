@@ -28,6 +28,8 @@ class mjcf_settings {
   /// Whether geoms of a group count for masses.
   bool counts(double group) const { return group >= groups_[0] && group <= groups_[1]; }
   const mjcf_mass_rules& masses() const { return masses_; }
+  /// Whether places are in axes of the world, wherever they are written.
+  bool in_world() const { return in_world_; }
   const std::string& mesh_folder() const { return mesh_folder_.empty() ? asset_folder_ : mesh_folder_; }
   bool strips_paths() const { return strip_path_; }
   bool exact_meshes() const { return exact_meshes_; }
@@ -55,7 +57,7 @@ class mjcf_settings {
            {"angle",        "eulerseq",          "coordinate",       "autolimits",   "inertiafromgeom", "meshdir",
             "texturedir",   "assetdir",          "strippath",        "settotalmass", "balanceinertia",  "boundmass",
             "boundinertia", "inertiagrouprange", "exactmeshinertia", "fitaabb",      "discardvisual",   "fusestatic",
-            "usethread",    "convexhull",        "saveinertial"});
+            "usethread",    "convexhull",        "saveinertial",     "alignfree"});
     const auto truth = [&](const char* name, bool& value) {
       if (c.has(name)) value = c.text(name) == "true";
     };
@@ -63,7 +65,9 @@ class mjcf_settings {
     if (c.has("eulerseq")) sequence_ = c.text("eulerseq");
     if (sequence_.size() != 3 || sequence_.find_first_not_of("xyzXYZ") != sequence_.npos)
       c.fail("eulerseq must be three of x, y, z, X, Y, Z, got '" + excerpt(sequence_) + "'");
-    if (c.text_or("coordinate", "local") != "local") c.fail("coordinate='global' is not read: only local poses are");
+    if (c.has("coordinate")) in_world_ = c.text("coordinate") == "global";
+    if (c.text_or("alignfree", "false") == "true")
+      c.warn("alignfree is not read: coordinates of free bodies are those of their own axes");
     if (c.has("inertiafromgeom")) from_geoms_ = c.text("inertiafromgeom");
     truth("autolimits", auto_limits_), truth("strippath", strip_path_), truth("balanceinertia", masses_.balance);
     truth("exactmeshinertia", exact_meshes_), truth("fitaabb", fit_boxes_);
@@ -101,6 +105,7 @@ class mjcf_settings {
   const robot_options& options_;
   mjcf_classes classes_;
   bool degrees_ = true, auto_limits_ = true, strip_path_ = false, exact_meshes_ = false, fit_boxes_ = false;
+  bool in_world_ = false;
   std::string from_geoms_ = "auto", sequence_ = "xyz", mesh_folder_, asset_folder_;
   std::vector<double> groups_{-1e9, 1e9};
   mjcf_mass_rules masses_;

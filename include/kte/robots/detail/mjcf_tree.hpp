@@ -101,43 +101,48 @@ class mjcf_tree {
       expand(x, in, all);
     }
   }
-  /// A body of another model, or all that its world holds.
+  /// A body or a frame of another model, or all that its world holds; of this model where none is named.
   void attach(const xml_item& x, mjcf_scope in, std::vector<mjcf_child>& all) {
-    x.only({}, {"model", "body", "prefix", "name"});
-    const auto name = x.text("model");
+    x.only({}, {"model", "body", "frame", "prefix", "name"});
     if (++depth_ > 32) x.fail("models attach each other more than 32 deep");
-    in.model = &model(x, *in.model, name);
-    in.prefix += x.text_or("prefix", ""), in.around.clear();
+    if (x.has("model")) in.model = &model(x, *in.model), in.around.clear();
+    in.prefix += x.text_or("prefix", "");
     attached_.push_back(in);
-    const std::size_t before = all.size();
-    const auto body = x.text_or("body", "");
+    const char* const kind = x.has("frame") ? "frame" : "body";
+    const auto name = x.text_or(kind, "");
+    bool found = false;
     for (const auto& w : xml_item(in.model->root, d_).children("worldbody"))
-      if (body.empty())
-        expand(w, in, all);
+      if (name.empty())
+        expand(w, in, all), found = true;
       else
-        find(w, body, in, all);
-    if (!body.empty() && all.size() == before)
-      x.fail("the model '" + excerpt(name) + "' has no body '" + excerpt(body) + "'");
+        found = find(w, kind, name, in, all) || found;
+    if (!found) x.fail("there is no " + std::string(kind) + " '" + excerpt(name) + "' to attach");
     --depth_;
   }
-  static void find(const xml_item& in_this, const std::string& body, const mjcf_scope& in,
-                   std::vector<mjcf_child>& all) {
-    for (const auto& b : in_this.children()) {
-      if (b.name() == "body" && b.text_or("name", "") == body) return all.push_back({b, in});
-      if (b.name() == "body" || b.name() == "frame") find(b, body, in, all);
+  bool find(const xml_item& around, std::string_view kind, const std::string& name, const mjcf_scope& in,
+            std::vector<mjcf_child>& all) {
+    for (const auto& c : around.children()) {
+      if (c.name() == kind && c.text_or("name", "") == name) {
+        kind == "frame" ? frame(c, in, all) : all.push_back({c, in});
+        return true;
+      }
+      if ((c.name() == "body" || c.name() == "frame") && find(c, kind, name, in, all)) return true;
     }
+    return false;
   }
-  /// The model of an <asset>, read once.
-  mjcf_model& model(const xml_item& x, mjcf_model& from, const std::string& name) {
+  /// The model of an <asset>, read once; without a name it has that of its file.
+  mjcf_model& model(const xml_item& x, mjcf_model& from) {
+    const auto name = x.text("model");
     for (const auto& a : xml_item(from.root, d_).children("asset"))
       for (const auto& m : a.children("model")) {
-        const auto file = m.text("file");
-        if (m.text_or("name", file.c_str()) != name) continue;
-        const auto path = from.folder / file;
-        if (const auto known = by_path_.find(path.string()); known != by_path_.end()) return *known->second;
-        if (!std::filesystem::exists(path)) m.fail("there is no file '" + excerpt(file) + "'");
-        auto& made = load(parse_(path), path.parent_path());
-        return *by_path_.emplace(path.string(), &made).first->second;
+        if (m.has("name") && m.text("name") != name) continue;
+        const auto path = from.folder / m.text("file");
+        auto& known = by_path_[path.string()];
+        if (known == nullptr) {
+          if (!std::filesystem::exists(path)) m.fail("there is no file '" + excerpt(m.text("file")) + "'");
+          known = &load(parse_(path), path.parent_path());
+        }
+        if (m.has("name") || xml_item(known->root, d_).text_or("model", "") == name) return *known;
       }
     x.fail("there is no model '" + excerpt(name) + "' among the assets");
   }
