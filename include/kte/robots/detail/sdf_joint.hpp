@@ -59,7 +59,7 @@ class sdf_joints {
   void two_axes(const xml_item& x, const seat& at, robot_joint j) {
     auto second = j;
     auto& middle = d_.links.emplace_back();
-    middle.name = j.child + ".cross", middle.line = j.line, middle.file = j.file;
+    middle.name = free_name(d_.links, j.child + ".cross"), middle.line = j.line, middle.file = j.file;
     j.child = second.parent = middle.name, second.origin = {}, j.child_pose = {};
     second.name = j.name + "_2", second.mimic.reset();
     axis(axis_of(x, "axis2"), at, second);

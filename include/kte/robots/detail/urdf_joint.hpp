@@ -55,7 +55,7 @@ class urdf_joints {
   void cross(robot_joint j) {
     auto second = j;
     auto& middle = d_.links.emplace_back();
-    middle.name = j.child + ".cross", middle.line = j.line, middle.file = j.file;
+    middle.name = free_name(d_.links, j.child + ".cross"), middle.line = j.line, middle.file = j.file;
     j.child = second.parent = middle.name;
     second.name += "_2", second.origin = {};
     j.axis = {1, 0, 0}, second.axis = {0, 1, 0};
