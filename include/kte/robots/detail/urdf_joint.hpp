@@ -72,7 +72,6 @@ class urdf_joints {
       j.effort = most(*l, "effort"), j.rate = most(*l, "velocity");
       if (bounded && (l->has("lower") || l->has("upper") || j.is != kind::screw)) {
         j.lower = l->has("lower") ? l->limit("lower") : 0, j.upper = l->has("upper") ? l->limit("upper") : 0;
-        if (!l->has("lower") && !l->has("upper")) l->warn("has neither lower nor upper: both are 0, as URDF says then");
       } else if (!bounded && (l->has("lower") || l->has("upper"))) {
         l->not_read("lower and upper mean nothing to a continuous joint");
       }
