@@ -73,6 +73,8 @@ TEST_CASE("errors in SDF name file, line and element") {
   joint("fixed", "<pose>1 2</pose>", "<pose>: must have six numbers, got 2");
   joint("fixed", "<pose relative_to='c'/>", "there is no frame 'c'");
   joint("screw", "<axis/><thread_pitch>0</thread_pitch>", "thread_pitch must not be 0");
+  refused("<model name='n'/><joint name='j' type='fixed'><parent>a</parent><child>n</child></joint>",
+          "4: joint 'j': the frame 'n' is attached to no link");
   refused("<frame name='f' attached_to='g'/><frame name='g' attached_to='f'/>",
           "4: frame 'g': it is attached to itself");
   refused("<link name='c'><gravity>perhaps</gravity></link>", "4: link 'c': <gravity>: 'perhaps' is neither true nor");
@@ -193,8 +195,8 @@ TEST_CASE("models in models, and their frames") {
   CHECK(d.joints[1].child_pose.position == vec3<>{-1, 0, 0});
   CHECK((d.joints[0].parent == "leg::foot" && d.joints[0].child == "leg::shin"));
   CHECK(d.joints[0].axis == vec3<>{0, 0, -1});
-  CHECK(has(d.warnings, "joint 'leg::knee': its child 'leg::foot' hangs on another joint") ==
-        has(d.warnings, "knee': its child"));
+  CHECK((d.joints[0].origin == robot_pose{} && d.joints[0].child_pose.position == vec3<>{-1, 0, 0}));
+  CHECK(has(d.warnings, "joint 'leg::knee': its child 'leg::foot' hangs on another joint"));
   REQUIRE(d.frames.size() == 2);
   CHECK((d.frames[0].name == "leg::toe" && d.frames[0].link == "leg::foot" && d.frames[0].origin.position.x == 1));
   CHECK((d.frames[1].name == "mark" && d.frames[1].link == "leg::foot" && d.frames[1].origin.position.z == 5));

@@ -25,7 +25,7 @@ class sdf_frames {
   struct frame {
     std::string relative_to;
     robot_pose pose;
-    std::string attached_to;  ///< what it moves with; empty for a link
+    std::string attached_to;  ///< what it moves with; empty for a link, itself of a model without links
     xml_item from;
   };
 
@@ -58,7 +58,8 @@ class sdf_frames {
     std::string at = name == outermost ? canonical : name;
     for (std::size_t steps = 0;; ++steps) {
       const auto it = frames_.find(at);
-      if (it == frames_.end()) asks.fail("the frame '" + excerpt(name) + "' is attached to no link");
+      if (it == frames_.end() || it->second.attached_to == at)
+        asks.fail("the frame '" + excerpt(name) + "' is attached to no link");
       if (it->second.attached_to.empty()) return at;
       if (steps > frames_.size()) it->second.from.fail("it is attached to itself, in the end");
       at = it->second.attached_to == outermost ? canonical : it->second.attached_to;

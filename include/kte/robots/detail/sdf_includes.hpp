@@ -9,7 +9,7 @@ class sdf_includes {
  public:
   sdf_includes(robot_description& d, const robot_options& o, xml_parser parse)
       : d_(d), search_(d, o, parse), parse_(parse) {
-    open_.push_back(std::filesystem::weakly_canonical(d.source));
+    open_.push_back(whole_path(d.source));
   }
 
   /// Of a model, and of those in it.
@@ -27,7 +27,7 @@ class sdf_includes {
     const auto uri = child_text(x, "uri");
     const auto folder = std::filesystem::path(n.file.empty() ? d_.source : n.file).parent_path();
     const auto path = search_.find(first_child(x, "uri").value(), uri, folder);
-    const auto whole = std::filesystem::weakly_canonical(path);
+    const auto whole = whole_path(path);
     if (std::find(open_.begin(), open_.end(), whole) != open_.end())
       x.fail("'" + excerpt(uri) + "' includes itself, in the end");
     if (open_.size() > deepest) x.fail("files that include each other go deeper than " + std::to_string(deepest));
@@ -49,6 +49,10 @@ class sdf_includes {
  private:
   static constexpr std::size_t deepest = 32, most = 1000;
 
+  static std::filesystem::path whole_path(const std::filesystem::path& path) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(path, none);
+  }
   static xml_node only_model(const xml_item& x, xml_node& file) {
     xml_node* found = nullptr;
     for (auto& c : file.children) {

@@ -76,7 +76,7 @@ class sdf_model {
     const auto name = x.text("name"), full = outer.prefix + name;
     const bool merged = x.has("kte:merge");
     const sdf_scope scope{merged ? outer.prefix : full + "::", merged ? full + " (merged)" : full};
-    frames_.add(scope.model, {frame_for(outer, relative_to(x), outer.model), sdf_pose(x, options_), "", x});
+    frames_.add(scope.model, {frame_for(outer, relative_to(x), outer.model), sdf_pose(x, options_), scope.model, x});
     gather(x, scope, still || child_flag(x, "static", false));
     if (x.has("placement_frame"))
       placed_.push_back({x, scope, scope.model, frame_for(scope, x.text("placement_frame"), scope.model)});
@@ -97,7 +97,7 @@ class sdf_model {
       to = scope.full(models[0].text("name")) + (models[0].has("kte:merge") ? " (merged)" : "");
     if (scope.model == "__model__")
       frames_.canonical = to;
-    else
+    else if (!to.empty())
       frames_.attach(scope.model, to);
   }
   std::string frame_for(const sdf_scope& scope, const std::string& name, const std::string& usual) const {

@@ -62,7 +62,8 @@ class sdf_tree {
  private:
   using kind = robot_joint::kind;
   struct part {
-    std::vector<std::string> links, joints;
+    std::vector<std::string> links;
+    std::vector<std::size_t> joints;
     std::string root{};  ///< empty where there are loops
   };
 
@@ -72,9 +73,6 @@ class sdf_tree {
     while (!joints_.insert(j.name).second) j.name += '\'';
     j.parent = parent, j.child = child.name, j.origin = place_(parent, child.name);
     return j;
-  }
-  robot_joint& joint(const std::string& name) {
-    return *std::find_if(d_.joints.begin(), d_.joints.end(), [&](const auto& j) { return j.name == name; });
   }
 
   /// Links that joints connect.
@@ -96,7 +94,7 @@ class sdf_tree {
       if (fresh) all.emplace_back();
       all[it->second].links.push_back(l.name);
     }
-    for (const auto& j : d_.joints) all[which.at(top(j.parent))].joints.push_back(j.name);
+    for (std::size_t i = 0; i < d_.joints.size(); ++i) all[which.at(top(d_.joints[i].parent))].joints.push_back(i);
     return all;
   }
 
@@ -104,22 +102,22 @@ class sdf_tree {
   /// that point to it are turned round. Parts with loops stay, and are refused by robot_tree.
   void direct(part& p, const std::string& first) {
     if (p.joints.size() >= p.links.size()) return;
-    std::map<std::string, std::vector<std::string>> at;
+    std::map<std::string, std::vector<std::size_t>> at;
     std::set<std::string> below;
-    for (const auto& name : p.joints) {
-      const auto& j = joint(name);
-      at[j.parent].push_back(name), at[j.child].push_back(name), below.insert(j.child);
+    for (const auto i : p.joints) {
+      const auto& j = d_.joints[i];
+      at[j.parent].push_back(i), at[j.child].push_back(i), below.insert(j.child);
     }
     for (const auto& l : p.links)
       if (l == "world" || (!below.contains(l) && (p.root.empty() || (l == first && p.root != "world")))) p.root = l;
-    std::set<std::string> done;
+    std::set<std::size_t> done;
     std::vector<std::string> next{p.root};
     while (!next.empty()) {
       const auto link = next.back();
       next.pop_back();
-      for (const auto& name : at[link]) {
-        if (!done.insert(name).second) continue;
-        auto& j = joint(name);
+      for (const auto i : at[link]) {
+        if (!done.insert(i).second) continue;
+        auto& j = d_.joints[i];
         if (j.child == link) turn(j);
         next.push_back(j.child);
       }
