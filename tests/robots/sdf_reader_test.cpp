@@ -241,6 +241,8 @@ TEST_CASE("parts of a model that no joint connects move freely, and what is stat
   CHECK((d.joints.size() == 1 && d.joints[0].is == robot_joint::kind::fixed && d.joints[0].child == "b"));
   CHECK(has(d.not_read, "model 'm': it is static"));
   CHECK(d.warnings.size() == 1);  // of the axis
+  d = from_sdf(model("<static>1</static>" + link_text("a") + "<model name='n'>" + link_text("b") + "</model>"));
+  CHECK((d.joints.size() == 1 && d.joints[0].is == robot_joint::kind::fixed && d.joints[0].name == "n::b.static"));
   d = from_sdf(model("<pose>0 0 2 0 0 0</pose>" + link_text("a") + "<model name='n'><static>1</static>" +
                      link_text("b") + "</model>" + joint("j", "revolute", "a", "n::b")));
   REQUIRE(d.joints.size() == 2);
