@@ -18,3 +18,5 @@ build/examples/examples/evaluate --check $robot
 for how in "" --static; do
   build/examples/examples/evaluate $robot examples/evaluate/iiwa14.csv $how | cut -c 1-120
 done
+echo "Testing evaluate as a program: arguments, files, the programs that it keeps"
+sh tests/programs/evaluate.sh build/examples/examples/evaluate

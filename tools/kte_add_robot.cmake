@@ -1,6 +1,7 @@
 # kte_add_robot(target robot.urdf|model.json|model.xml [NAME name]): the robot as a type. Writes the header `name.hpp`
 # (the name of the file unless told) when the target is built, by the program kte-header, which is built once, and puts
-# its folder on the target's include path: `#include "name.hpp"`, then `robots::name`.
+# its folder on the target's include path: `#include "name.hpp"`, then `robots::name`. An installed kte has kte-header in
+# its bin/, which is taken if it is there.
 set(KTE_HEADER_SOURCE ${CMAKE_CURRENT_LIST_DIR}/kte_header.cpp CACHE INTERNAL "")
 
 function(kte_add_header_program)
@@ -9,6 +10,10 @@ function(kte_add_header_program)
   endif()
   if(CMAKE_CROSSCOMPILING)  # it runs here
     find_program(KTE_HEADER kte-header REQUIRED)
+  elseif(KTE_INSTALLED_BIN)
+    find_program(KTE_HEADER kte-header PATHS ${KTE_INSTALLED_BIN} NO_CACHE NO_DEFAULT_PATH)
+  endif()
+  if(KTE_HEADER)
     add_executable(kte_header IMPORTED GLOBAL)
     set_target_properties(kte_header PROPERTIES IMPORTED_LOCATION ${KTE_HEADER})
     return()
@@ -20,7 +25,7 @@ function(kte_add_header_program)
   set_target_properties(kte_header PROPERTIES OUTPUT_NAME kte-header
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/kte-header)
   target_link_libraries(kte_header PRIVATE kte::robots)
-  if(KTE_BUILD_COMPILED OR kte_compiled_FOUND)  # a tenth to compile
+  if(TARGET kte::compiled AND (KTE_BUILD_COMPILED OR KTE_BUILD_TESTS OR kte_compiled_FOUND))  # a tenth to compile
     target_link_libraries(kte_header PRIVATE kte::compiled)
   endif()
   target_compile_options(kte_header PRIVATE -O0)  # compiled faster than it ever runs

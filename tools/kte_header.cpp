@@ -1,6 +1,7 @@
-/// kte-header: a robot of a file as a C++ header, in which it is a type (docs/robots.md).
-#include <kte/io/file.hpp>
-#include <kte/io/model_reader.hpp>
+/// kte-header: a robot of a file as a C++ header, in which it is a type (docs/robots_as_types.md).
+#include <kte/io/model_content.hpp>
+#include <kte/io/program.hpp>
+#include <kte/io/replace_file.hpp>
 #include <kte/robots/header.hpp>
 #include <kte/robots/load_robot.hpp>
 
@@ -10,13 +11,14 @@
 namespace {
 
 constexpr const char* usage =
-    "usage: kte-header robot.urdf|model.json|model.xml [-o file] [--name name]\n"
+    "usage: kte-header robot.urdf|model.json|model.xml|model.kte [-o file] [--name name]\n"
     "Writes the robot as a C++ header to the file, or to standard output. Its name is that of the file unless told.\n";
 
 struct request {
   std::filesystem::path robot;
   std::optional<std::filesystem::path> out;
   std::string name;
+  bool help = false;
 };
 
 /// Nothing if the arguments make no sense.
@@ -27,31 +29,36 @@ std::optional<request> request_of(int count, char** arguments) {
     if ((x == "-o" || x == "--name") && i + 1 < count) {
       const char* const value = arguments[++i];
       x == "-o" ? void(r.out = value) : void(r.name = value);
+    } else if (x == "--help") {
+      r.help = true;
     } else if (x.starts_with("-") || !r.robot.empty()) {
       return {};
     } else {
       r.robot = x;
     }
   }
-  if (r.robot.empty()) return {};
+  if (r.robot.empty() && !r.help) return {};
   if (r.name.empty()) r.name = r.robot.stem().string();
   return r;
 }
 
-/// The library's own files end in .json, or are XML whose first tag is <cereal>; all else describes robots.
-bool is_model(const std::filesystem::path& path) {
-  if (path.extension() == ".json") return true;
-  if (path.extension() != ".xml") return false;
-  const auto text = kte::detail::text_of_file(path);
-  return text.find("<cereal>") != std::string::npos;
+std::string header_of(const request& r) {
+  const auto bytes = kte::detail::text_of_file(r.robot);
+  const auto file = r.robot.string();
+  if (const auto model = kte::detail::model_in(bytes, r.robot)) return kte::to_header(*model, r.name);
+  const auto robot = kte::to_robot(kte::describe_robot(bytes, file));
+  for (const auto& w : robot.warnings)
+    std::fprintf(stderr, "kte-header: %s%s\n", kte::detail::place_text(file, w.line).c_str(), w.text.c_str());
+  return kte::to_header(robot.chain, r.name, robot.limits);
 }
 
-std::string header_of(const request& r) {
-  if (is_model(r.robot)) return kte::to_header(kte::load_model(r.robot), r.name);
-  const auto robot = kte::load_robot(r.robot);
-  for (const auto& w : robot.warnings)
-    std::fprintf(stderr, "kte-header: %s:%d: %s\n", r.robot.string().c_str(), w.line, w.text.c_str());
-  return kte::to_header(robot.chain, r.name, robot.limits);
+int run(const request& r) {
+  const auto text = r.help ? usage : header_of(r);
+  if (r.out && !r.help)
+    kte::detail::replace_file(*r.out, text);
+  else
+    kte::detail::write_standard_output(text);
+  return 0;
 }
 
 }  // namespace
@@ -62,14 +69,5 @@ int main(int count, char** arguments) {
     std::fputs(usage, stderr);
     return 2;
   }
-  try {
-    const auto text = header_of(*r);
-    if (r->out)
-      kte::detail::replace_file(*r->out, text);
-    else
-      std::fputs(text.c_str(), stdout);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 1;
-  }
+  return kte::detail::exit_code_of([&] { return run(*r); });
 }

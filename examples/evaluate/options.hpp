@@ -4,6 +4,7 @@
 #include <kte/math/vec.hpp>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,7 +13,7 @@
 namespace evaluate {
 
 inline constexpr const char* usage =
-    "usage: evaluate robot.urdf|model.json|model.xml states.csv [options]\n"
+    "usage: evaluate robot.urdf|model.json|model.xml|model.kte states.csv [options]\n"
     "       evaluate --check robot.urdf\n"
     "  --gravity x y z    m/s^2; (0, 0, -9.81) of a URDF, that of a model file\n"
     "  --frame name       also its pose and its Jacobian in axes of the world; may come several times\n"
@@ -20,13 +21,14 @@ inline constexpr const char* usage =
     "  --floating-base    the root moves freely: its q and v come first\n"
     "  --joint-dynamics   with damping, friction, springs and rotors of joints\n"
     "  --precision 50     with 50 digits instead of 17\n"
-    "  --static           by a program for this robot, which is compiled once\n";
+    "  --static           by a program for this robot, which is compiled once\n"
+    "  --help             this\n";
 
 struct options {
   std::filesystem::path robot, states;
   std::optional<kte::vec3<>> gravity;
   std::vector<std::string> frames;
-  bool derivatives = false, floating_base = false, joint_dynamics = false, by_type = false, check = false;
+  bool derivatives = false, floating_base = false, joint_dynamics = false, by_type = false, check = false, help = false;
   int digits = 17;
 };
 
@@ -44,6 +46,7 @@ inline options read_options(int count, char** arguments) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), x);
     if (code != std::errc{} || end != text.data() + text.size())
       throw kte::bad_argument("kte: " + of + ": '" + text + "' is not a number");
+    if (!std::isfinite(x)) throw kte::bad_argument("kte: " + of + ": '" + text + "' is not finite");
     return x;
   };
   while (i < count) {
@@ -54,8 +57,10 @@ inline options read_options(int count, char** arguments) {
     } else if (x == "--frame") {
       o.frames.push_back(next(x));
     } else if (x == "--precision") {
-      o.digits = static_cast<int>(number(x));
-      if (o.digits != 17 && o.digits != 50) throw kte::bad_argument("kte: --precision is 17 or 50");
+      const std::string digits = next(x);
+      if (digits != "17" && digits != "50")
+        throw kte::bad_argument("kte: --precision is 17 or 50, not '" + digits + "'");
+      o.digits = digits == "50" ? 50 : 17;
     } else if (x == "--derivatives") {
       o.derivatives = true;
     } else if (x == "--floating-base") {
@@ -66,6 +71,9 @@ inline options read_options(int count, char** arguments) {
       o.by_type = true;
     } else if (x == "--check") {
       o.check = true;
+    } else if (x == "--help") {
+      o.help = true;
+      return o;
     } else if (x.starts_with("-") && x.size() > 1) {
       throw kte::bad_argument("kte: there is no option '" + x + "'");
     } else if (o.robot.empty()) {

@@ -2,9 +2,10 @@
 
 #include <kte/dynamics/runtime.hpp>
 #include <kte/elements/registry.hpp>
-#include <kte/io/model_reader.hpp>
+#include <kte/io/model_content.hpp>
 #include <kte/robots/load_robot.hpp>
 
+#include <algorithm>
 #include <set>
 
 #include "evaluate/fixed_bodies.hpp"
@@ -16,12 +17,17 @@ namespace evaluate {
 struct robot_file {
   kte::kte_map_chain chain;
   std::vector<std::string> coordinates;
+  std::vector<std::string> warnings;  ///< with file and line, each once
 };
 
-/// The library's own files are .json, or XML that says <cereal>; all else describes robots.
-inline bool is_model(const std::filesystem::path& path) {
-  if (path.extension() == ".json") return true;
-  return path.extension() == ".xml" && kte::detail::read_file(path).find("<cereal>") != std::string::npos;
+/// "arm.urdf:37: what is odd", of each note once.
+inline std::vector<std::string> texts_of(const std::vector<kte::robot_note>& notes, const std::string& source) {
+  std::vector<std::string> all;
+  for (const auto& note : notes) {
+    const auto text = kte::detail::place_text(source, note.line) + note.text;
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  }
+  return all;
 }
 
 inline kte::robot_options robot_options_of(const options& o) {
@@ -34,16 +40,18 @@ inline kte::robot_options robot_options_of(const options& o) {
 
 inline robot_file read_robot(const options& o) {
   robot_file r;
-  if (is_model(o.robot)) {
+  const auto bytes = kte::detail::text_of_file(o.robot);
+  if (const auto model = kte::detail::model_in(bytes, o.robot)) {
     if (o.floating_base || o.joint_dynamics)
       throw kte::bad_argument("kte: a model file is taken as it is, without --floating-base and --joint-dynamics");
-    r.chain = without_fixed_bodies(kte::to_chain(kte::load_model(o.robot)));
+    r.chain = without_fixed_bodies(kte::to_chain(*model));
     if (o.gravity) r.chain.gravity(*o.gravity);
     for (const auto& e : kte::layout(r.chain)) r.coordinates.push_back(e.name);
     return r;
   }
   const auto wanted = robot_options_of(o);
-  const auto robot = kte::load_robot(o.robot, wanted);
+  const auto robot = kte::to_robot(kte::describe_robot(bytes, o.robot.string(), wanted), wanted);
+  r.warnings = texts_of(robot.warnings, o.robot.string());
   r.chain = without_fixed_bodies(robot.chain);
   std::set<std::string> free;
   for (const auto& e : kte::layout(r.chain)) free.insert(e.name);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kte/io/program.hpp>
+
 #include <cstdio>
 #include <limits>
 #include <sstream>
@@ -17,7 +19,7 @@ class output {
   explicit output(int digits) { number_ << std::scientific, number_.precision(digits - 1); }
 
   void put(const std::string& name, const S& x) {
-    if (!has_names_) names_.append(names_.empty() ? "" : ",").append(name);
+    if (!has_names_) names_.append(names_.empty() ? "" : ",").append(cell(name));
     if (!row_.empty()) row_ += ',';
     if constexpr (std::is_same_v<S, double>) {
       char digits[40];
@@ -35,6 +37,14 @@ class output {
   std::string text() const { return names_ + '\n' + rows_; }
 
  private:
+  /// In quotes, with its quotes doubled, where it has commas or quotes.
+  static std::string cell(const std::string& name) {
+    if (name.find_first_of(",\"\n") == name.npos) return name;
+    std::string s = "\"";
+    for (const char c : name) s.append(c == '"' ? 2 : 1, c);
+    return s + '"';
+  }
+
   std::ostringstream number_;
   std::string names_, row_, rows_;
   bool has_names_ = false;
@@ -134,9 +144,7 @@ class row_writer {
 /// The table of a model. Nothing is printed but at the end, all at once.
 template <class Model>
 void print_rows(Model& model, const state_table& table, const std::vector<std::string>& coordinates, const options& o) {
-  const auto text = row_writer<Model>(model, table, coordinates, o).text();
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw kte::bad_file("kte: cannot write the table");
+  kte::detail::write_standard_output(row_writer<Model>(model, table, coordinates, o).text());
 }
 
 }  // namespace evaluate

@@ -9,6 +9,13 @@
 
 namespace evaluate {
 
+/// Throws `kte::unknown_name` for frames that the chain has not, and `kte::bad_argument` for those of the plane.
+inline void check_frames(const kte::kte_map_chain& chain, const std::vector<std::string>& frames) {
+  for (const auto& name : frames)
+    if (chain.frame(name).what() != kte::kind::frame_3D)
+      throw kte::bad_argument("kte: the frame '" + name + "' is one of the plane, of which no Jacobian is printed");
+}
+
 /// A runtime chain as rows want it (rows.hpp), in numbers S.
 template <class S>
 class runtime_model {
@@ -16,12 +23,10 @@ class runtime_model {
   using scalar = S;
   using vector = std::vector<S>;
 
-  /// Throws `kte::unknown_name` for frames that the chain has not.
+  /// Throws as `check_frames`.
   runtime_model(const kte::kte_map_chain& chain, const std::vector<std::string>& frames)
       : chain_(chain), state_(chain.make_state<S>()), frames_(frames) {
-    for (const auto& name : frames)
-      if (const auto what = chain.frame(name).what(); what != kte::kind::frame_3D)
-        throw kte::bad_argument("kte: the frame '" + name + "' is one of the plane, of which no Jacobian is printed");
+    check_frames(chain, frames);
   }
 
   auto layout() const { return kte::layout(chain_); }

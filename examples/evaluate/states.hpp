@@ -4,17 +4,23 @@
 #include <kte/io/table_number.hpp>
 #include <kte/io/text_table.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 /// Tables of states: a line of column names, then a line of numbers a state, with commas between them.
 namespace evaluate {
 
+/// The largest table that is read, in bytes: as of the library's own files.
+inline constexpr std::size_t largest_table = std::size_t{1} << 28;
+
 /// A table by the names of its columns. Errors name file, line and column, in characters from 1.
 class state_table {
  public:
   explicit state_table(const std::filesystem::path& path) : path_(path) {
-    const std::string bytes = kte::detail::read_file(path);
+    const std::string bytes = kte::detail::read_file(path, largest_table);
+    if (bytes.size() > largest_table)
+      throw kte::bad_file("kte: " + path.string() + ": has more than " + std::to_string(largest_table) + " bytes");
     std::string_view text = kte::detail::without_mark(bytes);
     for (int line = 1; !text.empty(); ++line) {
       const auto end = std::min(text.find('\n'), text.size());
@@ -49,39 +55,51 @@ class state_table {
   std::string place(std::size_t row) const { return path_.string() + ":" + std::to_string(lines_[row]) + ": "; }
 
  private:
+  /// "kte: states.csv:3:17: ", of a place in the text of a line.
+  std::string place_in(std::string_view text, int line, const char* at) const {
+    const auto is_first = [](char byte) {
+      return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+    };  // of a character
+    return "kte: " + path_.string() + ":" + std::to_string(line) + ":" +
+           std::to_string(std::count_if(text.data(), at, is_first) + 1) + ": ";
+  }
   void read_line(std::string_view text, int line) {
-    const std::string_view whole = text;
-    if (kte::detail::without_blanks(text).empty()) return;
+    auto rest = kte::detail::without_blanks(text);
+    if (rest.empty()) return;
     const bool head = names_.empty();
+    const bool ends_open = rest.ends_with(',');  // an empty cell is the last
     std::vector<double> numbers;
     std::size_t column = 0;
-    for (bool more = true; more; ++column) {
-      const auto comma = text.find(',');
-      more = comma != text.npos;
-      auto cell = kte::detail::without_blanks(text.substr(0, comma));
-      const auto at = [&, cell] {
-        const auto before = static_cast<std::size_t>((cell.empty() ? text : cell).data() - whole.data());
-        return "kte: " + path_.string() + ":" + std::to_string(line) + ":" + std::to_string(before + 1) + ": ";
-      };
-      if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+    const auto take = [&](std::string_view cell, const char* at) {
       const auto quoted = "'" + std::string(cell.substr(0, 80)) + "'";
+      const auto bad = [&](const std::string& what) { throw kte::bad_file(place_in(text, line, at) + what); };
+      ++column;
       if (head) {
-        if (!names_.emplace(cell, column).second) throw kte::bad_file(at() + "a second column " + quoted);
-      } else {
-        double x{};
-        if (column == names_.size())
-          throw kte::bad_file(at() + "more numbers than the " + std::to_string(names_.size()) + " columns");
-        if (!kte::detail::read_number(cell.starts_with('+') ? cell.substr(1) : cell, x))
-          throw kte::bad_file(at() + quoted + " is not a number");
-        if (!std::isfinite(x)) throw kte::bad_file(at() + quoted + " is not a finite number");
-        numbers.push_back(x);
+        if (!names_.emplace(cell, column - 1).second) bad("a second column " + quoted);
+        return;
       }
-      text.remove_prefix(more ? comma + 1 : text.size());
+      double x{};
+      if (column > names_.size()) bad("more numbers than the " + std::to_string(names_.size()) + " columns");
+      if (!kte::detail::read_number(cell.starts_with('+') ? cell.substr(1) : cell, x)) bad(quoted + " is not a number");
+      if (!std::isfinite(x)) bad(quoted + " is not finite");
+      numbers.push_back(x);
+    };
+    for (std::string unquoted; !rest.empty();) {
+      rest.remove_prefix(std::min(rest.find_first_not_of(kte::detail::blanks), rest.size()));
+      const char* const at = rest.data();
+      if (!rest.starts_with('"')) {
+        take(kte::detail::next_cell(rest, ','), at);
+        continue;
+      }
+      if (!kte::detail::next_quoted_cell(rest, ',', unquoted))
+        throw kte::bad_file(place_in(text, line, at) + "'" + unquoted.substr(0, 80) +
+                            "' does not end at its closing quote");
+      take(kte::detail::without_blanks(unquoted), at);
     }
+    if (ends_open) take({}, rest.data());
     if (head) return;
     if (column != names_.size())
-      throw kte::bad_file("kte: " + path_.string() + ":" + std::to_string(line) + ":" +
-                          std::to_string(whole.size() + 1) + ": " + std::to_string(column) + " numbers for " +
+      throw kte::bad_file(place_in(text, line, text.data() + text.size()) + std::to_string(column) + " numbers for " +
                           std::to_string(names_.size()) + " columns");
     rows_.push_back(std::move(numbers)), lines_.push_back(line);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "evaluate/child.hpp"
 #include "evaluate/rows.hpp"
 #include "evaluate/static_model.hpp"
 
@@ -16,18 +17,19 @@ constexpr auto frame_named(const kte::static_chain<Gravity, E...>&) {
   return std::get<0>(std::tuple_cat(of_element(static_cast<const E*>(nullptr))...));
 }
 
+/// The first argument is the number of a pipe on which it says that it has done all (child.hpp), the others are those
+/// of `evaluate`.
 template <class S, class Chain, class... Frames>
 int static_main(int count, char** arguments, const Chain& chain, const std::vector<std::string>& coordinates,
                 const Frames&...) {
-  try {
-    const auto o = read_options(count, arguments);
+  const int code = kte::detail::exit_code_of([&] {
+    const auto o = read_options(count - 1, arguments + 1);
     static_model<S, Chain, Frames...> model(chain);
     print_rows(model, state_table(o.states), coordinates, o);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
+  if (count > 1) confirm_end(arguments[1]);
+  return code;
 }
 
 }  // namespace evaluate

@@ -1,35 +1,18 @@
 #pragma once
 
-#include <kte/io/file.hpp>
+#include <kte/io/replace_file.hpp>
 #include <kte/robots/header.hpp>
 
-#include <cstdlib>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sstream>
 
+#include "evaluate/child.hpp"
+#include "evaluate/program_cache.hpp"
 #include "evaluate/robot_file.hpp"
+#include "evaluate/runtime_model.hpp"
+#include "evaluate_build.hpp"
 
 /// Programs for one robot, whose chain is a type: written, compiled once and kept.
 namespace evaluate {
-
-inline std::string in_shell(const std::string& text) {
-  std::string s = "'";
-  for (const char c : text) s += c == '\'' ? "'\\''" : std::string(1, c);
-  return s + "'";
-}
-inline int run(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
-/// Where they are kept: in $XDG_CACHE_HOME, or ~/.cache, or where there is neither, among temporary files.
-inline std::filesystem::path cache_folder() {
-  if (const char* const cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
-    return std::filesystem::path(cache) / "kte-evaluate";
-  if (const char* const home = std::getenv("HOME"); home && *home)
-    return std::filesystem::path(home) / ".cache" / "kte-evaluate";
-  return std::filesystem::temp_directory_path() / "kte-evaluate";
-}
 
 /// The main function for a robot: its scalar, coordinates and frames.
 inline std::string main_text(const robot_file& r, const options& o) {
@@ -51,32 +34,47 @@ inline std::string time_of_build() {
   return none ? "" : std::to_string(time.time_since_epoch().count());
 }
 
-/// Compiles the program for a robot if there is none yet, and runs it with the same arguments; its exit code. The
-/// folder is named after all that the program depends on, by a hash.
+/// The compiler and its options, as words: of $CXX, which may bring some, or of the build of this program.
+inline std::vector<std::string> compiler_words() {
+  std::vector<std::string> words;
+  std::istringstream chosen(std::getenv("CXX") ? std::getenv("CXX") : "");
+  for (std::string word; chosen >> word;) words.push_back(word);
+  if (words.empty()) words.push_back(build_compiler);
+  words.insert(words.end(), {"-std=c++20", "-O2"});
+  words.insert(words.end(), std::begin(build_flags), std::end(build_flags));
+  return words;
+}
+
+inline void compile(std::vector<std::string> words, const std::filesystem::path& folder) {
+  const std::string compiler = words.front();
+  words.erase(words.begin());
+  words.insert(words.end(),
+               {"-I" + folder.string(), "-o", (folder / "program").string(), (folder / "main.cpp").string()});
+  if (const auto end = run_child(compiler, words, STDERR_FILENO, false); end.code != 0)
+    throw kte::bad_argument("kte: '" + compiler + "' does not compile the program for this robot: it ended " + end.how);
+}
+
+/// Runs the program for a robot with the same arguments, which is compiled if there is none yet, or none that is whole;
+/// its exit code. It is named after all that it depends on, by a hash. Throws if it does not say that it has done all.
 inline int run_static(const robot_file& r, const options& o, int count, char** arguments) {
-  const char* const chosen = std::getenv("CXX");
-  const std::string compiler = chosen && *chosen ? chosen : KTE_EVALUATE_COMPILER;
-  const std::string flags = std::string(" -std=c++20 -O2 ") + KTE_EVALUATE_FLAGS;
+  check_frames(r.chain, o.frames);
+  const auto words = compiler_words();
   const std::string header = kte::to_header(r.chain, "robot"), main = main_text(r, o);
-  char name[20];
-  std::snprintf(name, sizeof name, "%016llx",
-                static_cast<unsigned long long>(kte::detail::hash(header + main + compiler + flags + time_of_build())));
-  const auto folder = cache_folder() / name;
-  const auto program = folder / "program";
-  if (!std::filesystem::exists(program)) {
-    std::filesystem::create_directories(folder);
-    kte::detail::replace_file(folder / "robot.hpp", header);
-    kte::detail::replace_file(folder / "main.cpp", main);
-    const auto part = folder / ("program." + std::to_string(getpid()));  // complete when it gets its name
+  std::string all = header + main + time_of_build();
+  for (const auto& word : words) all += '\n' + word;
+  const program_cache cache(cache_folder());
+  const std::string name = hash_text(all), program = cache.program(name).string();
+  if (!cache.has(name)) {
     std::fprintf(stderr, "evaluate: compiling %s for this robot, once\n", program.c_str());
-    if (run(compiler + flags + " -I" + in_shell(folder) + " -o " + in_shell(part) + " " +
-            in_shell(folder / "main.cpp")) != 0)
-      throw kte::bad_argument("kte: '" + compiler + "' does not compile " + (folder / "main.cpp").string());
-    std::filesystem::rename(part, program);
+    cache.add(name, [&](const std::filesystem::path& folder) {
+      kte::detail::replace_file(folder / "robot.hpp", header);
+      kte::detail::replace_file(folder / "main.cpp", main);
+      compile(words, folder);
+    });
   }
-  std::string command = in_shell(program);
-  for (int i = 1; i < count; ++i) command += " " + in_shell(arguments[i]);
-  return run(command);
+  const auto end = run_child(program, {arguments + 1, arguments + count}, STDOUT_FILENO, true);
+  if (!end.confirmed) throw kte::bad_file("kte: " + program + " has not done its work: it ended " + end.how);
+  return end.code;
 }
 
 }  // namespace evaluate

@@ -129,6 +129,24 @@ TEST_CASE("what needs columns that are not there is left out, and there may be n
   CHECK(lines == std::vector<std::string>{"M_0_0,kinetic,potential,com_x,com_y,com_z"});
 }
 
+TEST_CASE("names and numbers of columns may be in quotes, with commas and quotes within") {
+  const state_file file("\"time, \"\"s\"\"\" , \"q_0\",\"a,b\",v_0,\n\"1\",2, \" 3 \" ,+4,5\r\n");
+  const evaluate::state_table table(file.path);
+  REQUIRE(table.rows() == 1);
+  CHECK(table.at(0, table.columns("q_", 1, true)[0]) == 2);
+  CHECK(table.at(0, table.columns("v_", 1, true)[0]) == 4);
+}
+
+TEST_CASE("names that are printed are read again, whatever is in them") {
+  evaluate::output<double> out(17);
+  out.put("a,\"b\"_x", 1), out.put("q_0", 2);
+  out.end_row();
+  CHECK(out.text() == "\"a,\"\"b\"\"_x\",q_0\n1,2\n");
+  const state_file file(out.text());
+  const evaluate::state_table table(file.path);
+  CHECK(table.at(0, table.columns("q_", 1, true)[0]) == 2);
+}
+
 TEST_CASE("fifty digits are right digits") {
   evaluate::options o;
   o.digits = 50;
@@ -168,7 +186,7 @@ TEST_CASE("bad tables are refused with file, line and column, or the names of co
         kte::bad_file, kte::test::says(file.path.string() + message));
   };
   says("q_0,v_0\n1,2\n\n 3 , abc\n", ":4:6: 'abc' is not a number");
-  says("q_0,v_0\n1,inf\n", ":2:3: 'inf' is not a finite number");
+  says("q_0,v_0\n1,inf\n", ":2:3: 'inf' is not finite");
   says("q_0,v_0\n1,\n", ":2:3: '' is not a number");
   says("q_0,v_0\n1,2,3\n", ":2:5: more numbers than the 2 columns");
   says("q_0,v_0\n1\n", ":2:2: 1 numbers for 2 columns");
@@ -176,4 +194,12 @@ TEST_CASE("bad tables are refused with file, line and column, or the names of co
   says("q_0\n", ":1: missing columns: v_0");
   says("q_0,v_0,v_1\n", ":1: a column v_1, but there are 1 of them, from v_0");
   says("", ": has no line of column names");
+  says("q_0,v_0\n1,2\n1,\"2\"3\n", ":3:3: '2' does not end at its closing quote");
+  says("q_0,v_0\n\"1,2\n", ":2:1: '1,2' does not end at its closing quote");
+  // Columns are characters, whatever their bytes, also behind the mark of UTF-8.
+  says("\xEF\xBB\xBFq_0,v_0,\"\xC3\xA9,\xE2\x82\xAC\",q_0\n", ":1:15: a second column 'q_0'");
+  says("q_0,v_0\n\xF0\x9F\x98\x80,2\n", ":2:1: '\xF0\x9F\x98\x80' is not a number");
+  says("q_0,v_0,\xC3\xA9\n\"1\",2,\xC3\xA9\n", ":2:7: '\xC3\xA9' is not a number");
+  says("q_0,\xC3\xA9,v_0\n1\xC2\xB0,2,3\n", ":2:1: '1\xC2\xB0' is not a number");
+  says("q_0,v_0,t\n1,2\n", ":2:4: 2 numbers for 3 columns");
 }

@@ -42,7 +42,9 @@ inline std::unique_ptr<kte::kte_map> made_of_different_numbers(const kte::elemen
 inline std::map<std::string, kte::model_record> all() {
   std::map<std::string, kte::model_record> models;
   const auto registry = kte::element_registry::standard();
-  for (auto [type, record] : elements_page::records()) {
+  const auto records = elements_page::records();
+  if (records.empty()) throw std::runtime_error("docs/elements.md is not found, or has no elements");
+  for (auto [type, record] : records) {
     for (auto& p : record.parameters)  // no turn is left out by typed constants
       if (p.name == "rest_rotation") p.values = {0, -1, 0, 1, 0, 0, 0, 0, 1};
     const auto made = made_of_different_numbers(registry, record);
@@ -71,6 +73,20 @@ inline std::map<std::string, kte::model_record> all() {
         1,
         {{"frame", "__x__"}},
         {{"mass", {2.5}}, {"com", {0, 0, 0.1}}, {"inertia", {0.1, 0, 0.01, 0.2, 0, 0.25}}}}}};
+  // Names that are macros (some are in read.cpp), of this library, of std and of the language; of frames and of robots.
+  auto& macros = models["macros"];
+  macros.gravity = {0, 0, -9.81};
+  std::string from = "world";
+  for (const char* to : {"M_PI",   "NULL",   "EOF",       "EXIT_SUCCESS", "INFINITY", "NAN",          "errno", "stdin",
+                         "assert", "isnan",  "linux",     "unix",         "major",    "minor",        "small", "near",
+                         "far",    "IN",     "interface", "ERROR",        "axis",     "inertia_3D",   "std",   "kte",
+                         "class",  "macros", "assembled", "robots",       "zero",     "frame_3D_key", "a",     "a_2",
+                         "a ",     "a_",     "none",      "x - y"}) {
+    macros.elements.push_back(link(from.c_str(), to, {0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}));
+    from = to;
+  }
+  for (const char* name : {"chain", "axis", "inertia_3D", "std", "kte", "robots", "class", "linux", "M_PI", "zero"})
+    models[name] = {{0, 0, -9.81}, {link(name, "end", {0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1})}};
   return models;
 }
 

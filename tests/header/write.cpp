@@ -10,7 +10,7 @@ int main(int, char** arguments) {
   std::string visits;
   for (const auto& [name, model] : header_models::all()) {
     out << kte::to_header(model, name).substr(sizeof "#pragma once");
-    visits += "  visit(\"" + name + "\", robots::" + name + ");\n";
+    visits += "  visit(\"" + name + "\", robots::" + kte::detail::robot_identifier(name) + ");\n";
   }
   out << "template <class Visit>\nvoid for_each_robot(const Visit& visit) {\n" << visits << "}\n";
 }

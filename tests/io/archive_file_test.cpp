@@ -13,7 +13,7 @@
 #include "robots/iiwa14.hpp"
 
 using namespace models;
-using kte::test::contains_text, kte::test::in_all_formats, kte::test::scratch;
+using kte::test::contains_text, kte::test::in_all_formats, kte::test::scratch, kte::test::within;
 
 namespace {
 
@@ -119,6 +119,11 @@ TEST_CASE("every element and every kind of thing") {
   kte::detail::for_each_thing(s, [&next](auto, auto, auto& x) {
     kte::detail::visit_quantities(x, [&next](auto, auto& value) {
       kte::detail::visit_numbers_of(value, [&next](double& number) { number = next *= -1.1; });
+      if constexpr (requires { value.cos; }) {
+        value = kte::rotation_by(next);
+      } else if constexpr (requires { value.x.x; }) {
+        value = matrix(kte::normalized(1.0, next, 0.3, -0.2));
+      }
     });
   });
   s.coordinate("g").f = std::numeric_limits<double>::infinity(), s.coordinate("g").q_ddot = -0.0;
@@ -214,6 +219,13 @@ TEST_CASE("what is not there, or something else, is said by name") {
   longer << golden << kte::damper_gen("q", "w", 1.0);
   CHECK(message([&] { (void)a.calculator("mass_mat1", longer); }) ==
         "kte: 'mass_mat1' of the archive is of its chain 'pendulum', not of this one");
+  auto heavier = c;
+  heavier.gravity(kte::along_y(-9.82));
+  CHECK(message([&] {
+          (void)a.calculator("mass_mat1", heavier);
+        }).ends_with("is of its chain 'pendulum', not of this one"));
+  CHECK(message([&] { a.add("of another", kte::mass_matrix_calc(heavier) << kte::all_inertias); }) ==
+        "kte: the chain of a mass_matrix_calc must be in the archive before it");
   kte::archive b;
   b.add("x", "elbow", kte::gen_coord<>{.q = 1});
   s.coordinate("q").q = 3;
@@ -229,9 +241,18 @@ TEST_CASE("what is not there, or something else, is said by name") {
   };
   CHECK(restored("\"q\":1,\"dq\":2").ends_with("coordinate 'q' has no 'dq'"));
   CHECK(restored("\"q_dot\":[1,2]").ends_with("coordinate 'q' has 2 numbers as 'q_dot', not 1"));
+  CHECK(restored("\"q_dot\":[]").ends_with("coordinate 'q' has 0 numbers as 'q_dot', not 1"));
   CHECK(s.coordinate("q").q == 3);
   CHECK(restored("\"q_dot\":4").empty());
   CHECK((s.coordinate("q").q == 3 && s.coordinate("q").q_dot == 4));
+
+  // frames live apart from what else has a name
+  const kte::thing_record one{kte::kind::gen, "q", {}}, other{kte::kind::frame_2D, "q", {}};
+  in_all_formats(kte::archive({{{"s", kte::state_record{{one, other}}}}}), [](const auto&) {});
+  for (const auto& x : {one, other})
+    CHECK(message([&] {
+            (void)kte::to_binary(kte::archive_record{{{"s", kte::state_record{{x, x}}}}});
+          }) == "kte: root 's': it has two things 'q'");
 
   const scratch file(".json");
   kte::save_archive(file.path, kte::archive().add("one", golden).add("two", golden));
@@ -240,4 +261,51 @@ TEST_CASE("what is not there, or something else, is said by name") {
         }).ends_with("an archive of several chains, for load_archive: 'one' 'two'"));
   kte::save_archive(file.path, kte::archive().add("one", golden).add("q", std::array{1.0}));
   CHECK(kte::load_model(file.path) == record_of(golden));
+}
+
+TEST_CASE("rotations that are none are refused by name, and the state is as before") {
+  kte::kte_map_chain c;
+  c << kte::base_2D("plane") << kte::base_3D("space") << kte::spherical_joint_3D("ball", "space", "hand")
+    << kte::free_joint_3D("free", "space", "body");
+  auto s = c.make_state();
+  s.frame_2D("plane").position.x = 3, s.frame_2D("plane").rotation = kte::rotation_by(0.1);
+  const auto before = record_of(s);
+  const auto restored = [&](const std::string& type, const std::string& name, const std::string& rotation) {
+    const kte::archive a(
+        kte::detail::read_archive(R"({"kte_archive":{"version":2,"roots":[{"name":"x","state":[{"type":")" + type +
+                                      R"(","name":")" + name + R"(","values":{"rotation":")" + rotation + "\"}}]}]}}",
+                                  "m", kte::model_format::json, {}));
+    return kte::test::message_of<kte::bad_file>([&] { a.restore("x", s); });
+  };
+  for (const std::string none : {"0 0", "2 0", "1 0.01", "nan nan", "inf 0", "0 -inf", "nan 1"})
+    CHECK(restored("frame_2D", "plane", none)
+              .ends_with("2D frame 'plane' has '" + none +
+                         "' as 'rotation', which must be the cosine and sine of an angle"));
+  for (const std::string none : {"0 0 0 0 0 0 0 0 0", "2 0 0 0 2 0 0 0 2", "1 0 0 0 1 0 0 0 -1", "1 0 0 0 1 0 0 1 0",
+                                 "1 0 0 0 1 0 0 0 nan", "1 0.01 0 0 1 0 0 0 1"})
+    CHECK(restored("frame_3D", "space", none)
+              .ends_with("3D frame 'space' has '" + none +
+                         "' as 'rotation', which must be orthonormal and right-handed"));
+  for (const std::string none : {"0 0 0 0", "nan 0 0 0", "1 0 0 inf"}) {
+    CHECK(restored("rotation_3D", "ball", none).ends_with("which must be finite and not of length 0"));
+    CHECK(restored("pose_3D", "free", none).ends_with("which must be finite and not of length 0"));
+  }
+  CHECK(record_of(s) == before);
+  CHECK(restored("frame_2D", "plane", "0.6 -0.8").empty());
+  CHECK(restored("frame_3D", "space", "0 -1 0 1 0 0 0 0 1").empty());
+  CHECK(restored("rotation_3D", "ball", "3 0 0 -4").empty());  // of any length
+  CHECK(s.frame_2D("plane").rotation == kte::rotation_2D{0.6, -0.8});
+  CHECK(s.frame_2D("plane").position.x == 3);
+  CHECK(s.rotation_3D("ball").matrix.x.x == within(-0.28, 1e-15));
+}
+
+TEST_CASE("of a coordinate with several limits some may be none") {
+  kte::kte_map_chain c;
+  c << kte::free_joint_3D("x", "w", "body") << kte::revolute_joint_3D("q", "body", "arm", kte::axis::z);
+  auto limits = kte::unlimited(c);
+  limits.upper[1] = 2.5, limits.effort[5] = 20;
+  in_all_formats(kte::archive().add("arm", c, limits), [&](const kte::archive& b) {
+    CHECK(b.limits("arm", c) == limits);
+    CHECK(b.model("arm").limits.size() == 1);
+  });
 }

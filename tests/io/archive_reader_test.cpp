@@ -119,6 +119,7 @@ TEST_CASE("bytes: what counts claim is not believed") {
   CHECK(bad("\1\4\5") == ", byte 9: 'the name of a field': there is no such text before it");
   CHECK(bad("\1\3\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x01").ends_with("the file ends in the middle of the model"));
   CHECK(bad("\1\3\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x02").ends_with("a count that is no number of 64 bits"));
+  CHECK(bad("\1\3\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x01").ends_with("a count that is no number of 64 bits"));
   CHECK(bad("\1\3\1\xC0") == ", byte 9: this is not UTF-8");
   CHECK(bad("\1" + begin + text_of("gravity") + "\5\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x3F")
             .ends_with("the file ends in the middle of the model"));

@@ -115,9 +115,9 @@ TEST_CASE("Times of a message are whole nanoseconds, or an error that leaves the
     CHECK_THROWS_AS(out.row(t), bad_argument);
   CHECK(test::message_of<bad_argument>([&] { out.row(-1); }) ==
         "kte: the first column of an MCAP table is time, from 0 to 9000000000 s, got -1");
-  out.row(2);
+  out.row(2), out.row(9e9);
   out.close();
-  CHECK(read_table(file.path)["t"] == std::vector<double>{1e-9, 1.001, 2});
+  CHECK(read_table(file.path)["t"] == std::vector<double>{1e-9, 1.001, 2, 9e9});
   const mcap_file f(file.text());
   CHECK(mcap_file::number(f.records[3].content, 6, 8) == 1);
   CHECK(mcap_file::number(f.records[4].content, 6, 8) == 1001000000);
@@ -181,6 +181,9 @@ TEST_CASE("A forged or cut file is reported by offset and column, and needs no m
   CHECK(error(front + record(4, std::string(4, '\0') + std::string(4, '\xff'))) == at(17, "a topic is cut off"));
   CHECK(error(front + record(4, std::string(12, '\0') + std::string(4, '\xff'))) == at(25, "metadata is cut off"));
   CHECK(error(front + record(6, "x")) == at(9, "a chunk of MCAP: only files without chunks are read"));
+  const auto end = record(15, little(0, 4)) + record(2, std::string(20, '\0')) + magic;
+  CHECK(error(front + end).empty());
+  CHECK(error(front + end + "x").ends_with("a record is cut off"));
   const auto row = [&](const std::string& json) { return error(front + message(1, json)); };
   CHECK(row(R"({"t":1,"q":2})").empty());
   CHECK(row(R"({"t":1,"q":2x})") == at(42, "column 2: '2x' is not a number"));

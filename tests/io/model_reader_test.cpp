@@ -229,6 +229,7 @@ TEST_CASE("texts: escapes, blanks, remarks") {
   CHECK(in_xml("&#x110000;") == "3:7: this escape stands for no character");
   CHECK(in_xml("&#99999999999;") == "3:7: this escape stands for no character");
   CHECK(in_xml("&#-1;") == "3:7: this escape stands for no character");
+  CHECK(in_xml("&#65x;") == "3:7: this escape stands for no character");
   CHECK(in_xml("&#;") == "3:7: this escape stands for no character");
   CHECK(in_xml("a & b") == "3:9: '&' begins no known entity (for itself write &amp;)");
   CHECK(in_xml("&nbsp;") == "3:7: '&' begins no known entity (for itself write &amp;)");

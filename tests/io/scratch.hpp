@@ -28,6 +28,22 @@ struct scratch {
   }
 };
 
+/// An empty folder, removed at the end.
+struct scratch_folder {
+  std::filesystem::path path;
+  scratch_folder() {
+    const scratch file;
+    path = file.path.string() + ".folder";
+    std::filesystem::create_directory(path);
+  }
+  scratch_folder(const scratch_folder&) = delete;
+  scratch_folder& operator=(const scratch_folder&) = delete;
+  ~scratch_folder() { std::filesystem::remove_all(path); }
+  auto entries() const {
+    return std::distance(std::filesystem::directory_iterator(path), std::filesystem::directory_iterator());
+  }
+};
+
 /// The extension of every format of tables.
 inline const std::string table_extensions[]{".ssv", ".csv", ".tsv", ".npy", ".mcap"};
 

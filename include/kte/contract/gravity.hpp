@@ -17,7 +17,7 @@ namespace kte::detail {
 template <class X, class Y, class Z>
 constexpr void check_gravity(const vec3<X, Y, Z>& gravity) {
   const vec3<> g = as<double>(gravity);
-  constexpr double largest = std::numeric_limits<double>::max();
+  constexpr double largest = (std::numeric_limits<double>::max)();
   for (const double x : {g.x, g.y, g.z}) {
     const auto text = [x] { return "kte: gravity must be finite, got " + number(x); };
     require<bad_parameter>(-largest <= x && x <= largest, text, "kte: gravity must be finite", x);

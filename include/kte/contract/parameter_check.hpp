@@ -41,7 +41,7 @@ struct parameter_check {
   constexpr void finite(const T& x, const char* rule) const {
     if constexpr (!typed_constant<T>) {
       const auto v = static_cast<double>(x);
-      constexpr double largest = std::numeric_limits<double>::max();
+      constexpr double largest = (std::numeric_limits<double>::max)();
       require(-largest <= v && v <= largest, rule, v);  // no arithmetic, at which clang stops where it gives NaN
     }
   }

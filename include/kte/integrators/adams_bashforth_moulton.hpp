@@ -103,7 +103,8 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
   }
 
   static constexpr int degree() {
-    return static_cast<int>(std::max({std::size_t{3}, Formula::interpolant.size(), start_tableau::interpolant.size()}));
+    return static_cast<int>(
+        (std::max)({std::size_t{3}, Formula::interpolant.size(), start_tableau::interpolant.size()}));
   }
   void dense(const S& theta, X& x) const {
     if (multistep_) {

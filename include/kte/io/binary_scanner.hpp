@@ -61,8 +61,8 @@ class binary_scanner final : public field_scanner {
   }
 
   file_place place(std::size_t offset) override {
-    constexpr std::size_t largest = std::numeric_limits<int>::max();
-    return {file_, 0, static_cast<int>(std::min(offset, largest))};
+    constexpr std::size_t largest = (std::numeric_limits<int>::max)();
+    return {file_, 0, static_cast<int>((std::min)(offset, largest))};
   }
 
  private:

@@ -1,53 +1,103 @@
 #pragma once
 
+#include <kte/errors.hpp>
 #include <kte/io/field_writer.hpp>
 #include <kte/io/numbers.hpp>
 
 #include <cereal/archives/json.hpp>
 #include <cereal/archives/xml.hpp>
-#include <cereal/types/string.hpp>
 
+#include <limits>
+#include <new>
 #include <optional>
 #include <sstream>
 
 namespace kte::detail {
 
-/// JSON and XML by cereal. Of names and texts it keeps pointers until `finish`.
+/// A text, to a stream that must take it. (Streams catch what is thrown while they make room, and just become bad.)
+/// Ends by itself: what stood in the stream before does not count.
+struct checked_text {
+  const std::string& text;
+  friend std::ostream& operator<<(std::ostream& out, const checked_text& x) {
+    out << x.text << '\0';
+    if (!out) throw std::bad_alloc();
+    return out;
+  }
+};
+
+/// JSON and XML by cereal. Of names and texts it keeps pointers until `finish`. Throws `bad_alloc` rather than give
+/// less than the whole text.
 template <class Archive>
 class cereal_writer final : public field_writer {
  public:
+  cereal_writer() = default;
+  cereal_writer(const cereal_writer&) = delete;
+  cereal_writer& operator=(const cereal_writer&) = delete;
+  /// An archive that has not come to its end is not to write one.
+  ~cereal_writer() override {
+    if (!archive_) return;
+    out_.setstate(std::ios::badbit);
+    if constexpr (!is_xml) archive_->makeArray();
+  }
+
   void open_group(const std::string& name) override {
-    if (const char* n = name_of(name)) archive_->setNextName(n);
+    put_name(name);
     archive_->startNode();
   }
   void open_list(const std::string& name) override {
     open_group(name);
-    (*archive_)(cereal::make_size_tag(cereal::size_type{}));
+    if constexpr (is_xml) {
+      archive_->appendAttribute("size", "dynamic");
+    } else {
+      archive_->makeArray();
+    }
   }
   void close() override { archive_->finishNode(); }
   void text(const std::string& name, const std::string& value) override {
-    if (const char* n = name_of(name)) {
-      (*archive_)(cereal::make_nvp(n, value));
+    put_name(name);
+    if constexpr (is_xml) {
+      archive_->startNode();
+      archive_->saveValue(checked_text{value});
+      archive_->finishNode();
     } else {
-      (*archive_)(value);
+      if (constexpr std::size_t most = (std::numeric_limits<unsigned>::max)(); value.size() > most)
+        raise<bad_file>("kte: a text of " + std::to_string(value.size()) + " bytes: in JSON there may be " +
+                        std::to_string(most));
+      archive_->writeName();
+      archive_->saveValue(value);
     }
   }
   void numbers(const std::string& name, const std::vector<double>& values) override {
     text(name, numbers_to_text(values));
   }
-  void whole_number(const std::string& name, int value) override { (*archive_)(cereal::make_nvp(name, value)); }
-  bool has_tags() const override { return std::is_same_v<Archive, cereal::XMLOutputArchive>; }
+  void whole_number(const std::string& name, int value) override {
+    if constexpr (is_xml) {
+      text(name, std::to_string(value));
+    } else {
+      put_name(name);
+      archive_->writeName();
+      archive_->saveValue(value);
+    }
+  }
+  bool has_tags() const override { return is_xml; }
   std::string finish() override {
     archive_.reset();
+    if (!out_) throw std::bad_alloc();
     std::string all = std::move(out_).str();
     if (all.back() != '\n') all += '\n';
     return all;
   }
 
  private:
+  static constexpr bool is_xml = std::is_same_v<Archive, cereal::XMLOutputArchive>;
+
   /// Items are all called <value>: by cereal with their numbers, which then change with each that is put in between.
-  const char* name_of(const std::string& name) const {
-    return !name.empty() ? name.c_str() : has_tags() ? "value" : nullptr;
+  void put_name(const std::string& name) {
+    if (!name.empty()) {
+      archive_->setNextName(name.c_str());
+    } else if constexpr (is_xml) {
+      archive_->setNextName("value");
+    }
   }
 
   std::ostringstream out_;

@@ -43,40 +43,6 @@ inline std::string read_file(const std::filesystem::path& path, std::size_t larg
   return bytes;
 }
 
-/// What symbolic links lead to, also where there is nothing yet.
-inline std::filesystem::path link_target(std::filesystem::path path) {
-  std::error_code none;
-  for (int links = 0; std::filesystem::is_symlink(path, none); ++links) {
-    if (links == 40) raise_file("write", path, ELOOP);
-    path = path.parent_path() / std::filesystem::read_symlink(path, none);
-  }
-  return path;
-}
-
-/// Writes a whole file, which is replaced only when all is written: by way of a file `path.part`, which never stays.
-/// Links stay links. What is no regular file, as a pipe, is written directly.
-inline void replace_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::error_code error;
-  const auto target = link_target(path);
-  const auto old = std::filesystem::status(target, error);
-  const bool direct = std::filesystem::exists(old) && !std::filesystem::is_regular_file(old);
-  const auto part = direct ? target : std::filesystem::path(target.string() + ".part");
-  file_handle f(std::fopen(part.string().c_str(), "wb"));
-  if (!f) raise_file("write", path, errno);
-  errno = 0;
-  bool good = std::fwrite(bytes.data(), 1, bytes.size(), f.get()) == bytes.size();
-  good = std::fclose(f.release()) == 0 && good;
-  int code = good ? 0 : errno != 0 ? errno : EIO;
-  if (good && !direct) {
-    if (std::filesystem::exists(old)) std::filesystem::permissions(part, old.permissions(), error);
-    std::filesystem::rename(part, target, error);
-    code = error.value();
-  }
-  if (code == 0) return;
-  if (!direct) std::filesystem::remove(part, error);
-  raise_file("write", path, code);
-}
-
 /// The extension of a file's name in small letters.
 inline std::string lower_extension(const std::filesystem::path& path) {
   std::string text = path.extension().string();

@@ -27,7 +27,7 @@ class json_scanner final : public field_scanner {
     if (current() != '"') fail("a name in quotes is due here");
     name = quoted();
     const auto colon = text_.find_first_not_of(" \t\r\n", i_);
-    i_ = std::min(colon, text_.size());
+    i_ = (std::min)(colon, text_.size());
     if (current() != ':') source_.fail(i_, "':' is due here");
     ++i_;
     return true;

@@ -47,7 +47,7 @@ class mcap_table_reader {
     known_names known;
     while (!names.empty()) {
       const auto name = names.substr(0, names.find(' '));
-      names.remove_prefix(std::min(name.size() + 1, names.size()));
+      names.remove_prefix((std::min)(name.size() + 1, names.size()));
       if (name.empty()) in.bad("the list of columns has an empty name");
       if (!known.add(name)) in.bad("the list of columns has '" + std::string(name) + "' twice");
       result_.names.emplace_back(name);

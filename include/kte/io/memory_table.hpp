@@ -22,6 +22,8 @@ class memory_table {
   template <class... T>
   void row(const T&... values) {
     const auto numbers = row_.gather(values...);
+    for (auto& c : table_.columns)
+      if (c.size() == c.capacity()) c.reserve(2 * c.size() + 1);  // all or none, then each takes its number
     for (std::size_t j = 0; j < numbers.size(); ++j) table_.columns[j].push_back(numbers[j]);
   }
   /// Makes room for so many rows in all.

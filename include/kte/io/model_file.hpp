@@ -18,20 +18,21 @@
 namespace kte {
 
 /// Writes a chain of either kind, or a model with its tools, limits and inputs, to a file, by its ending: .xml, .json
-/// or .kte. The file is replaced only when all is written; a link stays one. Throws `bad_file`, or `bad_argument` for a
-/// chain that no file can hold.
+/// or .kte. The file is replaced only when all is written, and keeps its permissions; a link stays one. Throws
+/// `bad_file`, or `bad_argument` for a chain that no file can hold; the file is then as before.
 template <class Chain>
-void save_model(const std::filesystem::path& path, const Chain& chain) {
+void save_model(const std::filesystem::path& path, const Chain& chain, const save_options& options = {}) {
   const auto format = detail::model_format_of(path);
-  detail::save_record(path, format, detail::record_of_model(chain));
+  detail::save_record(path, format, detail::record_of_model(chain), options);
 }
 /// The same with the limits of its coordinates.
 template <class Chain, class Numbers>
-void save_model(const std::filesystem::path& path, const Chain& chain, const joint_limits<Numbers>& limits) {
+void save_model(const std::filesystem::path& path, const Chain& chain, const joint_limits<Numbers>& limits,
+                const save_options& options = {}) {
   const auto format = detail::model_format_of(path);
   auto record = detail::record_of_model(chain);
   record.limits = limit_records(chain, limits);
-  detail::save_record(path, format, record);
+  detail::save_record(path, format, record, options);
 }
 
 }  // namespace kte

@@ -3,6 +3,7 @@
 #include <kte/io/binary_file.hpp>
 #include <kte/io/cereal_writer.hpp>
 #include <kte/io/model_reader.hpp>
+#include <kte/io/replace_file.hpp>
 
 /// Records, of models and archives, into files: JSON and XML by cereal.
 namespace kte {
@@ -23,10 +24,13 @@ std::string to_xml(const Record& r) {
 namespace detail {
 /// Into a file, in the format of its ending, which is replaced only when all is written.
 template <class Record>
-void save_record(const std::filesystem::path& path, model_format format, const Record& r) {
-  replace_file(path, format == model_format::xml    ? to_xml(r)
-                     : format == model_format::json ? to_json(r)
-                                                    : to_binary(r));
+void save_record(const std::filesystem::path& path, model_format format, const Record& r,
+                 const save_options& options = {}) {
+  replace_file(path,
+               format == model_format::xml    ? to_xml(r)
+               : format == model_format::json ? to_json(r)
+                                              : to_binary(r),
+               options);
 }
 }  // namespace detail
 

@@ -55,7 +55,7 @@ class progress {
   double fraction_at(double t) const {
     if (start_ == end_) return 1;
     const double f = (t - start_) / (end_ - start_);
-    return f > 0 ? std::min(f, 1.0) : 0;  // 0 also for NaN
+    return f > 0 ? (std::min)(f, 1.0) : 0;  // 0 also for NaN
   }
 
   double start_, end_;

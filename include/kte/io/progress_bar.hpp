@@ -51,9 +51,9 @@ class progress_bar {
   }
   /// "7 s", "2 min 5 s", "3 h 20 min".
   static std::string duration(double seconds) {
-    const auto s = static_cast<long long>(std::min(seconds, 1e12));
-    const auto two = [](long long a, const char* large, long long b, const char* small) {
-      return std::to_string(a) + large + std::to_string(b) + small;
+    const auto s = static_cast<long long>((std::min)(seconds, 1e12));
+    const auto two = [](long long a, const char* large, long long b, const char* minor_unit) {
+      return std::to_string(a) + large + std::to_string(b) + minor_unit;
     };
     if (s < 60) return std::to_string(s) + " s";
     return s < 3600 ? two(s / 60, " min ", s % 60, " s") : two(s / 3600, " h ", s % 3600 / 60, " min");

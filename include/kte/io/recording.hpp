@@ -109,13 +109,13 @@ class recording {
   }
   template <kind K>
   static std::size_t length_in(const std::string& wanted, const named_slot& p) {
-    return std::max(length_in(wanted, p.name), length_in(wanted, full_name<K>(p)));
+    return (std::max)(length_in(wanted, p.name), length_in(wanted, full_name<K>(p)));
   }
   /// Of the things by whose name `wanted` begins, the one of the longest name: names may have slashes themselves. Where
   /// two have it, the one that has the quantity.
   void add(const std::string& wanted) {
     std::size_t longest = 0;
-    each_slot([&]<kind K>(const named_slot& p) { longest = std::max(longest, length_in<K>(wanted, p)); });
+    each_slot([&]<kind K>(const named_slot& p) { longest = (std::max)(longest, length_in<K>(wanted, p)); });
     if (longest == 0) unknown(wanted);
     std::string fitting, having;
     int count = 0;

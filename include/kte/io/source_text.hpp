@@ -4,6 +4,9 @@
 #include <kte/errors.hpp>
 #include <kte/io/utf8.hpp>
 
+#include <algorithm>
+#include <limits>
+
 namespace kte::detail {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -46,7 +49,8 @@ class source_text {
         ++column_;
       }
     }
-    return {file_, line_, column_};
+    constexpr std::size_t largest = (std::numeric_limits<int>::max)();
+    return {file_, static_cast<int>((std::min)(line_, largest)), static_cast<int>((std::min)(column_, largest))};
   }
   [[noreturn]] void fail(std::size_t offset, const std::string& why) {
     raise<bad_file>("kte: " + to_string(place(offset)) + why);
@@ -70,8 +74,7 @@ class source_text {
 
   std::string_view text_;
   std::shared_ptr<const std::string> file_;
-  std::size_t offset_ = 0;
-  int line_ = 1, column_ = 1;
+  std::size_t offset_ = 0, line_ = 1, column_ = 1;
 };
 
 }  // namespace kte::detail

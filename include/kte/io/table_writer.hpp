@@ -48,7 +48,13 @@ class table_writer {
   void row(const T&... values) {
     const auto numbers = row_.gather(values...);
     check_open();
-    std::visit([&](auto& m) { m.row(numbers, buffer_); }, medium_);
+    const std::size_t before = buffer_.size();
+    try {
+      std::visit([&](auto& m) { m.row(numbers, buffer_); }, medium_);
+    } catch (...) {
+      buffer_.resize(before);  // no half of a row
+      throw;
+    }
     ++rows_;
     if (++waiting_ == most_waiting_ || buffer_.size() > capacity) flush();
   }

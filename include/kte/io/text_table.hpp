@@ -37,16 +37,16 @@ class text_table {
 };
 
 inline std::string_view without_blanks(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  text.remove_prefix((std::min)(text.find_first_not_of(blanks), text.size()));
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
 /// Cuts the first cell off a line, which is then without it and the separator. Spaces stand for any blanks, also
 /// several; other separators are one a cell.
 inline std::string_view next_cell(std::string_view& line, char separator) {
-  const auto end = std::min(separator == ' ' ? line.find_first_of(blanks) : line.find(separator), line.size());
+  const auto end = (std::min)(separator == ' ' ? line.find_first_of(blanks) : line.find(separator), line.size());
   const auto cell = line.substr(0, end);
-  line.remove_prefix(std::min(end + 1, line.size()));
+  line.remove_prefix((std::min)(end + 1, line.size()));
   if (separator != ' ') return without_blanks(cell);
   line = without_blanks(line);
   return cell;
@@ -59,7 +59,7 @@ inline bool next_quoted_cell(std::string_view& line, char separator, std::string
   for (;;) {
     const auto quote = line.find('"', 1);
     text += line.substr(1, quote - 1);
-    line.remove_prefix(std::min(quote, line.size()));
+    line.remove_prefix((std::min)(quote, line.size()));
     if (!line.starts_with("\"\"")) break;
     text += '"';
     line.remove_prefix(1);
@@ -103,7 +103,7 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
     text.remove_prefix(end + 1);
     const bool ends_open = separator != ' ' && rest.ends_with(separator);  // an empty cell is the last
     for (column = 0; !rest.empty(); ++column) {
-      rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+      rest.remove_prefix((std::min)(rest.find_first_not_of(' '), rest.size()));
       if (rest.starts_with('"')) {
         const bool whole = next_quoted_cell(rest, separator, quoted);
         cell = quoted;

@@ -7,6 +7,8 @@
 #include <kte/frames/gen_coord.hpp>
 #include <kte/frames/internal_state.hpp>
 #include <kte/io/archive_record.hpp>
+#include <kte/io/numbers.hpp>
+#include <kte/math/quaternion.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -61,8 +63,29 @@ thing_record record_of_thing(kind what, std::string_view name, const T& x) {
   });
   return r;
 }
+/// What the numbers of a quantity must be beyond numbers, or nullptr where they are. Quaternions may be of any length.
+template <class T>
+const char* broken_rule(const T& x) {
+  const auto turns = [](const auto& matrix) {
+    try {
+      (void)to_quaternion(matrix);
+      return true;
+    } catch (const bad_argument&) {
+      return false;
+    }
+  };
+  if constexpr (requires { x.cos; }) {
+    return turns(matrix(x)) ? nullptr : "be the cosine and sine of an angle";
+  } else if constexpr (requires { x.w; }) {
+    return turns(matrix_of_any_length(x)) ? nullptr : "be finite and not of length 0";
+  } else if constexpr (requires { x.x.x; }) {
+    return turns(x) ? nullptr : "be orthonormal and right-handed";
+  } else {
+    return nullptr;
+  }
+}
 /// Puts what the record has into a thing; the rest stays. Throws `bad_file` for a quantity that such a thing does not
-/// have, or one with another count of numbers.
+/// have, one with another count of numbers, and for rotations that are none.
 template <class T>
 void assign_thing(T& x, const thing_record& r) {
   const auto fail = [&r](const quantity_record& v, const std::string& why) {
@@ -80,6 +103,8 @@ void assign_thing(T& x, const thing_record& r) {
       auto next = v.values.begin();
       visit_numbers_of(value,
                        [&next](auto& number) { number = static_cast<std::remove_cvref_t<decltype(number)>>(*next++); });
+      if (const char* rule = broken_rule(value))
+        fail(v, "has '" + numbers_to_text(v.values) + "' as '" + v.name + "', which must " + rule);
     });
     if (!known) fail(v, "has no '" + v.name + "'");
   }

@@ -46,7 +46,7 @@ class xml_cursor {
     return part;
   }
   std::string_view blanks() {
-    const auto part = text_.substr(i_, std::min(text_.find_first_not_of(" \t\r\n", i_), text_.size()) - i_);
+    const auto part = text_.substr(i_, (std::min)(text_.find_first_not_of(" \t\r\n", i_), text_.size()) - i_);
     i_ += part.size();
     return part;
   }

@@ -57,7 +57,7 @@ class xml_scanner final : public field_scanner {
     if (!closed_) read_value(name, out);
     close();
     if (space == "preserve") return out;
-    const auto first = std::min(out.find_first_not_of(blank), out.size());
+    const auto first = (std::min)(out.find_first_not_of(blank), out.size());
     return out.substr(first, out.find_last_not_of(blank) + 1 - first);
   }
   std::string numbers(const std::string& name) override { return text(name); }

@@ -138,7 +138,7 @@ struct unmoved {
   std::uint64_t here = 0;  ///< the bit of the joint at hand
   std::uint64_t all = 0;
   std::uint64_t endless = 0;  ///< what they move is no finite number; of those behind one that moves nothing, neither
-  constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << std::min(coordinate, std::size_t{63}); }
+  constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << (std::min)(coordinate, std::size_t{63}); }
 };
 /// `good` is a bool, or says more.
 template <class S>

@@ -25,17 +25,17 @@ KTE_INLINE constexpr auto half_turn_functions_of(const S& tt) {
   using std::sqrt;
   using plain = plain_scalar<S>;
   const plain limit = sqrt(sqrt(std::numeric_limits<plain>::epsilon()));
-  const auto small = tt < S(limit);
-  const S t = sqrt(select(small, S(1), tt));
+  const auto tiny = tt < S(limit);
+  const S t = sqrt(select(tiny, S(1), tt));
   S sine, cosine;
   sincos(S(t / S(2)), sine, cosine);
   const auto series = [&tt](double a, double b, double c, double d) KTE_INLINE_LAMBDA {
     return S(S(1) / S(a) + tt * (S(1) / S(b) + tt * (S(1) / S(c) + tt / S(d))));
   };
-  return half_turn_functions<S>{select(small, series(2, -48, 3840, -645120), S(sine / t)),
-                                select(small, series(1, -8, 384, -46080), cosine),
-                                select(small, S(-(S(1) / S(24) + tt * (S(7) / S(5760) + tt * (S(31) / S(967680))))),
-                                       S((S(1) - t / (S(2) * sine)) / select(small, S(1), tt)))};
+  return half_turn_functions<S>{select(tiny, series(2, -48, 3840, -645120), S(sine / t)),
+                                select(tiny, series(1, -8, 384, -46080), cosine),
+                                select(tiny, S(-(S(1) / S(24) + tt * (S(7) / S(5760) + tt * (S(31) / S(967680))))),
+                                       S((S(1) - t / (S(2) * sine)) / select(tiny, S(1), tt)))};
 }
 
 /// Frame 2 in frame 1 stands at R_1^T (p_2 - p_1) and is turned by r = axis times angle of R_1^T R_2. Half of that

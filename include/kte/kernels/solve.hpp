@@ -95,7 +95,7 @@ template <int N, class F>
 KTE_INLINE void for_each_four(Eigen::Index n, const F& f) {
   if constexpr (N == Eigen::Dynamic || N >= 4) {
     if (n >= 4) {
-      for (Eigen::Index i = 0; i < n; i += 4) f.template operator()<4>(std::min(i, n - 4));
+      for (Eigen::Index i = 0; i < n; i += 4) f.template operator()<4>((std::min)(i, n - 4));
       return;
     }
   }

@@ -127,7 +127,7 @@ box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vecto
       if (abs(step[i]) * t > room) t = room / abs(step[i]), blocking = i;
     }
     for (Eigen::Index i = 0; i < n; ++i)
-      if (at[i] == 0) x[i] = std::min(std::max(S(x[i] - t * step[i]), lower[i]), upper[i]);
+      if (at[i] == 0) x[i] = (std::min)((std::max)(S(x[i] - t * step[i]), lower[i]), upper[i]);
     if (blocking >= 0) {
       const bool down = step[blocking] > 0;
       at[blocking] = down ? -1 : 1, x[blocking] = down ? lower[blocking] : upper[blocking];

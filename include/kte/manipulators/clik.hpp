@@ -41,7 +41,7 @@ auto largest_miss(const Goals& goals, const At& at) {
   const auto add = [&](const auto& goal) {
     if constexpr (std::remove_cvref_t<decltype(goal)>::hard) {
       const auto m = goal.miss(at);
-      most.linear = std::max(most.linear, m.linear), most.angular = std::max(most.angular, m.angular);
+      most.linear = (std::max)(most.linear, m.linear), most.angular = (std::max)(most.angular, m.angular);
     }
   };
   std::apply([&](const auto&... goal) { (add(goal), ...); }, goals);

@@ -65,9 +65,9 @@ auto motion_between(const Arm& arm, const Q0& from, const Q1& to, const Make& pr
     const auto i = static_cast<std::size_t>(k);
     const double length = std::abs(d[k]);
     if (length == 0) continue;
-    limits.rate = std::min(limits.rate, arm.limits().rate[i] / length);
-    limits.acceleration = std::min(limits.acceleration, arm.limits().acceleration[i] / length);
-    limits.jerk = std::min(limits.jerk, arm.limits().jerk[i] / length);
+    limits.rate = (std::min)(limits.rate, arm.limits().rate[i] / length);
+    limits.acceleration = (std::min)(limits.acceleration, arm.limits().acceleration[i] / length);
+    limits.jerk = (std::min)(limits.jerk, arm.limits().jerk[i] / length);
   }
   return joint_motion(arm, q0, d, profile(limits));
 }

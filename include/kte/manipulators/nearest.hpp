@@ -14,18 +14,18 @@ struct best_answer {
 
   /// |q - q_now|^2 of the joints; of those that do not get there, how far they are off.
   void look_at(const arm_structure& s, const ik_answer<Q>& a, const Q& now) {
-    double far = 0;
+    double apart = 0;
     const auto rank = !a.exact ? away : a.within_limits ? good : beyond_limits;
     if (rank == away) {
-      far = double_of(a.position) / s.reach + double_of(a.rotation);
+      apart = double_of(a.position) / s.reach + double_of(a.rotation);
     } else {
       for (std::size_t i = 0; i < static_cast<std::size_t>(s.original.n); ++i) {
         const double d = double_of(a.q[s.original.in_q[i]]) - double_of(now[s.original.in_q[i]]);
-        far += d * d;
+        apart += d * d;
       }
     }
-    if (rank < is || (rank == is && !(far < way))) return;
-    answer = a, way = far, is = rank;
+    if (rank < is || (rank == is && !(apart < way))) return;
+    answer = a, way = apart, is = rank;
   }
 };
 
@@ -46,7 +46,7 @@ void look_for_arm_angle(const Arm& arm, const plain_pose_of<S>& x, const Q& now,
   const auto [R, p] = goal_of(arm.structure(), y);
   for (const auto& way : feasible_angles(arm.structure(), R, p, limits_of_joints(arm))) {
     // A little inside, where the limit is not missed by rounding.
-    const double inside = std::min(1e-12, (way.upper - way.lower) / 4), lower = way.lower + inside,
+    const double inside = (std::min)(1e-12, (way.upper - way.lower) / 4), lower = way.lower + inside,
                  upper = way.upper - inside;
     const double to_lower = std::remainder(lower - psi, 2 * std::numbers::pi);
     const double to_upper = std::remainder(upper - psi, 2 * std::numbers::pi);
@@ -76,7 +76,7 @@ held_joint_search search_of(const arm_structure& s, const plain_pose_of<S>& x, d
   const double along = double_of(S(dot(as<S>(arm.axis[0]), way)));
   const double room = s.reach * s.reach + along * along - double_of(S(dot(way, way)));
   const double half = room > 0 ? sqrt(room) : 0;
-  return {std::min(std::max(here, along - half), along + half), s.reach / 32};
+  return {(std::min)((std::max)(here, along - half), along + half), s.reach / 32};
 }
 
 /// A joint is held: where it is, or as near to that as there is something within limits. Looked for in steps, then by
@@ -97,7 +97,7 @@ void look_for_held_joint(const Arm& arm, const plain_pose_of<S>& x, const Q& now
   };
   if (good_at(here)) return;
   const auto [there, step] = search_of(s, x, here);
-  const double from = std::min(std::max(there, lower), upper);
+  const double from = (std::min)((std::max)(there, lower), upper);
   if (from != here && good_at(from)) return;
   for (int k = 1; k <= 64; ++k)
     for (const double side : {step, -step}) {

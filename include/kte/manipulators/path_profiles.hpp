@@ -33,12 +33,12 @@ class trapezoidal_profile {
     const S most = std::numeric_limits<S>::infinity();
     if (!(limits.rate > S(0)) || !(a_ > S(0)) || a_ == most)
       detail::raise<bad_argument>("kte: a trapezoidal motion needs limits of acceleration, and none that are 0");
-    ramp_ = std::min(S(limits.rate / a_), S(sqrt(S(1) / a_)));
+    ramp_ = (std::min)(S(limits.rate / a_), S(sqrt(S(1) / a_)));
     duration_ = ramp_ + S(1) / (a_ * ramp_);  // (1)
   }
   S duration() const { return duration_; }
   path_point<S> operator()(const S& time) const {
-    const S t = std::min(std::max(time, S(0)), duration_), left = duration_ - t;
+    const S t = (std::min)((std::max)(time, S(0)), duration_), left = duration_ - t;
     if (t < ramp_) return {a_ * t * t / S(2), a_ * t, a_};
     if (left < ramp_) return {S(1) - a_ * left * left / S(2), a_ * left, left > S(0) ? S(-a_) : S(0)};
     return {a_ * ramp_ * (t - ramp_ / S(2)), a_ * ramp_, S(0)};
@@ -59,16 +59,16 @@ class quintic_profile {
   explicit quintic_profile(const path_limits<S>& limits, const S& at_least = S(0)) {
     using std::cbrt;
     using std::sqrt;
-    const S shortest = std::max({S(S(1.875) / limits.rate), S(sqrt(S(10) / sqrt(S(3)) / limits.acceleration)),
-                                 S(cbrt(S(60) / limits.jerk))});  // (2)
-    duration_ = std::max(shortest, at_least);
+    const S shortest = (std::max)({S(S(1.875) / limits.rate), S(sqrt(S(10) / sqrt(S(3)) / limits.acceleration)),
+                                   S(cbrt(S(60) / limits.jerk))});  // (2)
+    duration_ = (std::max)(shortest, at_least);
     if (!(duration_ > S(0)) || !(duration_ < std::numeric_limits<S>::infinity()))
       detail::raise<bad_argument>(
           "kte: a quintic motion needs a duration, or limits that give one, and none that are 0");
   }
   S duration() const { return duration_; }
   path_point<S> operator()(const S& time) const {
-    const S T = duration_, x = std::min(std::max(S(time / T), S(0)), S(1)), y = S(1) - x;
+    const S T = duration_, x = (std::min)((std::max)(S(time / T), S(0)), S(1)), y = S(1) - x;
     return {x * x * x * (S(10) - x * (S(15) - S(6) * x)), S(30) * x * x * y * y / T, S(60) * x * y * (y - x) / (T * T)};
   }
 

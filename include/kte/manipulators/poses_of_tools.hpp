@@ -36,10 +36,10 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wante
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     from.push_back(checked_pose(plain_pose_of<double>(spatial(still[i]))));
     to.push_back(checked_pose(plain_pose_of<double>(spatial(wanted[i]))));
-    away = std::max(away, std::sqrt(dot(to[i].position, to[i].position)));
+    away = (std::max)(away, std::sqrt(dot(to[i].position, to[i].position)));
     for (const auto& x : from) {
       const vec3<> d = from[i].position - x.position;
-      apart = std::max(apart, std::sqrt(dot(d, d)));
+      apart = (std::max)(apart, std::sqrt(dot(d, d)));
     }
   }
   fitted_motion fit;
@@ -60,7 +60,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wante
     if (!(off.position <= 1e-9 * (1 + apart) + rounding && off.rotation <= 1e-9))
       raise<no_closed_form>("kte: tool " + std::to_string(i + 1) + " of these is not on the body that moves freely");
     const auto gap = gap_between(tool, to[i]);
-    a.position = std::max(a.position, gap.position), a.rotation = std::max(a.rotation, gap.rotation);
+    a.position = (std::max)(a.position, gap.position), a.rotation = (std::max)(a.rotation, gap.rotation);
   }
   a.exact = a.position <= ik_tolerance{}.position * (s.reach + apart) + rounding &&
             a.rotation <= ik_tolerance{}.rotation + (apart > 0 ? rounding / apart : 0);

@@ -112,19 +112,19 @@ detail::short_list<three_solved_angles<S>, 8> subproblem5(const vec3<S>& p0, con
   const auto nothing = [&unit](const vec3<S>& p) { return !(dot(p, p) * unit * unit > S(1e-18)); };
   if (nothing(p0) && !nothing(p2)) {
     const auto t3 = detail::angles_of_length(k3, p2, p3, S(sqrt(dot(p1, p1))));
-    for (const unsigned far : {0u, 2u}) {
-      const auto& t = far == 0 ? t3.plus : t3.minus;
+    for (const unsigned first : {0u, 2u}) {
+      const auto& t = first == 0 ? t3.plus : t3.minus;
       const auto [t1, t2] = subproblem2(k1, p1, k, vec3<S>(p2 + turned(k3, t, p3)));
-      out.push_back({t1.plus, t2.plus, t, far}), out.push_back({t1.minus, t2.minus, t, far + 1});
+      out.push_back({t1.plus, t2.plus, t, first}), out.push_back({t1.minus, t2.minus, t, first + 1});
     }
     return out;
   }
   if (nothing(p2) && !nothing(p0)) {
     const auto t1 = detail::angles_of_length(k1, p0, p1, S(sqrt(dot(p3, p3))));
-    for (const unsigned far : {0u, 2u}) {
-      const auto& t = far == 0 ? t1.plus : t1.minus;
+    for (const unsigned first : {0u, 2u}) {
+      const auto& t = first == 0 ? t1.plus : t1.minus;
       const auto [t3, t2] = subproblem2(k3, p3, vec3<S>(-k), vec3<S>(p0 + turned(k1, t, p1)));
-      out.push_back({t, t2.plus, t3.plus, far}), out.push_back({t, t2.minus, t3.minus, far + 1});
+      out.push_back({t, t2.plus, t3.plus, first}), out.push_back({t, t2.minus, t3.minus, first + 1});
     }
     return out;
   }

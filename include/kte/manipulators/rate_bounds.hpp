@@ -47,9 +47,9 @@ rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S
   // The largest rate towards a border at distance d; beyond the border one that comes back.
   const auto towards = [&](const S& border, const S& d) {
     if (d == std::numeric_limits<S>::infinity()) return rate;
-    const S lost = S(4) * eps * std::max(std::abs(q), std::abs(border));  // in q + v dt
-    if (d >= -lost) return std::min(rate, stopping_rate(std::max(S(d - lost), S(0)), a, dt));
-    return -std::min(rate, stopping_rate(S(-d), a, dt));
+    const S lost = S(4) * eps * (std::max)(std::abs(q), std::abs(border));  // in q + v dt
+    if (d >= -lost) return (std::min)(rate, stopping_rate((std::max)(S(d - lost), S(0)), a, dt));
+    return -(std::min)(rate, stopping_rate(S(-d), a, dt));
   };
   S up = towards(upper, S(upper - q)), down = -towards(lower, S(q - lower));
   const S hardest_down = v_now - a * dt, hardest_up = v_now + a * dt;
@@ -59,7 +59,7 @@ rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S
   const bool beyond = up < S(0) || down > S(0) || too_fast_up || too_fast_down;
   if (too_fast_up) up = hardest_down;
   if (too_fast_down) down = hardest_up;
-  return {std::min(std::max(hardest_down, down), up), std::max(std::min(hardest_up, up), down), beyond};
+  return {(std::min)((std::max)(hardest_down, down), up), (std::max)((std::min)(hardest_up, up), down), beyond};
 }
 
 }  // namespace kte

@@ -87,7 +87,7 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
       const S weighted = r % 6 < 3 ? S(j(r, a)) : S(turns * j(r, a));
       g[a] += weighted * S(twist[static_cast<std::size_t>(r)]);
       for (Eigen::Index b = 0; b <= a; ++b) h(a, b) += weighted * j(r, b);
-      if (r + 1 == j.rows()) largest = std::max(largest, h(a, a));
+      if (r + 1 == j.rows()) largest = (std::max)(largest, h(a, a));
     }
   const S eps = largest > S(0) ? S(options.damping) * largest : S(1);
   for (Eigen::Index a = 0; a < m; ++a) {
@@ -110,7 +110,7 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
     }
     S& most = r % 6 == 0 ? out.linear : out.angular;
     using std::sqrt;
-    most = std::max(most, S(sqrt(missed)));
+    most = (std::max)(most, S(sqrt(missed)));
   }
   return out;
 }

@@ -171,8 +171,8 @@ constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2&
   const S a = dot(k2, p1) - cosine * along1, b = dot(k2, cross(k1, p1)), c = d - cosine * along1;
   const S h = sqrt(S(a * a + b * b)), noise = S(24 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(p1, p1)));
   const S most = sqrt(S(dot(k12, k12) * dot(n2, n2))), e = along1 - cosine * d;
-  const truth<S> near = most + size_of(e) < h + size_of(c);
-  const S room = select(near, S((most - e) * (most + e)), S((h - c) * (h + c)));
+  const truth<S> close = most + size_of(e) < h + size_of(c);
+  const S room = select(close, S((most - e) * (most + e)), S((h - c) * (h + c)));
   const auto t1 = detail::angles_with_room(a, b, c, h, room, S(-room / (h + size_of(c) + noise)), noise, {});
   const auto rest = [&](const solved_angle<S>& t) { return subproblem1(axis2, p2, turned(axis1, t, p1)); };
   return {t1, {rest(t1.plus), rest(t1.minus), t1.slack, {}}};

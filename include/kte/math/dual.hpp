@@ -54,8 +54,8 @@ struct std::numeric_limits<kte::dual<T, N>> : std::numeric_limits<T> {
   using D = kte::dual<T, N>;
 
  public:
-  static constexpr D min() noexcept { return of_value::min(); }
-  static constexpr D max() noexcept { return of_value::max(); }
+  static constexpr D(min)() noexcept { return (of_value::min)(); }
+  static constexpr D(max)() noexcept { return (of_value::max)(); }
   static constexpr D lowest() noexcept { return of_value::lowest(); }
   static constexpr D epsilon() noexcept { return of_value::epsilon(); }
   static constexpr D round_error() noexcept { return of_value::round_error(); }

@@ -166,28 +166,28 @@ KTE_INLINE constexpr dual<T, N> hypot(const dual<T, N>& x, const A& y) {
 
 /// As std::min and std::max: the first of equals, with its derivatives.
 template <class T, int N>
-KTE_INLINE constexpr dual<T, N> min(const dual<T, N>& a, const dual<T, N>& b) {
+KTE_INLINE constexpr dual<T, N>(min)(const dual<T, N>& a, const dual<T, N>& b) {
   return b < a ? b : a;
 }
 template <class T, int N, constant_of<T> A>
-KTE_INLINE constexpr dual<T, N> min(const A& a, const dual<T, N>& b) {
-  return min(dual<T, N>(a), b);
+KTE_INLINE constexpr dual<T, N>(min)(const A& a, const dual<T, N>& b) {
+  return (min)(dual<T, N>(a), b);
 }
 template <class T, int N, constant_of<T> A>
-KTE_INLINE constexpr dual<T, N> min(const dual<T, N>& a, const A& b) {
-  return min(a, dual<T, N>(b));
+KTE_INLINE constexpr dual<T, N>(min)(const dual<T, N>& a, const A& b) {
+  return (min)(a, dual<T, N>(b));
 }
 template <class T, int N>
-KTE_INLINE constexpr dual<T, N> max(const dual<T, N>& a, const dual<T, N>& b) {
+KTE_INLINE constexpr dual<T, N>(max)(const dual<T, N>& a, const dual<T, N>& b) {
   return a < b ? b : a;
 }
 template <class T, int N, constant_of<T> A>
-KTE_INLINE constexpr dual<T, N> max(const A& a, const dual<T, N>& b) {
-  return max(dual<T, N>(a), b);
+KTE_INLINE constexpr dual<T, N>(max)(const A& a, const dual<T, N>& b) {
+  return (max)(dual<T, N>(a), b);
 }
 template <class T, int N, constant_of<T> A>
-KTE_INLINE constexpr dual<T, N> max(const dual<T, N>& a, const A& b) {
-  return max(a, dual<T, N>(b));
+KTE_INLINE constexpr dual<T, N>(max)(const dual<T, N>& a, const A& b) {
+  return (max)(a, dual<T, N>(b));
 }
 
 // ---- of the value alone, like comparisons

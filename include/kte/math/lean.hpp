@@ -69,8 +69,8 @@ KTE_LEAN(tanh)
 KTE_LEAN(atan2)
 KTE_LEAN(hypot)
 KTE_LEAN(pow)
-KTE_LEAN(min)
-KTE_LEAN(max)
+KTE_LEAN((min))
+KTE_LEAN((max))
 #undef KTE_LEAN
 template <class D>
 bool isfinite(const lean<D>& x) {

@@ -43,11 +43,11 @@ KTE_INLINE pack<T, N, A> atan2(pack<T, N, A> y, const pack<T, N, A>& x) {
 }
 /// As std::min and std::max.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> min(const pack<T, N, A>& a, const pack<T, N, A>& b) {
+KTE_INLINE pack<T, N, A>(min)(const pack<T, N, A>& a, const pack<T, N, A>& b) {
   return select(b < a, b, a);
 }
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> max(const pack<T, N, A>& a, const pack<T, N, A>& b) {
+KTE_INLINE pack<T, N, A>(max)(const pack<T, N, A>& a, const pack<T, N, A>& b) {
   return select(a < b, b, a);
 }
 
@@ -177,8 +177,8 @@ class std::numeric_limits<kte::pack<T, N, A>> : public std::numeric_limits<T> {
   using lane = std::numeric_limits<T>;
 
  public:
-  static pack min() { return lane::min(); }
-  static pack max() { return lane::max(); }
+  static pack(min)() { return (lane::min)(); }
+  static pack(max)() { return (lane::max)(); }
   static pack lowest() { return lane::lowest(); }
   static pack epsilon() { return lane::epsilon(); }
   static pack round_error() { return lane::round_error(); }

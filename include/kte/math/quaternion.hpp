@@ -137,9 +137,9 @@ constexpr auto to_quaternion(const mat3<RX, RY, RZ>& rotation) {
   const auto m = as<S>(rotation);
   const S eps = std::numeric_limits<S>::epsilon();
   const S most = eps > S(1e-9) ? S(S(1000) * eps) : S(1e-6);
-  const auto small = [&](const S& d) { return d <= most && d >= -most; };
-  if (!(small(dot(m.x, m.x) - S(1)) && small(dot(m.y, m.y) - S(1)) && small(dot(m.z, m.z) - S(1)) &&
-        small(dot(m.x, m.y)) && small(dot(m.y, m.z)) && small(dot(m.z, m.x)) && dot(m.x, cross(m.y, m.z)) > 0))
+  const auto tiny = [&](const S& d) { return d <= most && d >= -most; };
+  if (!(tiny(dot(m.x, m.x) - S(1)) && tiny(dot(m.y, m.y) - S(1)) && tiny(dot(m.z, m.z) - S(1)) && tiny(dot(m.x, m.y)) &&
+        tiny(dot(m.y, m.z)) && tiny(dot(m.z, m.x)) && dot(m.x, cross(m.y, m.z)) > 0))
     detail::raise<bad_argument>("kte: a rotation matrix must be orthonormal and right-handed");
   const S a = m.x.x, b = m.y.y, c = m.z.z, trace = a + b + c;
   const S wx = m.z.y - m.y.z, wy = m.x.z - m.z.x, wz = m.y.x - m.x.y;  // (3)

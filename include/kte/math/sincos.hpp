@@ -73,8 +73,8 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
 }
 /// The same of any angles.
 KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, double* cosine) {
-  const auto small = [](double x) KTE_INLINE_LAMBDA { return std::fabs(x) <= largest_reduced_angle; };
-  if (small(a) && small(b) && small(c) && small(d)) [[likely]]
+  const auto in_range = [](double x) KTE_INLINE_LAMBDA { return std::fabs(x) <= largest_reduced_angle; };
+  if (in_range(a) && in_range(b) && in_range(c) && in_range(d)) [[likely]]
     return sincos4(double4{a, b, c, d}, sine, cosine);
   const double x[]{a, b, c, d};
   for (std::size_t k = 0; k < 4; ++k) sincos(x[k], sine[k], cosine[k]);
@@ -159,10 +159,10 @@ KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
            0)...};
       (void)done;
     };
-    const auto small = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    const auto in_range = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
       return (1 & ... & int{std::fabs(angle(I)) <= detail::largest_reduced_angle}) != 0;
     };
-    if (small(std::make_index_sequence<N>{})) [[likely]] {
+    if (in_range(std::make_index_sequence<N>{})) [[likely]] {
       fours(std::make_index_sequence<sines<S, N>::padded / 4>{});
       return r;
     }

@@ -13,7 +13,7 @@ template <class S>
 KTE_INLINE constexpr bool keeps_digits(const S& sum) {
   using limits = std::numeric_limits<S>;
   if constexpr (!limits::is_specialized) return all(sum > S(0));  // nothing is known of it
-  const S least = S(limits::min()) / S(limits::epsilon()) / S(limits::epsilon());
+  const S least = S((limits::min)()) / S(limits::epsilon()) / S(limits::epsilon());
   return all(sum > least) && all(sum < S(1) / least);
 }
 /// By what to multiply numbers first where that is not so; a constant, so that derivatives pass.
@@ -21,7 +21,7 @@ template <class S>
 constexpr S scale_for_squares(const S& sum) {
   using std::sqrt;
   if constexpr (!std::numeric_limits<S>::is_specialized) return S(1);
-  const S root = sqrt(S(std::numeric_limits<S>::max())), large = root * sqrt(root);
+  const S root = sqrt(S((std::numeric_limits<S>::max)())), large = root * sqrt(root);
   return select(sum > S(1), S(S(1) / large), large);
 }
 

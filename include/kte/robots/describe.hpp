@@ -6,9 +6,11 @@
 namespace kte {
 
 /// The reverse of `to_robot`: what a chain is as links and joints. Throws `bad_argument`, with the element, for what is
-/// neither: springs between frames, screws, rotors, motors, what is in the plane, a coordinate of two joints.
+/// neither: springs between frames, screws, rotors, motors, what is in the plane, a coordinate of two joints. What a
+/// description has no place for, the smoothing of friction, is in its `not_read`.
 robot_description describe(const kte_map_chain& chain, const std::string& name = "robot");
-/// The same with limits and shapes.
+/// The same with limits and shapes. Throws `bad_parameter` for limits that are none of the chain (`check_limits`).
+/// Limits of acceleration and jerk, and those of coordinates of several numbers, have no place, and are in `not_read`.
 robot_description describe(const robot& r);
 
 }  // namespace kte
@@ -22,18 +24,38 @@ KTE_FUNCTION robot_description describe(const kte_map_chain& chain, const std::s
 }
 KTE_FUNCTION robot_description describe(const robot& r) {
   auto d = describe(r.chain, r.name);
-  for (auto& j : d.joints)
-    for (const auto& e : layout(r.chain)) {
+  check_limits(r.chain, r.limits), check_limits(r.chain, r.soft_limits);
+  const auto& hard = r.limits;
+  for (const auto& e : layout(r.chain)) {
+    const auto no_place = [&](const std::string& what) {
+      d.not_read.push_back({0, "coordinate '" + e.name + "': a description has no " + what});
+    };
+    const auto limited = [&](const std::vector<double>& list, int i) {
+      return std::isfinite(list[static_cast<std::size_t>(i)]);
+    };
+    bool of_several = false, rates = false;
+    for (int i = e.v; i < e.v + e.nv; ++i) {
+      rates |= limited(hard.acceleration, i) || limited(hard.jerk, i);
+      if (e.nv == 1) continue;
+      for (const auto* list : {&hard.lower, &hard.upper, &hard.rate, &hard.effort}) of_several |= limited(*list, i);
+    }
+    if (rates) no_place("limits of acceleration and jerk");
+    if (of_several) no_place("limits of coordinates of several numbers");
+    for (auto& j : d.joints) {
       if (e.name != j.name || e.nv != 1) continue;
       const auto i = static_cast<std::size_t>(e.v);
-      j.lower = r.limits.lower[i], j.upper = r.limits.upper[i];
-      j.rate = r.limits.rate[i], j.effort = r.limits.effort[i];
+      j.lower = hard.lower[i], j.upper = hard.upper[i];
+      j.rate = hard.rate[i], j.effort = hard.effort[i];
       j.soft_lower = r.soft_limits.lower[i], j.soft_upper = r.soft_limits.upper[i];
       j.continuous = j.continuous && j.lower == -robot_joint::none && j.upper == robot_joint::none;
     }
-  for (const auto& s : r.shapes)
+  }
+  for (const auto& s : r.shapes) {
+    bool found = false;
     for (auto& l : d.links)
-      if (l.name == s.frame) (s.collision ? l.collisions : l.visuals).push_back(s);
+      if (l.name == s.frame) (s.collision ? l.collisions : l.visuals).push_back(s), found = true;
+    if (!found) d.not_read.push_back({s.line, "a shape is in frame '" + s.frame + "', which is no link"});
+  }
   d.actuators = r.actuators;
   return d;
 }

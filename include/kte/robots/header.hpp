@@ -16,7 +16,7 @@ namespace detail {
 class header_writer {
  public:
   header_writer(const kte_map_chain& chain, const std::string& name)
-      : robot_(identifier_list({}).make(name)), identifiers_(names_in_use(robot_)) {
+      : robot_(robot_identifier(name)), of_robot_(robot_.ends_with('_') ? robot_ : robot_ + '_') {
     chain.for_each_element([this](const kte_element& e) { add(e); });
     const vec3<>& g = chain.gravity();
     const std::array gravity{g.x, g.y, g.z};
@@ -27,28 +27,15 @@ class header_writer {
     std::string s = "#pragma once\n\n";
     for (const auto& header : headers_) s += "#include <kte/elements/" + header + ".hpp>\n";
     if (limits) s += "#include <kte/models/joint_limits.hpp>\n";
-    s += "#include <kte/static.hpp>\n\n// clang-format off\nnamespace robots {\n\nnamespace " + robot_ + "_names {\n" +
-         keys_ + "\nconstexpr auto assembled() {\n  using namespace kte;\n  return chain(" + elements_ + ")" +
-         gravity_ + ";\n}\n}  // namespace " + robot_ + "_names\n\ninline constexpr auto " + robot_ + " = " + robot_ +
-         "_names::assembled();\n";
+    s += "#include <kte/static.hpp>\n\n// clang-format off\nnamespace robots {\n\nnamespace " + of_robot_ +
+         "names {\n" + keys_ + "\nconstexpr auto assembled() {\n  return ::kte::chain(" + elements_ + ")" + gravity_ +
+         ";\n}\n}  // namespace " + of_robot_ + "names\n\ninline constexpr auto " + robot_ + " = " + of_robot_ +
+         "names::assembled();\n";
     if (limits) s += limits_text(*limits);
     return s + "\n}  // namespace robots\n";
   }
 
  private:
-  static std::set<std::string> names_in_use(const std::string& robot) {
-    std::set<std::string> all{"along_x",        "along_y",  "along_z",     "assembled",  "axis",
-                              "chain",          "diagonal", "mat3",        "minus_one",  "none",
-                              "no_rotation",    "one",      "kte",         "point_mass", "planar_body",
-                              "rigid_body",     "robots",   "rotation_2D", "std",        "sym3",
-                              "vec3",           "zero",     "zero3",       robot,        robot + "_names",
-                              robot + "_limits"};
-    for (const std::string turn : {"quarter_turn", "half_turn"})
-      for (const std::string about : {"", "_x", "_y", "_z"}) all.insert({turn + about, "minus_" + turn + about});
-    for (const auto& [type, call] : factory_calls()) all.insert(type);
-    return all;
-  }
-
   void add(const kte_element& e) {
     const auto call = factory_calls().find(e.type());
     if (call == factory_calls().end())
@@ -59,7 +46,7 @@ class header_writer {
       names.append(p == 0 ? "" : ", ").append(key(e.ports()[p].what, e.names()[p]));
     const auto record = e.record();
     const auto [arguments, place] = argument_writer(record).write(call->second.arguments);
-    elements_.append(elements_.empty() ? "" : after_body_ ? ",\n" : ",").append("\n      ");
+    elements_.append(elements_.empty() ? "" : after_body_ ? ",\n" : ",").append("\n      ::kte::");
     elements_.append(e.type()).append("(" + names + arguments + ")" + place);
     after_body_ = record.type.starts_with("inertia_");
   }
@@ -70,16 +57,16 @@ class header_writer {
       known = identifiers_.make(name);
       static constexpr std::array<const char*, kinds> types{"coord",   "frame_2D", "frame_3D", "input", "rotation_3D",
                                                             "pose_2D", "pose_3D",  "internal", "vector"};
-      keys_ += "inline constexpr struct " + known + "_ final : kte::" + types[static_cast<std::size_t>(k)] + "_key<" +
-               cpp_text(name) + "> {} " + known + ";\n";
+      keys_ += "inline constexpr struct " + known + "key final : ::kte::" + types[static_cast<std::size_t>(k)] +
+               "_key<" + cpp_text(name) + "> {} " + known + ";\n";
     }
     return known;
   }
   std::string limits_text(const joint_limits<>& x) const {
     const auto text = [](double v) { return std::isinf(v) ? std::string(v < 0 ? "-none" : "none") : cpp_number(v); };
-    std::string s = "\ninline constexpr auto " + robot_ + "_limits = [] {\n" +
-                    "  constexpr double none = kte::joint_limits<>::none;\n" +
-                    "  return kte::joint_limits<std::array<double, " + std::to_string(x.lower.size()) + ">>{";
+    std::string s = "\ninline constexpr auto " + of_robot_ + "limits = [] {\n" +
+                    "  constexpr double none = ::kte::joint_limits<>::none;\n" +
+                    "  return ::kte::joint_limits<::std::array<double, " + std::to_string(x.lower.size()) + ">>{";
     const auto list = [&](const char* name, const std::vector<double>& values, const char* after = ",") {
       s.append("\n      .").append(name).append(" = " + cpp_list(values, text)).append(after);
     };
@@ -88,7 +75,7 @@ class header_writer {
     return s;
   }
 
-  std::string robot_, keys_, elements_, gravity_;
+  std::string robot_, of_robot_, keys_, elements_, gravity_;
   bool after_body_ = false;
   identifier_list identifiers_;
   std::set<std::string> headers_;
@@ -99,8 +86,10 @@ class header_writer {
 
 /// A chain as a C++ header: keys in `robots::NAME_names`, the chain `robots::NAME`, constexpr, with typed constants
 /// where its numbers are exact zeros, ones and quarter turns, and, if they are given, `robots::NAME_limits`. It needs
-/// only this library. The same chain gives the same text; names that are no identifiers of C++ become some, in the
-/// order of the chain. Throws `bad_argument` for a chain that holds code, or elements that are not of this library.
+/// only this library. The same chain gives the same text. The key of a name is that name with an underscore behind,
+/// `elbow_`, so that it is no macro and no word of C++; other characters than letters and digits become one too, and
+/// where two names become the same the later one has a number. Throws `bad_argument` for a chain that holds code, or
+/// elements that are not of this library.
 inline std::string to_header(const kte_map_chain& chain, const std::string& name) {
   return detail::header_writer(chain, name).text(nullptr);
 }

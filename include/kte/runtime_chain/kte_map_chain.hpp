@@ -81,8 +81,8 @@ class kte_map_chain : public kte_map {
     if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
     kte_map& part = *e;
     if (typeid(part) == typeid(kte_map_chain)) {
-      take(static_cast<kte_map_chain&>(part));
-      emptied_.push_back(std::move(e));
+      auto& c = static_cast<kte_map_chain&>(part);
+      take(c, std::move(e));
     } else {
       add(&e, 1, part.gravity());
     }
@@ -219,8 +219,8 @@ class kte_map_chain : public kte_map {
   }
   /// All or none: `all` is then moved from, or the chain is as before. (A span takes 200 templates more.)
   void add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part);
-  /// All elements of a chain, which is then of no use.
-  void take(kte_map_chain& c);
+  /// All elements of a chain, which is then of no use; `owner` holds it. Or the chain is as before.
+  void take(kte_map_chain& c, std::unique_ptr<kte_map> owner);
   void swap(kte_map_chain& o) noexcept {
     std::swap(elements_, o.elements_), std::swap(emptied_, o.emptied_), std::swap(topology_, o.topology_);
     std::swap(gravity_, o.gravity_), std::swap(gravity_is_written_, o.gravity_is_written_),
@@ -270,24 +270,28 @@ KTE_FUNCTION std::vector<kte_map_chain::output> kte_map_chain::outputs(const run
   return all;
 }
 KTE_FUNCTION void kte_map_chain::add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
-  const auto layout = wiring().layout;
+  (void)wiring();
   const vec3<> g = with_gravity_of(part);
   if (count == 0) return put_gravity(g);
   if (const std::size_t size = elements_.size() + count; size > elements_.capacity())
-    elements_.reserve(std::max(size, 2 * elements_.capacity()));
+    elements_.reserve((std::max)(size, 2 * elements_.capacity()));
   topology& t = topology_.edit();
+  const auto before = t.size();
   try {
     for (std::size_t i = 0; i < count; ++i) all[i]->connect(t);
   } catch (...) {
-    topology before;
-    for (const auto& e : elements_) e->connect(before);
-    t = std::move(before), t.layout = layout;
+    t.cut(before);
     throw;
   }
   for (std::size_t i = 0; i < count; ++i) elements_.push_back(std::move(all[i]));
   gravity_ = g;
 }
-KTE_FUNCTION void kte_map_chain::take(kte_map_chain& c) {
+KTE_FUNCTION void kte_map_chain::take(kte_map_chain& c, std::unique_ptr<kte_map> owner) {
+  // The fewer to the more, and no room is kept: a nest is as large as it is deep, not as its square.
+  parts& more = emptied_.size() < c.emptied_.size() ? c.emptied_ : emptied_;
+  parts& fewer = &more == &emptied_ ? c.emptied_ : emptied_;
+  if (const std::size_t size = more.size() + fewer.size() + 1; size > more.capacity())
+    more.reserve((std::max)(size, 2 * more.capacity()));
   if (elements_.empty() && c.use_ == use::whole) {
     (void)wiring();
     const vec3<> g = with_gravity_of(c.gravity_);
@@ -298,9 +302,9 @@ KTE_FUNCTION void kte_map_chain::take(kte_map_chain& c) {
     add(c.elements_.data(), c.elements_.size(), c.gravity_);
     c.elements_.clear(), c.topology_ = {};
   }
-  // The fewer to the more, and no room is kept: a nest is as large as it is deep, not as its square.
-  if (emptied_.size() < c.emptied_.size()) emptied_.swap(c.emptied_);
-  for (auto& e : c.emptied_) emptied_.push_back(std::move(e));
+  for (auto& e : fewer) more.push_back(std::move(e));
+  more.push_back(std::move(owner));
+  if (&more != &emptied_) emptied_.swap(more);
   c.emptied_ = parts(), c.use_ = use::emptied;
 }
 #endif

@@ -9,6 +9,7 @@
 #include <kte/static_chain/state.hpp>
 
 #include <memory>
+#include <utility>
 
 namespace kte {
 
@@ -50,8 +51,9 @@ class basic_runtime_state {
 
   explicit basic_runtime_state(shared_topology t);
   basic_runtime_state(const basic_runtime_state&) = default;
-  basic_runtime_state(basic_runtime_state&& o) noexcept : basic_runtime_state(shared_topology{}) { swap(o); }
-  basic_runtime_state& operator=(const basic_runtime_state&) = default;
+  basic_runtime_state(basic_runtime_state&& o) noexcept;
+  /// All or nothing. Allocates only where the states are of other chains.
+  basic_runtime_state& operator=(const basic_runtime_state& o);
   basic_runtime_state& operator=(basic_runtime_state&& o) noexcept {
     basic_runtime_state moved(std::move(o));
     swap(moved);
@@ -117,6 +119,12 @@ class basic_runtime_state {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
+  /// Of a chain without elements, for states that are moved from: made with the first state, as there may be no memory
+  /// when it is wanted.
+  static const std::shared_ptr<const tree_type>& no_tree() {
+    static const auto none = std::make_shared<const tree_type>(detail::tree_of<parameter>(topology()));
+    return none;
+  }
   void swap(basic_runtime_state& o) noexcept {
     std::swap(topology_, o.topology_), std::swap(things_, o.things_);
     std::swap(free_coordinates_, o.free_coordinates_);
@@ -142,8 +150,26 @@ basic_runtime_state<S>::basic_runtime_state(shared_topology t)
       things_([this](kind k) { return topology_->count(k); }),
       work(*tree_, topology_->nv, topology_->elements.size()) {
   detail::check_scalar<S>(*topology_, *tree_);
+  (void)no_tree();
   for (const auto& f : topology_->free)
     if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
+}
+template <class S>
+basic_runtime_state<S>::basic_runtime_state(basic_runtime_state&& o) noexcept
+    : topology_(std::move(o.topology_)),
+      tree_(std::exchange(o.tree_, no_tree())),
+      things_(std::move(o.things_)),
+      free_coordinates_(std::move(o.free_coordinates_)),
+      work(std::move(o.work)) {}
+template <class S>
+basic_runtime_state<S>& basic_runtime_state<S>::operator=(const basic_runtime_state& o) {
+  if (topology_->layout == o.topology_->layout) {
+    topology_ = o.topology_, tree_ = o.tree_, things_ = o.things_;
+  } else {
+    basic_runtime_state copy(o);
+    swap(copy);
+  }
+  return *this;
 }
 template <class S>
 basic_runtime_state<S>::~basic_runtime_state() = default;

@@ -56,9 +56,20 @@ class topology {
   /// Equal for chains with the same things in the same order: a new one for every element, the same for copies.
   std::shared_ptr<const char> layout = std::make_shared<char>();
 
-  /// Connects one more element. Throws `bad_wiring`, and then nothing has changed.
+  /// Connects one more element. Throws `bad_wiring`, and then nothing has changed; where memory runs out, `cut` is due.
   void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
                std::span<const std::string> to);
+  /// How much there is, for `cut`.
+  struct extent {
+    std::array<std::size_t, kinds> names{};
+    std::size_t free = 0, quaternions = 0, signals = 0, elements = 0, keepers = 0, row = 0;
+    int nq = 0, nv = 0, nu = 0;
+    bool has_derivatives = true, base_known = false;
+    std::shared_ptr<const char> layout;
+  };
+  extent size() const;
+  /// Takes back what was connected since there was so much, also a half of an element. Allocates nothing.
+  void cut(const extent& before) noexcept;
   /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
   void check_complete() const;
   /// Things of a kind.
@@ -126,6 +137,38 @@ KTE_FUNCTION void topology::connect(const kte_element* e, std::string_view type,
   for (std::size_t p = 0; p < ports.size(); ++p) c.index.push_back(add(ports[p], to[p]));
   elements.push_back(std::move(c));
   layout = std::make_shared<char>();
+}
+KTE_FUNCTION topology::extent topology::size() const {
+  extent e;
+  for (std::size_t k = 0; k < kinds; ++k) e.names[k] = names[k].size();
+  e.free = free.size(), e.quaternions = quaternions.size(), e.signals = signals.size(), e.elements = elements.size();
+  e.keepers = keepers.size(), e.row = row_, e.nq = nq, e.nv = nv, e.nu = nu;
+  e.has_derivatives = has_derivatives, e.base_known = base_known_, e.layout = layout;
+  return e;
+}
+KTE_FUNCTION void topology::cut(const extent& before) noexcept {
+  const auto shorten = [](auto& list, std::size_t size) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>((std::min)(size, list.size())), list.end());
+  };
+  for (auto x = things_.begin(); x != things_.end();) {
+    for (thing& t : x->second) {
+      if (t && static_cast<std::size_t>(t.index) >= before.names[static_cast<std::size_t>(t.what)]) t = {};
+      t.moves = t.declared;
+    }
+    x = x->second[0] || x->second[1] ? std::next(x) : things_.erase(x);
+  }
+  for (std::size_t k = 0; k < kinds; ++k) shorten(names[k], before.names[k]), shorten(writers[k], before.names[k]);
+  shorten(free, before.free), shorten(quaternions, before.quaternions), shorten(signals, before.signals);
+  shorten(elements, before.elements), shorten(keepers, before.keepers);
+  nq = before.nq, nv = before.nv, nu = before.nu, row_ = before.row;
+  if (!free.empty()) free[row_].in_row = static_cast<int>(free.size() - row_);
+  has_derivatives = before.has_derivatives, base_known_ = before.base_known, layout = before.layout;
+  for (const auto& c : elements)
+    for (std::size_t p = 0; p < c.ports.size(); ++p) {
+      const auto k = static_cast<std::size_t>(c.ports[p].what);
+      if (detail::wiring_rules::moves(c.ports[p].how))
+        things_.find(names[k][static_cast<std::size_t>(c.index[p])])->second[is_frame(c.ports[p].what)].moves = true;
+    }
 }
 KTE_FUNCTION void topology::check_complete() const {
   for (std::size_t k = 0; k < kinds; ++k)

@@ -54,7 +54,7 @@ double file_round_trip(const kte_element& e, const element_registry& registry, D
     const bool refused = detail::refuses(a, s);
     if (refused != detail::refuses(b, t)) return 1;
     if (refused) continue;
-    most = std::max(most, detail::gap_of_passes(a, s, b, t, draw).share());
+    most = (std::max)(most, detail::gap_of_passes(a, s, b, t, draw).share());
   }
   return most;
 }

@@ -57,13 +57,13 @@ struct forest_builder {
     // at zero the end stands at at_zero in the base; the body at at_zero end^-1
     const pose_type y = compose(compose(compose(x.at_zero, inverse(end.at)), moved), end.at);
     const double least = 1e-8, rounding = 64 * static_cast<double>(std::numeric_limits<P>::epsilon());
-    const P squared = static_cast<P>(std::max(least * least, rounding * rounding));
-    const auto near = [&squared](const vec3<P>& a, const vec3<P>& b) {
+    const P squared = static_cast<P>((std::max)(least * least, rounding * rounding));
+    const auto close_to = [&squared](const vec3<P>& a, const vec3<P>& b) {
       const vec3<P> d = a - b;
       return dot(d, d) <= squared * (P(1) + dot(a, a));
     };
-    return near(y.position, x.tried.position) && near(y.rotation.x, x.tried.rotation.x) &&
-           near(y.rotation.y, x.tried.rotation.y) && near(y.rotation.z, x.tried.rotation.z);
+    return close_to(y.position, x.tried.position) && close_to(y.rotation.x, x.tried.rotation.x) &&
+           close_to(y.rotation.y, x.tried.rotation.y) && close_to(y.rotation.z, x.tried.rotation.z);
   }
   void add_body(const place_type& at, const rigid_body<P, vec3<P>, sym3<P>>& b) {
     const rigid_body<P, vec3<P>, sym3<P>> moved{b.mass, to_parent(at.at, b.com), congruence(at.at.rotation, b.inertia)};
@@ -124,10 +124,10 @@ struct forest_builder {
     using std::sqrt;
     if (n.z == P(1)) return {{P(1), P(0), P(0)}, {P(0), P(1), P(0)}, {P(0), P(0), P(1)}};
     // x of the new axes is normal to n and to the axis that is farthest from it
-    const vec3<P> far = abs(n.x) <= abs(n.y) && abs(n.x) <= abs(n.z) ? vec3<P>{P(1), P(0), P(0)}
-                        : abs(n.y) <= abs(n.z)                       ? vec3<P>{P(0), P(1), P(0)}
-                                                                     : vec3<P>{P(0), P(0), P(1)};
-    const vec3<P> u = cross(far, n);
+    const vec3<P> across = abs(n.x) <= abs(n.y) && abs(n.x) <= abs(n.z) ? vec3<P>{P(1), P(0), P(0)}
+                           : abs(n.y) <= abs(n.z)                       ? vec3<P>{P(0), P(1), P(0)}
+                                                                        : vec3<P>{P(0), P(0), P(1)};
+    const vec3<P> u = cross(across, n);
     const vec3<P> x = (P(1) / sqrt(P(dot(u, u)))) * u, y = cross(n, x);
     return {{x.x, y.x, n.x}, {x.y, y.y, n.y}, {x.z, y.z, n.z}};
   }
@@ -209,7 +209,7 @@ struct forest_builder {
     for (std::size_t i = n; i-- > 0;)
       if (const int p = records[i].parent - result.bases; p >= 0)
         records[static_cast<std::size_t>(p)].last =
-            std::max(records[static_cast<std::size_t>(p)].last, records[i].last);
+            (std::max)(records[static_cast<std::size_t>(p)].last, records[i].last);
     for (std::size_t i = 0; i < n; ++i)
       if (const int p = records[i].parent - result.bases; p >= 0 && p + 1 != static_cast<int>(i))
         records[static_cast<std::size_t>(p)].branches = true;

@@ -84,7 +84,7 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
     const std::size_t row = x.left.stride();
     for (int j = r.first; j < r.last; ++j) {  // (2)
       S* const to = x.rows[j];
-      const int axes = std::min(r.axes, j - r.first + 1);
+      const int axes = (std::min)(r.axes, j - r.first + 1);
       const bool own = j < r.first + r.axes;
       std::array<S, 6> rate;
       for (int l = 0; l < axes; ++l)

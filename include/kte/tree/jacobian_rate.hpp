@@ -18,7 +18,7 @@ template <class P, class S, class Put>
 int jacobian_rate_columns(const forest<P>& f, const memory<P, S>& m, const frame_place<P>& frame, dense_pose<S>& x,
                           world_axis<S>& moves, const Put& put) {
   world_axis<S> beyond{}, with_own{};
-  int last = std::numeric_limits<int>::max();
+  int last = (std::numeric_limits<int>::max)();
   const int base = jacobian_columns(f, m, frame, x, [&](int k, const auto& linear, const auto& angular) {
     const vec3<S> u = components<S>(linear), w = components<S>(angular);
     if (k < last) beyond = with_own;  // the next joint inward, not the next axis of one

@@ -64,7 +64,7 @@ void solve_together(const solve_arguments<S, Size, Rows>& s, int j) {
     return;
   }
   const int blocks = (s.n + count - 1) / count;  // the last goes back over some rows
-  const auto begin = [&s](int block) KTE_INLINE_LAMBDA { return std::min(block * count, s.n - count); };
+  const auto begin = [&s](int block) KTE_INLINE_LAMBDA { return (std::min)(block * count, s.n - count); };
   for (int k = 0; k + 1 < blocks; k += 2) solve_block<Columns, true, lanes<S>>(s, begin(k), begin(k + 1), j);
   if (blocks % 2 != 0) solve_block<Columns, false, lanes<S>>(s, begin(blocks - 1), 0, j);
 }

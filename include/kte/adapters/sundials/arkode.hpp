@@ -53,7 +53,7 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
     const double s = static_cast<arkode*>(self)->sign();
     const int flag = base::right_hand_side(s * st, y, out, self);
     detail::numbers<X>(out) *= s;
-    return implicit ? flag : std::min(flag, 0);  // told of NaN, ARKODE stops; else no error is small enough for it
+    return implicit ? flag : (std::min)(flag, 0);  // told of NaN, ARKODE stops; else no error is small enough for it
   }
   static int signed_jacobian(realtype st, N_Vector y, N_Vector f, SUNMatrix out, void* self, N_Vector a, N_Vector b,
                              N_Vector c) {

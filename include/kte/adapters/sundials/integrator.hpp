@@ -162,7 +162,7 @@ class integrator : public kte::integrator<Method, F, X> {
   /// Whether the way to t is a few ulp of the time.
   bool is_lost(const S& t) const {
     using std::abs;
-    return abs(t - this->time_) <= 4 * std::numeric_limits<S>::epsilon() * std::max(abs(this->time_), abs(t));
+    return abs(t - this->time_) <= 4 * std::numeric_limits<S>::epsilon() * (std::max)(abs(this->time_), abs(t));
   }
   /// Where SUNDIALS does not start, as the end is too close. The state changes less than by the rounding of t.
   void skip_to(const S& t_end) {

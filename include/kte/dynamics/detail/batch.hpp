@@ -36,7 +36,7 @@ class failure {
   }
 
  private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::mutex guard_;
   std::size_t state_ = none;
   bool singular_ = false;
@@ -70,7 +70,7 @@ class job {
   std::size_t tasks() const { return (count_ + chunk - 1) / chunk; }
   void operator()(std::size_t task) {
     std::size_t first = task * chunk;
-    const std::size_t last = std::min(first + chunk, count_);
+    const std::size_t last = (std::min)(first + chunk, count_);
     while (first + w <= last) {
       std::size_t done = 0;
       try {
@@ -128,7 +128,7 @@ class job {
   void padded(std::size_t first, std::size_t count, Buffers& in, std::array<T, w * Out>& out,
               std::index_sequence<I...>) const {
     for (std::size_t k = 0; k < w; ++k)
-      (std::copy_n(in_[I] + (first + std::min(k, count - 1)) * In, In, std::get<I>(in).begin() + k * In), ...);
+      (std::copy_n(in_[I] + (first + (std::min)(k, count - 1)) * In, In, std::get<I>(in).begin() + k * In), ...);
     std::size_t done = 0;
     packs(chain_, {std::get<I>(in).data()...}, out.data(), 1, done);
   }

@@ -117,7 +117,7 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
     return product;
   };
   const S eps = std::numeric_limits<S>::epsilon();
-  S least = std::numeric_limits<S>::max();
+  S least = (std::numeric_limits<S>::max)();
   int idle = 0;
   residual();
   for (int i = 0; i < 60; ++i) {

@@ -68,7 +68,7 @@ void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
     for (std::size_t p = 0; p < c.ports.size(); ++p) {
       if (c.ports[p].writes()) continue;
       const int writer = at(t.writers[static_cast<std::size_t>(c.ports[p].what)], c.index[p]);
-      if (writer >= 0) at(wanted, writer) = 1, first = std::min(first, writer);
+      if (writer >= 0) at(wanted, writer) = 1, first = (std::min)(first, writer);
     }
   }
   for (int e = first; e <= element; ++e)

@@ -30,9 +30,9 @@ class runtime_job {
     basic_runtime_state<P> s = made_;
     vectors x;
     for (std::size_t i = 0; i < Inputs; ++i) x[i].resize(static_cast<Eigen::Index>(in_[i].a_state));
-    const std::size_t last = std::min((task + 1) * chunk, count_);
+    const std::size_t last = (std::min)((task + 1) * chunk, count_);
     for (std::size_t first = task * chunk; first < last; first += w)
-      if (!together(first, std::min(w, last - first), s, x)) one_by_one(first, std::min(w, last - first), s, x);
+      if (!together(first, (std::min)(w, last - first), s, x)) one_by_one(first, (std::min)(w, last - first), s, x);
   }
   void raise() const { failure_.raise(); }
 
@@ -64,7 +64,7 @@ class runtime_job {
     for (std::size_t i = 0; i < Inputs; ++i) {
       const auto [numbers, n] = in_[i];
       for (std::size_t lane = 0; lane < w; ++lane) {
-        const T* const from = numbers + (first + std::min(lane, count - 1)) * n;
+        const T* const from = numbers + (first + (std::min)(lane, count - 1)) * n;
         for (std::size_t c = 0; c < n; ++c) x[i][static_cast<Eigen::Index>(c)].set(lane, from[c]);
       }
     }

@@ -98,11 +98,11 @@ template <class P, std::size_t N>
 struct columns {
   using T = typename P::value_type;
   static constexpr std::size_t w = sizeof(typename P::register_type) / sizeof(T);
-  static constexpr std::size_t l = std::min(std::bit_floor(N), w);
+  static constexpr std::size_t l = (std::min)(std::bit_floor(N), w);
   using square = squares<T, w, l>;
   using all_squares = std::make_index_sequence<(N + l - 1) / l>;
   using in_square = std::make_index_sequence<l>;
-  static constexpr std::size_t start(std::size_t i) { return std::min(i * l, N - l); }
+  static constexpr std::size_t start(std::size_t i) { return (std::min)(i * l, N - l); }
 
   template <std::size_t... I>
   KTE_INLINE static void load_all(const T* states, std::size_t reg, P* x, std::index_sequence<I...>) {

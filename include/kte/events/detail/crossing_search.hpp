@@ -103,8 +103,8 @@ class crossing_search {
                           ? find_sign_change([&](const S& t) { return S(s * g(t)); }, from.time, fa, b, S(s * yb))
                           : sign_change<S>{a, S(0), a, S(0)};
     time_ = root.after;
-    const S near = root.f_after == S(0) || root.f_before < -root.f_after ? S(-root.f_after) : root.f_before;
-    next_noise_ = 8 * (near + std::numeric_limits<S>::epsilon() * scale_);
+    const S nearest = root.f_after == S(0) || root.f_before < -root.f_after ? S(-root.f_after) : root.f_before;
+    next_noise_ = 8 * (nearest + std::numeric_limits<S>::epsilon() * scale_);
     return true;
   }
 

@@ -14,12 +14,12 @@ enum class iteration { converged, too_long, no_number };
 template <class S, class Step>
 iteration iterate(const Step& step, int most = 60) {
   using std::sqrt;
-  const S eps = std::numeric_limits<S>::epsilon(), small = S(1e-3) * sqrt(eps);
-  S before = std::numeric_limits<S>::max();
+  const S eps = std::numeric_limits<S>::epsilon(), tiny = S(1e-3) * sqrt(eps);
+  S before = (std::numeric_limits<S>::max)();
   for (int i = 0; i < most; ++i) {
     const S change = step();
     if (!is_finite(change)) return i > 0 && before > S(0.5) ? iteration::too_long : iteration::no_number;
-    if (change <= eps || (change < small && change >= before)) return iteration::converged;
+    if (change <= eps || (change < tiny && change >= before)) return iteration::converged;
     before = change;
   }
   return iteration::too_long;

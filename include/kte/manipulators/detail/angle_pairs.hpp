@@ -20,7 +20,7 @@ namespace detail {
 /// Equal but for what double roots leave, or for `unknown`, rad.
 template <class S>
 bool same_angle(const solved_angle<S>& p, const solved_angle<S>& q, double unknown = 0) {
-  return std::abs(double_of(S(p.cos - q.cos))) + std::abs(double_of(S(p.sin - q.sin))) <= std::max(1e-9, unknown);
+  return std::abs(double_of(S(p.cos - q.cos))) + std::abs(double_of(S(p.sin - q.sin))) <= (std::max)(1e-9, unknown);
 }
 
 /// Puts pairs in order and names them. Bit 0 of a slot comes in: whether the determinant of the derivatives is

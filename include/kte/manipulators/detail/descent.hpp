@@ -32,8 +32,8 @@ void put_box(const At& at, V& lower, V& upper) {
   for_each_freedom_of(at.arm, [&](const freedom& f) {
     if (f.what != kind::gen) return;
     const auto i = static_cast<std::size_t>(f.v);
-    lower[f.v] = std::min(std::max(lower[f.v], S(S(limits.lower[i]) - at.q[f.q])), S(0));
-    upper[f.v] = std::max(std::min(upper[f.v], S(S(limits.upper[i]) - at.q[f.q])), S(0));
+    lower[f.v] = (std::min)((std::max)(lower[f.v], S(S(limits.lower[i]) - at.q[f.q])), S(0));
+    upper[f.v] = (std::max)((std::min)(upper[f.v], S(S(limits.upper[i]) - at.q[f.q])), S(0));
   });
 }
 
@@ -110,7 +110,7 @@ descent descend(At& at, const Goals& goals, int most, int patience, double stall
       moved = gain > S(1e-4);
       if (moved) {
         const S k = S(2) * gain - S(1);
-        lambda *= std::max(S(S(1) / S(3)), S(S(1) - k * k * k)), nu = S(2);
+        lambda *= (std::max)(S(S(1) / S(3)), S(S(1) - k * k * k)), nu = S(2);
         half = now, out.done = done();
       } else {
         at.move(from), lambda *= nu, nu *= S(2);

@@ -131,8 +131,8 @@ S arm_angle_at(const arm_structure& s, const vec3<S>& position, const by_joint<S
   auto R03 = as<S>(mat3<vec3<>>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   for (const int i : {2, 1, 0}) R03 = turned_matrix(s.h(i), angle_of(q[static_cast<std::size_t>(i)]), R03);
   const auto q4 = angle_of(q[3]);
-  const auto near = [&](const elbow_side<S>& x) { return x.q4.cos * q4.cos + x.q4.sin * q4.sin; };
-  return (near(sides[0]) >= near(sides[1]) ? sides[0] : sides[1]).psi_of(R03).value();
+  const auto closeness = [&](const elbow_side<S>& x) { return x.q4.cos * q4.cos + x.q4.sin * q4.sin; };
+  return (closeness(sides[0]) >= closeness(sides[1]) ? sides[0] : sides[1]).psi_of(R03).value();
 }
 
 }  // namespace detail

@@ -65,7 +65,7 @@ void newton_step(six_equations<S> m, std::size_t first, by_joint<S>& t, double m
   std::array<S, 6> step;
   if (!solve_six(m, step)) return;
   double longest = 0;
-  for (const auto& s : step) longest = std::max(longest, std::abs(double_of(s)));
+  for (const auto& s : step) longest = (std::max)(longest, std::abs(double_of(s)));
   if (!(longest < most)) return;
   for (std::size_t k = 0; k < 6; ++k) t[first + k] += step[k];
 }
@@ -81,7 +81,7 @@ void damped_step(const six_equations<S>& m, std::size_t first, by_joint<S>& t) {
       for (std::size_t r = 0; r < 6; ++r) squares[i][k] += m[r][i] * m[r][k];
   double size = 0;
   for (const auto& row : m) size += double_of(row[6]) * double_of(row[6]);
-  const double mu = std::max(1e-3 * std::sqrt(size), 8 * eps);
+  const double mu = (std::max)(1e-3 * std::sqrt(size), 8 * eps);
   for (std::size_t i = 0; i < 6; ++i) squares[i][i] += S(mu);
   std::array<S, 6> step;
   if (!solve_six(squares, step, eps)) return;

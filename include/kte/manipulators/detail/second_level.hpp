@@ -40,7 +40,7 @@ int use_freedom(At& at, const First& first, const Second& second, int most, cons
         taken = gain > S(0) && (hard ? back.done : half_squares<S>(first, at) <= had * (S(1) + S(1e-9)));
         if (taken) {
           const S c = S(2) * gain - S(1);
-          lambda *= std::max(S(S(1) / S(3)), S(S(1) - c * c * c)), nu = S(2), half = now;
+          lambda *= (std::max)(S(S(1) / S(3)), S(S(1) - c * c * c)), nu = S(2), half = now;
         } else {
           at.move(from), lambda *= nu, nu *= S(2);
         }

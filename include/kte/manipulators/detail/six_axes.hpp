@@ -89,8 +89,8 @@ solved_angle<S> way_into_reach(const arm_structure& s, const vec3<S>& a, const s
   const S squares = dot(a, a) + dot(c, c), along = S(2) * dot(a, c), across = S(2) * dot(a, cross(as<S>(h), c));
   const auto way =
       nearest_within(along, across, S(squares - (r1 + r2) * (r1 + r2)), S(squares - (r1 - r2) * (r1 - r2)));
-  const truth<S> near = both<truth<S>>(way.cos > S(0), size_of(way.sin) < unknown);
-  return chosen(free, way, chosen(near, way, solved_angle<S>{}));
+  const truth<S> close = both<truth<S>>(way.cos > S(0), size_of(way.sin) < unknown);
+  return chosen(free, way, chosen(close, way, solved_angle<S>{}));
 }
 
 /// q2, q3, q4 of three parallel axes when the joints before and behind are known: both answers.

@@ -108,25 +108,25 @@ template <class S>
 void polish(const arm_structure& s, const plain_pose_of<S>& wanted, solved_answers<S>& all, std::size_t a) {
   const bool loose = is_loose(s);
   const std::size_t first = s.held == 0 ? 1 : 0;
-  const auto far = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
+  const auto away = [&](const pose_gap<S>& g) { return double_of(g.position) / s.reach + double_of(g.rotation); };
   const double least = 8 * double_of(std::numeric_limits<S>::epsilon());
   const auto at = [&](const by_joint<S>& t) { return gap_between(tool_pose(s.original, t), wanted); };
   auto best = all.at.posture(a);
   pose_gap<S> gap{all.position[a], all.rotation[a]};
   const auto towards = [&] { return towards_pose(s.original, first, wanted, best, s.reach); };
   const auto take = [&](const by_joint<S>& t, const pose_gap<S>& now) { best = t, gap = now; };
-  for (int k = 0; k < (loose ? 8 : 2) && far(gap) > least; ++k) {
+  for (int k = 0; k < (loose ? 8 : 2) && away(gap) > least; ++k) {
     auto t = best;
     newton_step(towards(), first, t, loose ? 0.1 : 1e-3);
     const auto now = at(t);
-    if (!loose && !(far(now) < far(gap))) break;
+    if (!loose && !(away(now) < away(gap))) break;
     take(t, now);
   }
-  for (int k = 0; k < 30 && far(gap) > least && far(gap) < 1e-4; ++k) {
+  for (int k = 0; k < 30 && away(gap) > least && away(gap) < 1e-4; ++k) {
     auto t = best;
     damped_step(towards(), first, t);
     const auto now = at(t);
-    if (!(far(now) < 0.9 * far(gap))) break;
+    if (!(away(now) < 0.9 * away(gap))) break;
     take(t, now);
   }
   for (std::size_t j = 0; j < static_cast<std::size_t>(s.original.n); ++j) all.at.t[j][a] = best[j];

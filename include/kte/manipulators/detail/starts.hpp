@@ -30,14 +30,14 @@ void clamp_to_limits(const Arm& arm, X& q) {
   for_each_freedom_of(arm, [&](const freedom& f) {
     if (f.what != kind::gen) return;
     const auto i = static_cast<std::size_t>(f.v);
-    q[f.q] = std::min(std::max(S(q[f.q]), S(limits.lower[i])), S(limits.upper[i]));
+    q[f.q] = (std::min)((std::max)(S(q[f.q]), S(limits.lower[i])), S(limits.upper[i]));
   });
 }
 
 /// A configuration somewhere within limits; where there are none, within half a turn, pi metres, of `from`; poses
-/// within half a turn and `far` metres.
+/// within half a turn and `away` metres.
 template <class Arm, class X>
-X somewhere(const Arm& arm, const X& from, double far, even_numbers& random) {
+X somewhere(const Arm& arm, const X& from, double away, even_numbers& random) {
   using S = typename X::Scalar;
   const auto& limits = arm.limits();
   joint_vector<S, arm_dofs<Arm>> v = joint_vector<S, arm_dofs<Arm>>::Zero(static_cast<Eigen::Index>(dofs_of(arm)));
@@ -47,13 +47,13 @@ X somewhere(const Arm& arm, const X& from, double far, even_numbers& random) {
     if (f.what != kind::gen) {
       for (int k = 0; k < nv_of(f.what); ++k) {
         const bool turn = f.what == kind::rotation_3D || k >= nv_of(f.what) / 2 + (f.what == kind::pose_2D ? 1 : 0);
-        v[f.v + k] = S((2 * random() - 1) * (turn ? std::numbers::pi : far));
+        v[f.v + k] = S((2 * random() - 1) * (turn ? std::numbers::pi : away));
       }
     } else {
       const double at = static_cast<double>(from[f.q]), half = std::numbers::pi;
       const bool finite = limits.upper[i] - limits.lower[i] < std::numeric_limits<double>::infinity();
-      const double low = finite ? limits.lower[i] : std::max(limits.lower[i], at - half);
-      const double high = finite ? limits.upper[i] : std::min(limits.upper[i], at + half);
+      const double low = finite ? limits.lower[i] : (std::max)(limits.lower[i], at - half);
+      const double high = finite ? limits.upper[i] : (std::min)(limits.upper[i], at + half);
       q[f.q] = S(low + random() * (high - low));
     }
   });
@@ -74,7 +74,7 @@ S reach_of(const Arm& arm, const X& q) {
       for (Eigen::Index r = 0; r < j.rows(); r += 6) {
         S vv(0), ww(0);
         for (Eigen::Index a = r; a < r + 3; ++a) vv += j(a, k) * j(a, k), ww += j(a + 3, k) * j(a + 3, k);
-        if (ww > S(0.01)) most = std::max(most, S(vv / ww));
+        if (ww > S(0.01)) most = (std::max)(most, S(vv / ww));
       }
   }
   using std::sqrt;

@@ -55,7 +55,7 @@ struct three_axes_loop {
       if (!knows(out, x.t, 64 * eps / moved) && out.size() < 8) out.push_back(x.t);
     };
     if (!(double_of(S(dot(side, side))) <= 1e-10 * size)) return add(found);
-    const double enough = std::max(1e-20, 1e6 * eps * eps) * size;
+    const double enough = (std::max)(1e-20, 1e6 * eps * eps) * size;
     auto over = start;
     over.t.second = {-start.t.second.cos, -start.t.second.sin};
     over.t.slot ^= 1u, over.d = gap(over);

@@ -37,12 +37,12 @@ pose_gap<S> gap_of_squares(const S& position, const S& rotation) {
   using std::asin;
   using std::sqrt;
   const S square = rotation / S(8), half = sqrt(square);
-  const truth<S> small = square * square < S(std::numeric_limits<S>::epsilon());
+  const truth<S> tiny = square * square < S(std::numeric_limits<S>::epsilon());
   const S by_series = half * (S(2) + square / S(3));  // asin x = x + x^3/6
-  if (all(small)) return {sqrt(position), by_series};
+  if (all(tiny)) return {sqrt(position), by_series};
   const truth<S> less = half < S(1);
   const S angle = select(less, S(S(2) * asin(select(less, half, S(0)))), half_turn<S>());
-  return {sqrt(position), select(small, by_series, angle)};
+  return {sqrt(position), select(tiny, by_series, angle)};
 }
 template <class S>
 pose_gap<S> gap_between(const plain_pose_of<S>& a, const plain_pose_of<S>& b) {

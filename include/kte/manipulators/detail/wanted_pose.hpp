@@ -43,10 +43,10 @@ plain_pose_of<S> checked_pose(plain_pose_of<S> x) {
     look(dot(R.x, R.y)), look(dot(R.y, R.z)), look(dot(R.z, R.x));
     return worst;
   };
-  const S far = off();
-  if (!all(both<truth<S>>(far <= most, dot(R.x, cross(R.y, R.z)) > S(0))))
+  const S away = off();
+  if (!all(both<truth<S>>(away <= most, dot(R.x, cross(R.y, R.z)) > S(0))))
     raise<bad_argument>("kte: inverse kinematics: the rotation must be orthonormal and right-handed");
-  if (any(far > S(8) * eps))
+  if (any(away > S(8) * eps))
     for (int k = 0; k < 2; ++k) R = as<S>(S(0.5) * (R * as<S>(diagonal_matrix(S(3)) - transpose(R) * R)));
   return x;
 }

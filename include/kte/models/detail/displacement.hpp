@@ -37,10 +37,10 @@ void displace_one(const freedom& f, const Q& q, const D& d, Out& out) {
 template <class S>
 unit_quaternion<S> quaternion_less_one(const vec3<S>& phi) {
   const S tt = dot(phi, phi), half = S(1) / S(2);
-  const bool small = tt * tt * tt < S(std::numeric_limits<S>::epsilon());
-  const auto c = small ? unit_quaternion<S>{} : to_quaternion(phi);
-  const S w = small ? S(S(1) - tt / S(8)) : c.w;
-  const auto v = small ? vec3<S>((half - tt / S(48) * (S(1) - tt / S(80))) * phi) : vec3<S>{c.x, c.y, c.z};
+  const bool tiny = tt * tt * tt < S(std::numeric_limits<S>::epsilon());
+  const auto c = tiny ? unit_quaternion<S>{} : to_quaternion(phi);
+  const S w = tiny ? S(S(1) - tt / S(8)) : c.w;
+  const auto v = tiny ? vec3<S>((half - tt / S(48) * (S(1) - tt / S(80))) * phi) : vec3<S>{c.x, c.y, c.z};
   return {-dot(v, v) / (S(1) + w), v.x, v.y, v.z};
 }
 /// What of d was lost where q(d) was rounded to `to`, for the displacement from there. With a, b the quaternions of

@@ -55,14 +55,14 @@ void derive_internals(const Chain& c, const S& t, const S* q, const S* v, const 
     const auto bases =
         with_signals<wiring>(base_under_gravity(c), number(t), std::as_const(us).data(), std::as_const(zs).data());
     internal_rates(c, at, std::as_const(vs).data(), bases, z_dot.data());
-    const int last = std::min(first + lanes, 2 * n + nz);
+    const int last = (std::min)(first + lanes, 2 * n + nz);
     for (int j = first; j < last; ++j)
       for (int i = 0; i < nz; ++i)
         jacobian(2 * n + i, j) = z_dot[static_cast<std::size_t>(i)].derivative[static_cast<std::size_t>(j - first)];
     if (last <= 2 * n) continue;
     const auto force =
         coordinate_forces<number>(c, given{at, each<number, decltype(vs)>{vs}, same<zero_t>{}, bases}, one);
-    for (int j = std::max(first, 2 * n); j < last; ++j) {
+    for (int j = (std::max)(first, 2 * n); j < last; ++j) {
       joint_vector<S, n> by_z;
       for (int i = 0; i < n; ++i) by_z[i] = force[i].derivative[static_cast<std::size_t>(j - first)];
       jacobian.col(j).segment(n, n) = inverse_of_mass * by_z;

@@ -52,12 +52,15 @@ inline mat3<vec3<>> rotation_of_rpy(const vec3<>& rpy, double tolerance) {
 }
 
 /// The reverse of (1), with pitch in [-pi/2, pi/2] and roll 0 where pitch is a quarter turn. Quarter turns are exact
-/// to the last bit, so that (1) gives the same zeros and ones.
+/// to the last bit, so that (1) gives the same zeros and ones. Near pitch pi/2 yaw is known to few digits: roll is what
+/// is left when this yaw is taken off, so that (1) is the same to rounding.
 inline vec3<> rpy_of_rotation(const mat3<vec3<>>& m) {
   const double across = std::hypot(m.x.x, m.y.x);
   const double pitch = std::atan2(-m.z.x, across) + 0.0;
   if (across < 1e-15) return {0, pitch, std::atan2(-m.x.y, m.y.y) + 0.0};
-  return {std::atan2(m.z.y, m.z.z) + 0.0, pitch, std::atan2(m.y.x, m.x.x) + 0.0};
+  const double yaw = std::atan2(m.y.x, m.x.x) + 0.0;
+  const auto [c, s] = turn_by(yaw, 1e-15);
+  return {std::atan2(s * m.x.z - c * m.y.z, c * m.y.y - s * m.x.y) + 0.0, pitch, yaw};
 }
 
 /// a then b in it.

@@ -2,9 +2,12 @@
 
 #include <kte/dynamics/runtime.hpp>
 #include <kte/elements/compiled_elements.hpp>
+#include <kte/robots/detail/no_limit.hpp>
 #include <kte/robots/detail/physical.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <unordered_set>
@@ -92,7 +95,7 @@ class chain_builder {
     if (l.gravity_compensation == 0 || !l.inertial || l.inertial->mass == 0) return;
     const auto centre = l.inertial->com == vec3<>{} ? l.name : fresh(l.name + ".com");
     if (centre != l.name) append_link(l.name, centre, {l.inertial->com, robot_pose{}.rotation});
-    append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity()));
+    append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity(), vec3<>{}));
   }
 
   /// Of a joint that does not move: where what it carries stands in what carries it.
@@ -191,8 +194,10 @@ class chain_builder {
       if (e.what != kte::kind::gen) continue;
       const auto& j = d_.joints[tree_.joint(e.name)];
       const auto i = static_cast<std::size_t>(e.v);
-      hard.lower[i] = j.lower, hard.upper[i] = j.upper, hard.rate[i] = j.rate, hard.effort[i] = j.effort;
-      soft.lower[i] = std::max(j.lower, j.soft_lower), soft.upper[i] = std::min(j.upper, j.soft_upper);
+      hard.lower[i] = limit_from_file(j.lower), hard.upper[i] = limit_from_file(j.upper);
+      hard.rate[i] = limit_from_file(j.rate), hard.effort[i] = limit_from_file(j.effort);
+      soft.lower[i] = (std::max)(hard.lower[i], limit_from_file(j.soft_lower));
+      soft.upper[i] = (std::min)(hard.upper[i], limit_from_file(j.soft_upper));
     }
     out_.soft_limits = hard;
     out_.soft_limits.lower = soft.lower, out_.soft_limits.upper = soft.upper;
@@ -264,12 +269,16 @@ inline void chain_builder::append_spring_dampers() {
   for (const auto& e : places)
     if (e.what == kte::kind::gen) q[e.q] = d_.joints[tree_.joint(e.name)].reference;
   auto s = out_.chain.make_state();
-  const auto inverse = mass_matrix_inverse(out_.chain, s, q);
+  const Eigen::LLT<Eigen::MatrixXd> factor(mass_matrix(out_.chain, s, q));
+  if (factor.info() != Eigen::Success)
+    raise<bad_file>("kte: " + place_text(d_.source, 0) + "the mass matrix of the robot '" + d_.name +
+                    "' is singular, so that springdamper has no meaning");
   for (const auto& e : places) {
     if (e.what != kte::kind::gen || !has(d_.joints[tree_.joint(e.name)])) continue;
     const auto& j = d_.joints[tree_.joint(e.name)];
     auto x = j.dynamics;
-    const double inertia = 1 / inverse(e.v, e.v), t = x.time_constant, tz = t * x.damping_ratio;
+    const double inertia = 1 / factor.solve(Eigen::VectorXd::Unit(out_.chain.dofs(), e.v))[e.v], t = x.time_constant,
+                 tz = t * x.damping_ratio;
     x.damping = 2 * inertia / t, x.stiffness = inertia / (tz * tz);
     append_spring(j, x);
   }
@@ -282,11 +291,11 @@ inline void chain_builder::append_dynamics_of_ball(const robot_joint& j) {
   const bool ball = j.is == kind::spherical, free = j.is == kind::floating;
   if ((ball || free) && left.damping != 0) {
     append(torsion_damper_3D(j.parent, j.child, left.damping));
-    if (free) append(fluid_drag_3D(j.child, zero, left.damping));
+    if (free) append(fluid_drag_3D(j.child, 0.0, left.damping, vec3<>{}));
     left.damping = 0;
   }
   if (ball && left.stiffness != 0) {
-    append(torsion_spring_3D(j.parent, j.child, left.stiffness, zero, j.origin.rotation * j.child_pose.rotation));
+    append(torsion_spring_3D(j.parent, j.child, left.stiffness, 0.0, j.origin.rotation * j.child_pose.rotation));
     left.stiffness = 0;
   }
   left.rest = 0;

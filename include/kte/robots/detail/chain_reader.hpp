@@ -123,6 +123,10 @@ class chain_reader {
       if (number(e, "stiction") != 0) refuse(e, "it has stiction: links and joints cannot say that");
       auto& x = joint(e, to(e, "coordinate")).dynamics;
       x.damping += number(e, "viscous"), x.friction += number(e, "coulomb");
+      if (const double rate = number(e, "smoothing_velocity"); rate != robot_options{}.friction_smoothing)
+        d_.not_read.push_back({0, "joint '" + to(e, "coordinate") +
+                                      "': a description has no rate over which friction changes its sign, here " +
+                                      detail::number(rate)});
     } else {
       refuse(e, "it is no link, joint or body, nor damping or friction of a joint");
     }

@@ -11,12 +11,12 @@
 #include <span>
 
 /// Numbers of records as C++: the shortest that are the same doubles, and of vectors and rotations those that are exact
-/// zeros and ones as typed constants.
+/// zeros and ones as typed constants. Names are whole, from the global namespace on, so that no other name hides them.
 namespace kte::detail {
 
-/// "0.36", "2.0", "-std::numeric_limits<double>::infinity()"
+/// "0.36", "2.0", "-::std::numeric_limits<double>::infinity()"
 inline std::string cpp_number(double x) {
-  if (std::isinf(x)) return std::string(x < 0 ? "-" : "") + "std::numeric_limits<double>::infinity()";
+  if (std::isinf(x)) return std::string(x < 0 ? "-" : "") + "::std::numeric_limits<double>::infinity()";
   char digits[40];
   std::string s(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
   if (s.find_first_of(".en") == std::string::npos) s += ".0";
@@ -24,7 +24,7 @@ inline std::string cpp_number(double x) {
 }
 /// An entry of a vector or matrix.
 inline std::string cpp_entry(double x) {
-  return x == 0 ? "zero" : x == 1 ? "one" : x == -1 ? "minus_one" : cpp_number(x);
+  return x == 0 ? "::kte::zero" : x == 1 ? "::kte::one" : x == -1 ? "::kte::minus_one" : cpp_number(x);
 }
 /// "{a, b, c}" of plain numbers or of entries.
 template <class Text>
@@ -39,29 +39,29 @@ inline std::optional<std::string> cpp_axis(std::span<const double> v) {
   static constexpr std::array names{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i)
     if (std::abs(v[i]) == 1 && v[(i + 1) % 3] == 0 && v[(i + 2) % 3] == 0)
-      return std::string("axis::") + (v[i] < 0 ? "minus_" : "") + names[i];
+      return std::string("::kte::axis::") + (v[i] < 0 ? "minus_" : "") + names[i];
   return {};
 }
 inline std::string cpp_vector(std::span<const double> v) {
-  if (v[0] == 0 && v[1] == 0 && v[2] == 0) return "zero3{}";
+  if (v[0] == 0 && v[1] == 0 && v[2] == 0) return "::kte::zero3{}";
   if (const auto name = cpp_axis(v)) return *name;
   for (std::size_t i = 0; i < 3; ++i)
     if (v[(i + 1) % 3] == 0 && v[(i + 2) % 3] == 0)
-      return std::string("along_") + "xyz"[i] + "(" + cpp_number(v[i]) + ")";
-  return "vec3" + cpp_list(v, cpp_entry);
+      return std::string("::kte::along_") + "xyz"[i] + "(" + cpp_number(v[i]) + ")";
+  return "::kte::vec3" + cpp_list(v, cpp_entry);
 }
 /// xx xy xz yy yz zz; none of them as a one: those of inertias are measured.
 inline std::string cpp_symmetric(std::span<const double> v) {
-  const auto entry = [](double x) { return x == 0 ? std::string("zero") : cpp_number(x); };
+  const auto entry = [](double x) { return x == 0 ? std::string("::kte::zero") : cpp_number(x); };
   if (v[1] == 0 && v[2] == 0 && v[4] == 0)
-    return "diagonal(" + entry(v[0]) + ", " + entry(v[3]) + ", " + entry(v[5]) + ")";
-  return "sym3" + cpp_list(v, entry);
+    return "::kte::diagonal(" + entry(v[0]) + ", " + entry(v[3]) + ", " + entry(v[5]) + ")";
+  return "::kte::sym3" + cpp_list(v, entry);
 }
 inline std::string cpp_matrix(std::span<const double> v) {
-  std::string s = "mat3{";
+  std::string s = "::kte::mat3{";
   for (std::size_t row = 0; row < 3; ++row) {
     const auto r = v.subspan(3 * row, 3);
-    s.append(row == 0 ? "" : ", ").append(cpp_axis(r).value_or("vec3" + cpp_list(r, cpp_entry)));
+    s.append(row == 0 ? "" : ", ").append(cpp_axis(r).value_or("::kte::vec3" + cpp_list(r, cpp_entry)));
   }
   return s + "}";
 }
@@ -72,17 +72,17 @@ inline std::optional<std::string> cpp_turn(std::span<const double> v) {
     const char* name;
     mat3<vec3<>> turn;
   };
-  static const std::array all{named{"quarter_turn_x", as<double>(quarter_turn_x)},
-                              named{"quarter_turn_y", as<double>(quarter_turn_y)},
-                              named{"quarter_turn_z", as<double>(quarter_turn_z)},
-                              named{"half_turn_x", as<double>(half_turn_x)},
-                              named{"half_turn_y", as<double>(half_turn_y)},
-                              named{"half_turn_z", as<double>(half_turn_z)},
-                              named{"minus_quarter_turn_x", as<double>(minus_quarter_turn_x)},
-                              named{"minus_quarter_turn_y", as<double>(minus_quarter_turn_y)},
-                              named{"minus_quarter_turn_z", as<double>(minus_quarter_turn_z)}};
+  static const std::array all{named{"::kte::quarter_turn_x", as<double>(quarter_turn_x)},
+                              named{"::kte::quarter_turn_y", as<double>(quarter_turn_y)},
+                              named{"::kte::quarter_turn_z", as<double>(quarter_turn_z)},
+                              named{"::kte::half_turn_x", as<double>(half_turn_x)},
+                              named{"::kte::half_turn_y", as<double>(half_turn_y)},
+                              named{"::kte::half_turn_z", as<double>(half_turn_z)},
+                              named{"::kte::minus_quarter_turn_x", as<double>(minus_quarter_turn_x)},
+                              named{"::kte::minus_quarter_turn_y", as<double>(minus_quarter_turn_y)},
+                              named{"::kte::minus_quarter_turn_z", as<double>(minus_quarter_turn_z)}};
   const mat3<vec3<>> m{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
-  if (m == as<double>(matrix(no_rotation{}))) return "no_rotation{}";
+  if (m == as<double>(matrix(no_rotation{}))) return "::kte::no_rotation{}";
   for (const auto& a : all)
     if (m == a.turn) return a.name;
   for (const auto& a : all)
@@ -94,10 +94,10 @@ inline std::string cpp_rotation(std::span<const double> v) { return cpp_turn(v).
 /// In the plane.
 inline std::string cpp_plane_rotation(std::span<const double> v) {
   const double c = v[0], s = v[3];
-  if (c == 1 && s == 0) return "no_rotation{}";
-  if (c == -1 && s == 0) return "half_turn";
-  if (c == 0 && std::abs(s) == 1) return s > 0 ? "quarter_turn" : "minus_quarter_turn";
-  return "rotation_2D{" + cpp_number(c) + ", " + cpp_number(s) + "}";
+  if (c == 1 && s == 0) return "::kte::no_rotation{}";
+  if (c == -1 && s == 0) return "::kte::half_turn";
+  if (c == 0 && std::abs(s) == 1) return s > 0 ? "::kte::quarter_turn" : "::kte::minus_quarter_turn";
+  return "::kte::rotation_2D{" + cpp_number(c) + ", " + cpp_number(s) + "}";
 }
 
 /// A body, of the parameters mass, com and inertia.
@@ -106,9 +106,9 @@ inline std::string cpp_body(double mass, std::span<const double> com, std::span<
   const std::string at = at_origin ? "" : ", " + cpp_vector(com);
   bool is_point = true;
   for (const double x : inertia) is_point &= x == 0;
-  if (is_point) return "point_mass(" + cpp_number(mass) + at + ")";
-  if (in_plane) return "planar_body(" + cpp_number(mass) + ", " + cpp_number(inertia[5]) + at + ")";
-  return "rigid_body{" + cpp_number(mass) + ", " + cpp_vector(com) + ", " + cpp_symmetric(inertia) + "}";
+  if (is_point) return "::kte::point_mass(" + cpp_number(mass) + at + ")";
+  if (in_plane) return "::kte::planar_body(" + cpp_number(mass) + ", " + cpp_number(inertia[5]) + at + ")";
+  return "::kte::rigid_body{" + cpp_number(mass) + ", " + cpp_vector(com) + ", " + cpp_symmetric(inertia) + "}";
 }
 
 }  // namespace kte::detail

@@ -38,19 +38,19 @@ class argument_writer {
  public:
   explicit argument_writer(const element_record& e) : e_(e), in_plane_(e.type.ends_with("_2D")) {}
 
-  /// ", along_z(0.36), quarter_turn_x", what is left out being left out; then ".at(...)" of joints. Throws
-  /// `bad_argument` where the element has parameters that no argument takes.
+  /// ", ::kte::along_z(0.36), ::kte::quarter_turn_x", what is left out being left out; then ".at(...)" of joints.
+  /// Throws `bad_argument` where the element has parameters that no argument takes.
   std::pair<std::string, std::string> write(const char* arguments) {
     std::string all = arguments ? by_pattern(arguments) : in_order();
-    constexpr std::string_view none = ", no_rotation{}";
+    constexpr std::string_view none = ", ::kte::no_rotation{}";
     if (all.ends_with(none)) all.resize(all.size() - none.size());
     const auto* const position = take("position");
     const auto* const rotation = take("rotation");
     std::string place;
     if (position || rotation) {
-      place = ".at(" + (position ? value(*position, 0) : "zero3{}");
-      const std::string turn = rotation ? value(*rotation, 0) : "no_rotation{}";
-      place += (turn == "no_rotation{}" ? "" : ", " + turn) + ")";
+      place = ".at(" + (position ? value(*position, 0) : "::kte::zero3{}");
+      const std::string turn = rotation ? value(*rotation, 0) : "::kte::no_rotation{}";
+      place += (turn == "::kte::no_rotation{}" ? "" : ", " + turn) + ")";
     }
     for (const auto& p : e_.parameters)
       if (!taken_.contains(p.name) && p.name != "axis")
@@ -80,7 +80,7 @@ class argument_writer {
     int depth = 0;
     for (std::size_t i = 0; i < pattern.size();) {
       const char c = pattern[i];
-      const std::size_t end = std::min(pattern.find_first_of("{}[], ", i), pattern.size());
+      const std::size_t end = (std::min)(pattern.find_first_of("{}[], ", i), pattern.size());
       if (end > i) {
         all += token(pattern.substr(i, end - i), depth), i = end;
         continue;
@@ -88,7 +88,7 @@ class argument_writer {
       depth += (c == '{') - (c == '}');
       if (c == '[') {
         const std::size_t close = pattern.find(']', i);
-        all += "std::array" + cpp_list(required(pattern.substr(i + 1, close - i - 1)).values, cpp_number);
+        all += "::std::array" + cpp_list(required(pattern.substr(i + 1, close - i - 1)).values, cpp_number);
         i = close + 1;
       } else {
         all += c, ++i;
@@ -108,7 +108,7 @@ class argument_writer {
   /// Within braces plain numbers, elsewhere typed constants where they are exact.
   std::string value(const parameter_record& p, int depth) const {
     const std::span<const double> v(p.values);
-    if (v.size() == 1) return depth > 0 || v[0] != 0 || p.name == "mass" ? cpp_number(v[0]) : "zero";
+    if (v.size() == 1) return depth > 0 || v[0] != 0 || p.name == "mass" ? cpp_number(v[0]) : "::kte::zero";
     if (depth > 0 && v.size() == 9)
       return "{" + cpp_list(v.first(3), cpp_number) + ", " + cpp_list(v.subspan(3, 3), cpp_number) + ", " +
              cpp_list(v.last(3), cpp_number) + "}";

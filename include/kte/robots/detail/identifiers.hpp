@@ -1,156 +1,61 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <set>
 #include <string>
 #include <string_view>
 
 namespace kte::detail {
 
-/// Names as identifiers of C++, each once: what is no letter, digit or single underscore becomes one, and where two
-/// become the same the later one has a number. Deterministic.
+/// A name with letters, digits and single underscores alone: all else becomes one underscore, but for those at the
+/// ends, and digits in front get an `n`.
+inline std::string plain_name(std::string_view name) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  std::string s;
+  for (const char c : name) {
+    if (is_letter(c))
+      s += c;
+    else if (!s.empty() && s.back() != '_')
+      s += '_';
+  }
+  if (!s.empty() && s.back() == '_') s.pop_back();
+  if (s.empty() || (s[0] >= '0' && s[0] <= '9')) s.insert(0, "n");
+  return s;
+}
+
+/// Names as identifiers of C++, each once, which end with an underscore: so does no word of the language, no name of
+/// this library or std, and no macro that is known. Where two become the same the later one has a number.
 class identifier_list {
  public:
-  /// Names that are taken besides the words of the language.
-  explicit identifier_list(std::set<std::string> taken) : taken_(std::move(taken)) {}
-
   std::string make(std::string_view name) {
-    std::string s = letters_of(name);
-    if (s.empty() || (s[0] >= '0' && s[0] <= '9')) s.insert(0, "n");
-    std::string unique = s;
-    for (int n = 2; is_word(unique) || !taken_.insert(unique).second; ++n) unique = s + "_" + std::to_string(n);
+    const std::string s = plain_name(name);
+    std::string unique = s + "_";
+    for (int n = 2; !taken_.insert(unique).second; ++n) unique = s + "_" + std::to_string(n) + "_";
     return unique;
   }
 
  private:
-  static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
-  /// Neither doubled underscores nor ones at the ends: those names are the compiler's, or end like types here.
-  static std::string letters_of(std::string_view name) {
-    std::string s;
-    for (const char c : name) {
-      if (is_letter(c))
-        s += c;
-      else if (!s.empty() && s.back() != '_')
-        s += '_';
-    }
-    if (!s.empty() && s.back() == '_') s.pop_back();
-    return s;
-  }
-  /// Of the language, and what C libraries have as macros.
-  static bool is_word(std::string_view s) {
-    static constexpr std::array words = std::to_array<std::string_view>({"EOF",
-                                                                         "INFINITY",
-                                                                         "NAN",
-                                                                         "NULL",
-                                                                         "alignas",
-                                                                         "alignof",
-                                                                         "and",
-                                                                         "and_eq",
-                                                                         "asm",
-                                                                         "assert",
-                                                                         "auto",
-                                                                         "bitand",
-                                                                         "bitor",
-                                                                         "bool",
-                                                                         "break",
-                                                                         "case",
-                                                                         "catch",
-                                                                         "char",
-                                                                         "char16_t",
-                                                                         "char32_t",
-                                                                         "char8_t",
-                                                                         "class",
-                                                                         "co_await",
-                                                                         "co_return",
-                                                                         "co_yield",
-                                                                         "compl",
-                                                                         "concept",
-                                                                         "const",
-                                                                         "const_cast",
-                                                                         "consteval",
-                                                                         "constexpr",
-                                                                         "constinit",
-                                                                         "continue",
-                                                                         "decltype",
-                                                                         "default",
-                                                                         "delete",
-                                                                         "do",
-                                                                         "double",
-                                                                         "dynamic_cast",
-                                                                         "else",
-                                                                         "enum",
-                                                                         "errno",
-                                                                         "explicit",
-                                                                         "export",
-                                                                         "extern",
-                                                                         "false",
-                                                                         "float",
-                                                                         "for",
-                                                                         "friend",
-                                                                         "goto",
-                                                                         "if",
-                                                                         "import",
-                                                                         "inline",
-                                                                         "int",
-                                                                         "linux",
-                                                                         "long",
-                                                                         "major",
-                                                                         "minor",
-                                                                         "module",
-                                                                         "mutable",
-                                                                         "namespace",
-                                                                         "new",
-                                                                         "noexcept",
-                                                                         "not",
-                                                                         "not_eq",
-                                                                         "nullptr",
-                                                                         "operator",
-                                                                         "or",
-                                                                         "or_eq",
-                                                                         "private",
-                                                                         "protected",
-                                                                         "public",
-                                                                         "register",
-                                                                         "reinterpret_cast",
-                                                                         "requires",
-                                                                         "return",
-                                                                         "short",
-                                                                         "signed",
-                                                                         "sizeof",
-                                                                         "static",
-                                                                         "static_assert",
-                                                                         "static_cast",
-                                                                         "stderr",
-                                                                         "stdin",
-                                                                         "stdout",
-                                                                         "struct",
-                                                                         "switch",
-                                                                         "template",
-                                                                         "this",
-                                                                         "thread_local",
-                                                                         "throw",
-                                                                         "true",
-                                                                         "try",
-                                                                         "typedef",
-                                                                         "typeid",
-                                                                         "typename",
-                                                                         "union",
-                                                                         "unix",
-                                                                         "unsigned",
-                                                                         "using",
-                                                                         "virtual",
-                                                                         "void",
-                                                                         "volatile",
-                                                                         "wchar_t",
-                                                                         "while",
-                                                                         "xor",
-                                                                         "xor_eq"});
-    return std::binary_search(words.begin(), words.end(), s);
-  }
-
   std::set<std::string> taken_;
 };
+
+/// The identifier of a robot: its name, which gets an underscore behind only where it is a word of the language or one
+/// that C libraries have as a macro.
+inline std::string robot_identifier(std::string_view name) {
+  static constexpr std::string_view words =
+      " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t char8_t class"
+      " co_await co_return co_yield compl concept const const_cast consteval constexpr constinit continue decltype"
+      " default delete do double dynamic_cast else enum explicit export extern false float for friend goto if import"
+      " inline int long module mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected"
+      " public register reinterpret_cast requires return short signed sizeof static static_assert static_cast struct"
+      " switch template this thread_local throw true try typedef typeid typename union unsigned using virtual void"
+      " volatile wchar_t while xor xor_eq "
+      " BIG_ENDIAN BUFSIZ DOMAIN EOF EXIT_FAILURE EXIT_SUCCESS HUGE_VAL INFINITY LITTLE_ENDIAN NAN NULL RAND_MAX"
+      " assert errno far i386 interface linux major max min minor near small stderr stdin stdout unix ";
+  std::string s = plain_name(name);
+  if (s.starts_with("M_") || words.find(" " + s + " ") != words.npos) s += '_';
+  return s;
+}
 
 /// A text in quotes, as C++ has it.
 inline std::string cpp_text(std::string_view text) {

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <kte/detail/compiled.hpp>
 #include <kte/math/rigid_body.hpp>
 #include <kte/robots/detail/triangle_mesh.hpp>
-
-#include <string>
 
 namespace kte::detail {
 
@@ -18,7 +17,8 @@ enum class mesh_inertia { legacy, exact, convex, shell };
 struct mesh_moments {
   double amount = 0;  ///< volume, m^3; of a shell area, m^2
   vec3<> centre{};    ///< of mass, m
-  sym3<> inertia{};   ///< about the centre, in the axes of the mesh, m^5 or m^4
+  sym3<> second{};    ///< S of (2) about the centre, in the axes of the mesh, m^5 or m^4
+  sym3<> inertia{};   ///< the same as an inertia (3)
 };
 
 /// Volume, centre of mass and inertia of a mesh. Face i and an apex p make a pyramid of volume V_i; a, b, c are its
@@ -31,13 +31,13 @@ struct mesh_moments {
 /// with r from p. The first p is the centroid of the faces, weighted by their areas; (1) then gives the centre of mass.
 /// Taken once more from there, (1) gives the volume and (3) the inertia: neither cancels, however far the mesh is from
 /// its origin. Of a closed surface the sums over all faces are exact, whatever p. Of an open one they are what MuJoCo
-/// computes (`open_edge` tells which it is).
-///   legacy  takes |V_i|; then the volume is that of the box of equal inertia, with h = half edges (4), and I grows in
-///           the ratio of this volume to that of (1):
-///             h_x^2 = 3/2 (I_y + I_z - I_x)/V,   volume = 8 h_x h_y h_z      (4)
+/// computes (`open_edge` of mesh_edges.hpp tells which it is).
+///   legacy  takes |V_i|; then the volume is that of the box of equal inertia, with half edges h along the principal
+///           axes, and S and I grow in the ratio of this volume to that of (1):
+///             h_x^2 = 3 S_xx/V,   volume = 8 h_x h_y h_z                     (4)
 ///   shell   has triangles of area A_i in place of pyramids: A_i s/3 for (1), A_i/12 for V_i/20 in (2)
 /// A mesh without faces is its convex hull. Throws `bad_argument` where the mesh has no volume or area, or a negative
-/// one (faces that point inwards, unless legacy), or numbers too large.
+/// one (faces that point inwards, unless legacy), indices out of range, or numbers not finite or too large.
 mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind);
 
 /// The body of this density, kg/m^3, or kg/m^2 of a shell, in the axes of the mesh.
@@ -45,19 +45,15 @@ rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind, double dens
 /// The body of this mass, kg.
 rigid_body<> mesh_body_of_mass(const triangle_mesh& mesh, mesh_inertia kind, double mass);
 
-/// Says where a surface is open or its faces are turned differently: an edge that as many faces do not run through in
-/// one direction as in the other. Empty for closed surfaces. Vertices at the same place are one.
-std::string open_edge(const triangle_mesh& mesh);
-
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
-#  include <kte/errors.hpp>
 #  include <kte/math/principal_moments.hpp>
+#  include <kte/robots/detail/mesh_edges.hpp>
 #  include <kte/robots/detail/mesh_hull.hpp>
 
+#  include <algorithm>
 #  include <cmath>
-#  include <tuple>
 
 namespace kte::detail {
 
@@ -90,21 +86,25 @@ inline mesh_sums sums_about(const vec3<>& apex, const triangle_mesh& mesh, mesh_
   return sums;
 }
 
+[[noreturn]] inline void fail_large_mesh() {
+  raise<bad_argument>("kte: the numbers of the mesh are too large for its mass properties");
+}
 /// Throws unless there is more volume than what rounding makes of a flat mesh.
 inline void check_volume(double volume, double least) {
+  if (!std::isfinite(volume) || !std::isfinite(least)) fail_large_mesh();
   if (!(std::abs(volume) > least)) raise<bad_argument>("kte: the mesh has no volume");
   if (volume < 0)
     raise<bad_argument>("kte: the mesh has a volume of " + number(volume) + " m^3: its faces point inwards");
 }
 
-/// Half edges of the box of these moments, each of 1 kg, the way a mesh of MuJoCo has them.
-inline vec3<> equal_box(const std::array<double, 3>& moments) {
-  const auto& [x, y, z] = moments;
-  const auto half = [](double a, double b, double c) { return std::sqrt(std::max(0.0, 1.5 * (b + c - a))); };
-  return {half(x, y, z), half(y, z, x), half(z, x, y)};  // (4)
+/// Half edges (4), the shortest first. S gives those of needles to all digits, which I does not.
+inline vec3<> equal_box(const sym3<>& second, double amount) {
+  const auto [x, y, z] = principal_moments(scaled(3 / amount, second));
+  return {std::sqrt((std::max)(0.0, z)), std::sqrt((std::max)(0.0, y)), std::sqrt((std::max)(0.0, x))};  // (4)
 }
 
 KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind) {
+  check_mesh(mesh);
   const bool shell = kind == mesh_inertia::shell;
   if (kind == mesh_inertia::convex) return moments_of(convex_hull(mesh.vertices), mesh_inertia::exact);
   if (mesh.faces.empty()) return moments_of(convex_hull(mesh.vertices), kind);
@@ -112,8 +112,9 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   const auto surface = sums_about(start, mesh, mesh_inertia::shell);
   if (!(surface.amount > 0)) raise<bad_argument>("kte: the faces of the mesh have no area");
   double size = 0;
-  for (const auto& v : mesh.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const double least = shell ? 0 : 1e-15 * surface.amount * size;
+  for (const auto& v : mesh.vertices) size = (std::max)({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const double tiny = 1e-300;  // whose inverse is finite
+  const double least = shell ? tiny : (std::max)(tiny, 1e-15 * surface.amount * size);
 
   vec3<> centre = start + (1 / surface.amount) * surface.first;
   if (!shell) {
@@ -124,14 +125,15 @@ KTE_FUNCTION mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kin
   const auto sums = sums_about(centre, mesh, kind);
   check_volume(sums.amount, least);
   const auto& s = sums.second;
-  mesh_moments m{sums.amount, centre, {s.yy + s.zz, -s.xy, -s.xz, s.zz + s.xx, -s.yz, s.xx + s.yy}};  // (3)
+  mesh_moments m{sums.amount, centre, s, {s.yy + s.zz, -s.xy, -s.xz, s.zz + s.xx, -s.yz, s.xx + s.yy}};  // (3)
   if (kind == mesh_inertia::legacy) {
-    const auto half = equal_box(principal_moments(scaled(1 / m.amount, m.inertia)));
+    const auto half = equal_box(m.second, m.amount);
     const double volume = 8 * half.x * half.y * half.z;  // (4)
-    m.inertia = scaled(volume / m.amount, m.inertia), m.amount = volume;
+    check_volume(volume, tiny);
+    const double ratio = volume / m.amount;
+    m.amount = volume, m.second = scaled(ratio, m.second), m.inertia = scaled(ratio, m.inertia);
   }
-  if (!std::isfinite(m.amount + dot(m.centre, m.centre) + trace(m.inertia)))
-    raise<bad_argument>("kte: the numbers of the mesh are too large for its mass properties");
+  if (!std::isfinite(m.amount + dot(m.centre, m.centre) + trace(m.inertia))) fail_large_mesh();
   return m;
 }
 
@@ -146,35 +148,6 @@ KTE_FUNCTION rigid_body<> mesh_body_of_mass(const triangle_mesh& mesh, mesh_iner
     raise<bad_argument>("kte: the mass of a mesh must be finite and not negative, got " + number(mass));
   const auto m = moments_of(mesh, kind);
   return {mass, m.centre, scaled(mass / m.amount, m.inertia)};
-}
-
-KTE_FUNCTION std::string open_edge(const triangle_mesh& mesh) {
-  using place = std::array<double, 3>;
-  const auto at = [&](std::uint32_t i) {
-    const auto& v = mesh.vertices[i];
-    return place{v.x + 0.0, v.y + 0.0, v.z + 0.0};
-  };
-  struct side {
-    place low, high;
-    int direction;
-  };
-  std::vector<side> sides;
-  sides.reserve(3 * mesh.faces.size());
-  for (const auto& f : mesh.faces)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = at(f[k]), b = at(f[(k + 1) % 3]);
-      if (a != b) sides.push_back(a < b ? side{a, b, 1} : side{b, a, -1});
-    }
-  const auto ends = [](const side& s) { return std::tie(s.low, s.high); };
-  std::sort(sides.begin(), sides.end(), [&](const side& s, const side& t) { return ends(s) < ends(t); });
-  for (std::size_t i = 0; i < sides.size();) {
-    const auto& s = sides[i];
-    int count = 0;
-    for (; i < sides.size() && ends(sides[i]) == ends(s); ++i) count += sides[i].direction;
-    const auto text = [](const place& p) { return number(p[0]) + " " + number(p[1]) + " " + number(p[2]); };
-    if (count != 0) return "the edge from " + text(s.low) + " to " + text(s.high) + " has no face on one of its sides";
-  }
-  return {};
 }
 
 }  // namespace kte::detail

@@ -36,18 +36,22 @@ fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, robot_shape::
 
 namespace kte::detail {
 
-/// Columns are the principal axes, that of the largest moment first. Products of inertia that may be of rounding are 0,
-/// so that they do not turn the axes of bodies with equal moments.
-inline mat3<vec3<>> principal_axes(const sym3<>& i) {
-  const auto product = [&](double x) { return std::abs(x) <= 1e-12 * trace(i) ? 0.0 : x; };
+/// Columns are the principal axes, that of the largest moment of inertia, which is the smallest of S, first. Products
+/// that may be of rounding are 0, so that they do not turn the axes of bodies with equal moments.
+inline mat3<vec3<>> principal_axes(const sym3<>& second) {
+  const auto& s = second;
+  const auto product = [](double xy, double xx, double yy) {
+    return std::abs(xy) <= 1e-12 * std::sqrt(std::abs(xx)) * std::sqrt(std::abs(yy)) ? 0.0 : xy;
+  };
+  const double xy = product(s.xy, s.xx, s.yy), xz = product(s.xz, s.xx, s.zz), yz = product(s.yz, s.yy, s.zz);
   Eigen::Matrix3d m;
-  m << i.xx, product(i.xy), product(i.xz), product(i.xy), i.yy, product(i.yz), product(i.xz), product(i.yz), i.zz;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(m / trace(i));
+  m << s.xx, xy, xz, xy, s.yy, yz, xz, yz, s.zz;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(m / trace(s));
   const auto column = [&](int k) {
     const auto v = solved.eigenvectors().col(k);
     return vec3<>{v(0), v(1), v(2)};
   };
-  const vec3<> x = column(2), y = column(1);
+  const vec3<> x = column(0), y = column(1);
   return without_minus_zero(transpose(mat3<vec3<>>{x, y, cross(x, y)}));
 }
 
@@ -57,9 +61,9 @@ inline vec3<> bounding_size(robot_shape::form form, const std::vector<vec3<>>& p
   if (form == shape::box || form == shape::ellipsoid) return box;
   double radius = 0, half = form == shape::cylinder ? box.z : 0;
   const auto across = [](const vec3<>& p) { return p.x * p.x + p.y * p.y; };
-  for (const auto& p : points) radius = std::max(radius, form == shape::sphere ? dot(p, p) : across(p));
+  for (const auto& p : points) radius = (std::max)(radius, form == shape::sphere ? dot(p, p) : across(p));
   for (const auto& p : points)
-    if (form == shape::capsule) half = std::max(half, std::abs(p.z) - std::sqrt(std::max(0.0, radius - across(p))));
+    if (form == shape::capsule) half = (std::max)(half, std::abs(p.z) - std::sqrt((std::max)(0.0, radius - across(p))));
   return {std::sqrt(radius), half, 0};
 }
 
@@ -69,9 +73,9 @@ KTE_FUNCTION fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, 
       form != shape::sphere)
     raise<bad_argument>("kte: a mesh can be fitted with a box, ellipsoid, cylinder, capsule or sphere only");
   const auto m = moments_of(mesh, kind);
-  const auto axes = principal_axes(m.inertia);
+  const auto axes = principal_axes(m.second);
   if (!aabb) {
-    const auto b = equal_box(principal_moments(scaled(1 / m.amount, m.inertia)));
+    const auto b = equal_box(m.second, m.amount);
     const double r = (b.x + b.y) / 2;
     const vec3<> half = form == shape::cylinder  ? vec3<>{r, b.z, 0}
                         : form == shape::capsule ? vec3<>{r, b.z - r / 2, 0}
@@ -84,8 +88,8 @@ KTE_FUNCTION fitted_geom fit_mesh(const triangle_mesh& mesh, mesh_inertia kind, 
   for (const auto& v : mesh.vertices) points.push_back(transpose(axes) * (v - m.centre));
   vec3<> low = points[0], high = low;
   for (const auto& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
   }
   const vec3<> middle = 0.5 * (low + high);
   for (auto& p : points) p = p - middle;

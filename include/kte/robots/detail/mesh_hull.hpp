@@ -49,7 +49,7 @@ class hull_builder {
   /// Of size 1, by a power of two; what is too small for exact products is 0.
   static std::vector<vec3<>> scaled(std::vector<vec3<>> points) {
     double size = 0;
-    for (const auto& p : points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    for (const auto& p : points) size = (std::max)({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     const int exponent = size > 0 ? std::ilogb(size) + 1 : 0;
     const auto scale = [&](double& x) {
       x = std::scalbn(x, -exponent);

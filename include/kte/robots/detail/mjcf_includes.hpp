@@ -4,6 +4,7 @@
 #include <kte/robots/detail/xml_item.hpp>
 #include <kte/robots/detail/xml_text.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -41,7 +42,7 @@ class mjcf_includes {
     n.children = std::move(all);
   }
   std::filesystem::path file_of(const xml_item& x, const std::filesystem::path& folder) {
-    const std::filesystem::path name(x.text("file"));
+    const auto name = path_of_text(x.text("file"));
     x.only({}, {"file"});
     auto path = folder_ / name;
     if (!std::filesystem::exists(path)) path = folder / name;

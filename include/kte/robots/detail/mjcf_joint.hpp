@@ -96,7 +96,7 @@ inline robot_joint read_mjcf_joint(const xml_item& x, const mjcf_scope& in, cons
   if (range) j.lower = unit(range->first), j.upper = unit(range->second);
   j.continuous = j.is == kind::revolute && !range;
   if (const auto force = mjcf_range(x, "actuatorfrcrange", "actuatorfrclimited", in.model->settings))
-    j.effort = std::max(std::abs(force->first), std::abs(force->second));
+    j.effort = (std::max)(std::abs(force->first), std::abs(force->second));
   j.soft_lower = j.lower, j.soft_upper = j.upper;
   return j;
 }

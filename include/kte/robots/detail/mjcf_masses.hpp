@@ -7,6 +7,24 @@
 
 namespace kte::detail {
 
+/// The <inertial> of a body, in the axes of the body.
+inline rigid_body<> read_mjcf_inertial(const mjcf_settings& settings, const xml_item& written) {
+  const auto x = settings.classes().cleaned(written);
+  x.only({}, {"pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "mass", "diaginertia", "fullinertia"});
+  rigid_body<> b{x.not_negative("mass"), {}, {}};
+  if (x.has("fullinertia")) {
+    const auto f = x.list("fullinertia");
+    if (f.size() != 6) x.fail("fullinertia must have six numbers, got " + std::to_string(f.size()));
+    b.inertia = {f[0], f[3], f[4], f[1], f[5], f[2]};  // from xx yy zz xy xz yz
+  } else if (x.has("diaginertia")) {
+    const auto i = x.vector("diaginertia");
+    b.inertia = {i.x, 0, 0, i.y, 0, i.z};
+  } else if (b.mass > 0) {
+    x.warn("it has no diaginertia: its mass is that of a point");
+  }
+  return moved_body(settings.place(x), b);
+}
+
 /// An inertia whose principal moments are at least so large.
 inline sym3<> with_least_moment(const sym3<>& i, double least) {
   Eigen::Matrix3d m;
@@ -18,9 +36,9 @@ inline sym3<> with_least_moment(const sym3<>& i, double least) {
   return {k(0, 0), k(0, 1), k(0, 2), k(1, 1), k(1, 2), k(2, 2)};
 }
 
-/// What the compiler's rules make of the bodies of these links: moments that no matter has become their
-/// mean (balanceinertia), masses and principal moments are at least so large (boundmass, boundinertia), and all are
-/// multiplied so that masses add up (settotalmass).
+/// What the compiler's rules make of the bodies of these links: masses and principal moments are at
+/// least so large (boundmass, boundinertia), moments that no matter has become their mean (balanceinertia), and all are
+/// multiplied so that masses add up (settotalmass), in this order.
 inline void apply_mass_rules(const mjcf_mass_rules& rules, std::vector<robot_link>& links,
                              const std::vector<std::size_t>& bodies) {
   double total = 0;
@@ -29,12 +47,12 @@ inline void apply_mass_rules(const mjcf_mass_rules& rules, std::vector<robot_lin
     if (!l.inertial && (rules.least_mass > 0 || rules.least_moment > 0)) l.inertial.emplace();
     if (!l.inertial) continue;
     auto& b = *l.inertial;
+    b.mass = (std::max)(b.mass, rules.least_mass);
+    if (rules.least_moment > 0) b.inertia = with_least_moment(b.inertia, rules.least_moment);
     if (rules.balance && !unphysical(b).empty()) {
       const double mean = (b.inertia.xx + b.inertia.yy + b.inertia.zz) / 3;
       b.inertia = {mean, 0, 0, mean, 0, mean};
     }
-    b.mass = std::max(b.mass, rules.least_mass);
-    if (rules.least_moment > 0) b.inertia = with_least_moment(b.inertia, rules.least_moment);
     total += b.mass;
   }
   if (!(rules.total > 0) || !(total > 0)) return;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kte/robots/detail/mesh_body.hpp>
+#include <kte/robots/detail/mesh_edges.hpp>
+#include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>
 #include <kte/robots/detail/mjcf_geom.hpp>
 
@@ -24,14 +26,16 @@ class mjcf_meshes {
     const auto* a = asset(model, geom.text("mesh"));
     if (!a) return geom.not_read("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
     s.scale = a->vector_or("scale", {1, 1, 1});
-    if (a->has("file"))
-      s.mesh = (std::filesystem::path(model.settings.mesh_folder()) / file_of(*a, model)).generic_string();
+    if (a->has("file")) s.mesh = (path_of_text(model.settings.mesh_folder()) / file_of(*a, model)).generic_string();
   }
   /// The body of a geom that is a mesh, in the axes of the mesh.
   rigid_body<> body(const xml_item& geom, mjcf_model& model) {
     const auto& mesh = read(geom, model);
     const auto kind = kind_of(geom, model);
     return guarded(geom, [&] {
+      const bool by_volume = kind == mesh_inertia::legacy || kind == mesh_inertia::exact;
+      if (const auto edge = by_volume ? open_edge(mesh) : std::string(); !edge.empty())
+        geom.warn("its mesh is not closed, so that its mass may be wrong: " + edge);
       return geom.has("mass") ? mesh_body_of_mass(mesh, kind, geom.not_negative("mass"))
                               : mesh_body(mesh, kind, geom.not_negative_or("density", 1000));
     });
@@ -60,7 +64,7 @@ class mjcf_meshes {
     return it == all.end() ? nullptr : &it->second;
   }
   static std::filesystem::path file_of(const xml_item& asset, const mjcf_model& model) {
-    const std::filesystem::path file(asset.text("file"));
+    const auto file = path_of_text(asset.text("file"));
     return model.settings.strips_paths() ? file.filename() : file;
   }
   mesh_inertia kind_of(const xml_item& geom, mjcf_model& model) {
@@ -82,14 +86,15 @@ class mjcf_meshes {
     if (const auto known = meshes_.find(a); known != meshes_.end()) return known->second;
     triangle_mesh mesh;
     if (a->has("file")) {
-      const auto path = model.folder / model.settings.mesh_folder() / file_of(*a, model);
+      const auto path = model.folder / path_of_text(model.settings.mesh_folder()) / file_of(*a, model);
       if (!std::filesystem::exists(path))
         geom.fail("its mass is that of a mesh, and there is no file '" + excerpt(path.generic_string()) + "'");
       mesh = read_mesh(path);
     } else {
       mesh = written_out(*a);
     }
-    place(*a, mesh);
+    const auto turn = a->has("refquat") ? rotation_of_quaternion(*a, a->list("refquat")) : robot_pose{}.rotation;
+    mesh = placed_mesh(std::move(mesh), a->vector_or("refpos", {}), turn, a->vector_or("scale", {1, 1, 1}));
     return meshes_.emplace(a, std::move(mesh)).first->second;
   }
   static triangle_mesh written_out(const xml_item& a) {
@@ -111,18 +116,6 @@ class mjcf_meshes {
       }
     }
     return mesh;
-  }
-  /// v = scale R^T (v - refpos), R of refquat.
-  static void place(const xml_item& a, triangle_mesh& mesh) {
-    const auto from = a.vector_or("refpos", {}), scale = a.vector_or("scale", {1, 1, 1});
-    const auto back =
-        a.has("refquat") ? transpose(rotation_of_quaternion(a, a.list("refquat"))) : robot_pose{}.rotation;
-    for (auto& v : mesh.vertices) {
-      const auto r = back * (v - from);
-      v = {scale.x * r.x, scale.y * r.y, scale.z * r.z};
-    }
-    if (scale.x * scale.y * scale.z < 0)
-      for (auto& f : mesh.faces) std::swap(f[1], f[2]);
   }
 
   std::map<const mjcf_model*, std::map<std::string, xml_item, std::less<>>> assets_;

@@ -88,17 +88,17 @@ class mjcf_settings {
       const auto a = x.list("axisangle");
       if (a.size() != 4) x.fail("axisangle must have four numbers, got " + std::to_string(a.size()));
       const auto [c, s] = turn_by(angle(a[3]), options_.quarter_turn_tolerance);
-      return without_minus_zero(as<double>(rotation_about(unit_axis(x, {a[0], a[1], a[2]}), c, s)));
+      return without_minus_zero(as<double>(rotation_about(unit_direction(x, {a[0], a[1], a[2]}), c, s)));
     }
     if (x.has("xyaxes")) {
       const auto a = x.list("xyaxes");
       if (a.size() != 6) x.fail("xyaxes must have six numbers, got " + std::to_string(a.size()));
-      const auto u = unit_axis(x, {a[0], a[1], a[2]});
+      const auto u = unit_direction(x, {a[0], a[1], a[2]});
       const vec3<> v{a[3], a[4], a[5]};
-      const auto w = unit_axis(x, v - dot(u, v) * u);
+      const auto w = unit_direction(x, v - dot(u, v) * u);
       return without_minus_zero(transpose(mat3<vec3<>>{u, w, cross(u, w)}));
     }
-    if (x.has("zaxis")) return shortest_turn_of_z_to(unit_axis(x, x.vector("zaxis")));
+    if (x.has("zaxis")) return shortest_turn_of_z_to(unit_direction(x, x.vector("zaxis")));
     return robot_pose{}.rotation;
   }
 

@@ -96,7 +96,7 @@ class mjcf_tree {
     const std::size_t digits = std::to_string(static_cast<long>(count) - 1).size();
     for (long i = 0; i < static_cast<long>(count); ++i, in.place = in.place * step) {
       auto text = std::to_string(i);
-      text.insert(0, digits - std::min(digits, text.size()), '0');
+      text.insert(0, digits - (std::min)(digits, text.size()), '0');
       in.suffix = x.text_or("sep", "") + text + before;
       expand(x, in, all);
     }

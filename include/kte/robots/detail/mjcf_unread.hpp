@@ -8,8 +8,6 @@ namespace kte::detail {
 /// or one for all of a kind; the rest is listed.
 class mjcf_unread {
  public:
-  explicit mjcf_unread(robot_description& d) : d_(d) {}
-
   /// Contact is not modelled: all that is said of it is one warning.
   void contact_of(const xml_item& geom, bool collides) {
     if (!collides) return;
@@ -37,11 +35,13 @@ class mjcf_unread {
       x.not_read("not read");
     }
   }
-  void actuator(const xml_item& x) {
-    if (x.name() == "motor" || gains_of_motor(x)) return;
+  /// Whether its force is its control.
+  bool actuator(const xml_item& x) {
+    if (x.name() == "motor" || gains_of_motor(x)) return true;
     auto& [first, names, count] = actuators_[std::string(x.name())];
     if (count++ == 0) first.emplace(x);
     if (count <= 3) names += (count > 1 ? ", '" : "'") + excerpt(x.text_or("name", "")) + "'";
+    return false;
   }
   /// What was gathered, as warnings.
   void finish() {
@@ -78,7 +78,6 @@ class mjcf_unread {
     x.moves_differently("its " + forces + (forces.find(',') == forces.npos ? " is" : " are") + " not modelled");
   }
 
-  robot_description& d_;
   std::map<std::string, group> actuators_;
   std::optional<xml_item> contact_;
   std::size_t contacts_ = 0;

@@ -15,14 +15,14 @@ robot_description read_mjcf(const xml_node& root, const std::string& name, const
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
-#  include <kte/robots/detail/mjcf_reader.hpp>
+#  include <kte/robots/detail/mjcf_bodies.hpp>
 
 namespace kte::detail {
 KTE_FUNCTION robot_description read_mjcf(const xml_node& root, const std::string& name, const robot_options& options,
                                          xml_parser parse) {
   robot_description d;
   d.source = name;
-  mjcf_reader(d, options, parse).read(root);
+  mjcf_bodies(d, options, parse).read(root);
   return d;
 }
 }  // namespace kte::detail

@@ -33,7 +33,7 @@ std::string free_name(const std::vector<T>& all, std::string name) {
 /// Of length 1, whatever its length.
 inline vec3<> unit_direction(const xml_item& x, const vec3<>& n) {
   if (std::abs(dot(n, n) - 1) <= 4e-16) return {n.x + 0.0, n.y + 0.0, n.z + 0.0};  // written here, it stays as it is
-  const double size = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  const double size = (std::max)({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
   if (size == 0) x.fail("the axis has length 0");
   const vec3<> m{n.x / size, n.y / size, n.z / size};  // no square of it overflows
   const double root = std::sqrt(dot(m, m));
@@ -50,7 +50,7 @@ inline vec3<> unit_axis(const xml_item& x, const vec3<>& n) {
 /// Of w, x, y, z, of any length but 0. Quarter turns written with digits of sqrt(1/2) become exact.
 inline mat3<vec3<>> rotation_of_quaternion(const xml_item& x, const std::vector<double>& q) {
   if (q.size() != 4) x.fail("a quaternion must have four numbers, got " + std::to_string(q.size()));
-  const double size = std::max({std::abs(q[0]), std::abs(q[1]), std::abs(q[2]), std::abs(q[3])});
+  const double size = (std::max)({std::abs(q[0]), std::abs(q[1]), std::abs(q[2]), std::abs(q[3])});
   if (size == 0) x.fail("a quaternion of length 0 is no rotation");
   auto m = matrix_of_any_length(unit_quaternion<>{q[0] / size, q[1] / size, q[2] / size, q[3] / size});
   for (auto* row : {&m.x, &m.y, &m.z})

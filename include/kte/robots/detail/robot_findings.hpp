@@ -29,7 +29,7 @@ inline double worst_condition(const kte_map_chain& c) {
     if (!scaled.allFinite()) return robot_joint::none;
     const Eigen::SelfAdjointEigenSolver<matrix> modes(scaled, Eigen::EigenvaluesOnly);
     const long double low = modes.eigenvalues()[0], high = modes.eigenvalues()[n - 1];
-    worst = std::max(worst, low > 0 ? static_cast<double>(high / low) : robot_joint::none);
+    worst = (std::max)(worst, low > 0 ? static_cast<double>(high / low) : robot_joint::none);
   }
   return worst;
 }

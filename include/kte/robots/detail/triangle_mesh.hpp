@@ -1,9 +1,10 @@
 #pragma once
 
-#include <kte/math/vec.hpp>
+#include <kte/math/matrix.hpp>
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace kte::detail {
@@ -14,5 +15,23 @@ struct triangle_mesh {
   std::vector<vec3<>> vertices;
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
+
+/// The mesh as an asset of MuJoCo 2.2.2 places it: its reference frame, at `position` with `rotation`, becomes that of
+/// the mesh, whose axes are then scaled,
+///
+///   v -> scale * (R^T (v - p)),   by components                              (1)
+///
+/// A mirror image has its faces turned round.
+inline triangle_mesh placed_mesh(triangle_mesh mesh, const vec3<>& position, const mat3<vec3<>>& rotation,
+                                 const vec3<>& scale) {
+  const auto back = transpose(rotation);
+  for (auto& v : mesh.vertices) {
+    const vec3<> p = back * (v - position);
+    v = {scale.x * p.x, scale.y * p.y, scale.z * p.z};  // (1)
+  }
+  if ((scale.x < 0) != ((scale.y < 0) != (scale.z < 0)))
+    for (auto& f : mesh.faces) std::swap(f[1], f[2]);
+  return mesh;
+}
 
 }  // namespace kte::detail

@@ -1,116 +1,191 @@
 #pragma once
 
-#include <kte/robots/detail/robot_tree.hpp>
-#include <kte/robots/detail/xml_writer.hpp>
+#include <kte/robots/detail/write_mjcf_geoms.hpp>
+#include <kte/robots/detail/write_mjcf_joints.hpp>
+
+#include <algorithm>
+#include <cstdio>
 
 namespace kte::detail {
 
 class mjcf_writer {
  public:
-  explicit mjcf_writer(const robot_description& d) : d_(d), tree_(d, {}), below_(d.links.size()) {
-    for (const auto& s : tree_.steps()) below_[tree_.link(d.joints[s.joint].parent)].push_back(s.joint);
+  mjcf_writer(const robot_description& d, const robot_writing& o, std::vector<robot_note> before = {})
+      : d_(split_joints(d)),
+        left_out_(o, "MJCF", std::move(before)),
+        plan_(d_),
+        geoms_(d_, o, left_out_),
+        joints_(d_, o, left_out_, plan_, out_) {
+    for (const auto& l : d_.links) links_.insert(l.name);
   }
 
   std::string write() {
-    for (const auto& l : d_.links)
-      if (l.name == "world" && (l.inertial || &l != &d_.links[tree_.root()]))
-        raise<bad_argument>(
-            "kte: link 'world': it has a mass, or a joint carries it, which MJCF cannot say of the world");
     out_.open("mujoco"), out_.attribute("model", std::string_view(d_.name));
     out_.open("compiler"), out_.attribute("angle", std::string_view("radian"));
-    out_.attribute("autolimits", std::string_view("true")), out_.close();
+    out_.attribute("inertiafromgeom", std::string_view("false")), out_.close();
     if (d_.gravity) out_.leaf("option", "gravity", *d_.gravity);
+    geoms_.write_assets(out_);
     out_.open("worldbody");
-    const auto& root = d_.links[tree_.root()];
+    const auto& root = d_.links[plan_.root()];
     if (root.name == "world") {
-      for (const auto j : below_[tree_.root()]) body(d_.joints[j], true);
+      if (plan_.weight(plan_.root()))
+        left_out_.list(root.line, "link 'world': its mass does not move, and is left out");
+      geoms_.write(out_, plan_.root(), true);
+      bodies_below(plan_.root());
     } else {
-      robot_joint ground;
-      ground.child = root.name;
-      body(ground, true);
+      out_.open("body"), out_.attribute("name", std::string_view(root.name));
+      inertial({plan_.root(), {}, {}, {}});
+      geoms_.write(out_, plan_.root(), true);
+      bodies_below(plan_.root());
+      out_.close();
     }
-    out_.close(), actuators(), out_.close();
+    for (std::size_t i = 0; i < d_.joints.size(); ++i)
+      if (d_.joints[i].is == kind::floating) body(i);
+    out_.close(), followers(), actuators(), out_.close();
+    for (const auto& n : left_out_.notes()) out_.comment("not as in the robot: " + n.text);
+    left_out_.hand_over();
     return out_.take();
   }
 
  private:
   using kind = robot_joint::kind;
 
-  [[noreturn]] static void refuse(const robot_joint& j, const std::string& why) {
-    raise<bad_argument>("kte: joint '" + j.name + "': " + why + ", which MJCF cannot say");
+  static std::string title(const robot_link& l) { return "link '" + l.name + "'"; }
+
+  void bodies_below(std::size_t link) {
+    for (const auto j : plan_.below(link))
+      if (d_.joints[j].is != kind::floating) body(j);
   }
-  void place(const robot_pose& p) {
-    if (p.position != vec3<>{}) out_.attribute("pos", p.position);
-    if (p.rotation == robot_pose{}.rotation) return;
-    const auto q = to_quaternion(p.rotation);
-    out_.attribute("quat", std::vector<double>{q.w, q.x, q.y, q.z});
-  }
-  /// What a joint carries. One whose child stands elsewhere than its axis needs a body in between.
-  void body(const robot_joint& j, bool in_world) {
-    const bool two = j.is != kind::fixed && !is_nothing(j.child_pose);
-    const auto& l = d_.links[tree_.link(j.child)];
-    out_.open("body");
-    if (!two) out_.attribute("name", std::string_view(l.name));
-    place(j.is == kind::fixed ? j.origin * j.child_pose : j.origin);
-    if (j.is != kind::fixed) joint(j, in_world);
-    if (two) {
-      out_.open("body"), out_.attribute("name", std::string_view(l.name));
-      place(j.child_pose);
+  void body(std::size_t first) {
+    const auto b = plan_.body(first);
+    const auto& l = d_.links[b.link];
+    auto name = l.name;
+    if (name == "world") {
+      name = fresh_name(links_, name);
+      left_out_.list(l.line, "link 'world': it is called \"" + name + "\": MuJoCo's world is at rest");
     }
-    inertial(l);
-    for (const auto k : below_[tree_.link(j.child)]) body(d_.joints[k], false);
-    out_.close();
-    if (two) out_.close();
-  }
-  void inertial(const robot_link& l) {
-    if (!l.inertial) return;
-    const auto& b = *l.inertial;
-    out_.open("inertial"), out_.attribute("pos", b.com), out_.attribute("mass", b.mass);
-    const auto& i = b.inertia;
-    out_.attribute("fullinertia", std::vector<double>{i.xx, i.yy, i.zz, i.xy, i.xz, i.yz}), out_.close();
-  }
-  void joint(const robot_joint& j, bool in_world) {
-    if (j.is == kind::planar) refuse(j, "it is planar");
-    if (j.mimic) refuse(j, "it follows another");
-    if (j.is == kind::floating) {
-      if (!in_world || d_.links[tree_.root()].name != "world") refuse(j, "it floats in another link than the world");
-      if (!is_nothing(j.origin)) refuse(j, "its seat stands elsewhere than the world");
-      return out_.leaf("freejoint", "name", std::string_view(j.name));
+    out_.open("body"), out_.attribute("name", std::string_view(name));
+    write_mjcf_place(out_, b.place);
+    int moving = 0;
+    for (std::size_t i = 0; i < b.joints.size(); ++i) {
+      const auto& j = d_.joints[b.joints[i]];
+      if (j.is == kind::fixed && j.name != j.child + "_fixed")
+        left_out_.list(j.line, mjcf_title(j) + ": fixed joints have no names in MJCF");
+      if (j.is != kind::fixed) joints_.write(j, b.behind[i]), ++moving;
+      if (i + 1 < b.joints.size() && !comes_back(j.child, l.name, moving))
+        left_out_.list(j.line, "link '" + j.child + "': frames between joints of one body, here of '" + l.name +
+                                   "', have no names in MJCF");
     }
-    out_.open("joint"), out_.attribute("name", std::string_view(j.name));
-    static constexpr std::string_view types[]{"", "hinge", "slide", "ball", "", ""};
-    out_.attribute("type", types[static_cast<std::size_t>(j.is)]);
-    if (j.is != kind::spherical) out_.attribute("axis", j.axis);
-    if (j.lower != -robot_joint::none || j.upper != robot_joint::none) {
-      if (!std::isfinite(j.lower) || !std::isfinite(j.upper)) refuse(j, "it has a limit to one side alone");
-      out_.attribute("range", std::vector<double>{j.lower, j.upper});
-    }
-    if (j.rate != robot_joint::none) refuse(j, "its rate has a limit");
-    if (j.effort != robot_joint::none)
-      out_.attribute("actuatorfrcrange", std::vector<double>{0.0 - j.effort, j.effort});
-    const auto unless_zero = [&](const char* key, double x) {
-      if (x != 0) out_.attribute(key, x);
-    };
-    unless_zero("damping", j.dynamics.damping), unless_zero("frictionloss", j.dynamics.friction);
-    unless_zero("stiffness", j.dynamics.stiffness), unless_zero("springref", j.dynamics.rest);
-    unless_zero("armature", j.dynamics.armature);
-    out_.close();
-  }
-  void actuators() {
-    if (d_.actuators.empty()) return;
-    out_.open("actuator");
-    for (const auto& a : d_.actuators) {
-      out_.open("motor");
-      if (!a.name.empty()) out_.attribute("name", std::string_view(a.name));
-      out_.attribute("joint", std::string_view(a.joint)), out_.attribute("gear", a.gear), out_.close();
-    }
+    inertial(b);
+    geoms_.write(out_, b.link, plan_.rest(l.name).has_value());
+    bodies_below(b.link);
     out_.close();
   }
 
-  const robot_description& d_;
-  robot_tree tree_;
-  std::vector<std::vector<std::size_t>> below_;
+  /// Whether readers of this library give a frame behind so many joints of a body this name.
+  static bool comes_back(std::string_view frame, const std::string& body, int joints) {
+    if (frame.ends_with(".joint")) frame.remove_suffix(6);
+    return frame == body || frame == body + "." + std::to_string(joints);
+  }
+
+  void inertial(const mjcf_body& b) {
+    const auto& l = d_.links[b.link];
+    auto& own = plan_.weight(b.link);
+    const bool too_light = !b.joints.empty() && d_.joints[b.joints[0]].is != kind::fixed && !plan_.may_move(b.link);
+    if (too_light) {
+      std::vector<std::size_t> from;
+      own = plan_.gathered(b.link, from);
+      for (const auto i : from)
+        if (i != b.link)
+          left_out_.list(d_.links[i].line,
+                         title(d_.links[i]) + ": its mass is written into link '" + l.name + "', which it is fixed to");
+    }
+    if (!own && !too_light) {
+      if (geoms_.has_mesh(b.link)) write(mjcf_weight(rigid_body<>{0, {}, {}}));  // no mass of the mesh
+      return;
+    }
+    mjcf_weight w(own.value_or(rigid_body<>{0, {}, {}}));
+    if (!(w.mass >= 0)) left_out_.refuse(title(l), "its mass is " + number(w.mass));
+    if (w.fault() > 0) {
+      char why[80];
+      std::snprintf(why, sizeof why, "no matter has such moments: one is wrong by %.3g kg m^2", w.fault());
+      if (plan_.rest(l.name))
+        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that matter has");
+      else
+        left_out_.change(l.line, title(l), why, "it has the nearest that matter has");
+      w.mend();
+    }
+    if (too_light && !w.moves()) raise(b, w);
+    write(w);
+  }
+  /// What MuJoCo takes for a body of no mass is the same robot where that is little beside what its joints move anyway.
+  void raise(const mjcf_body& b, mjcf_weight& w) {
+    const auto& l = d_.links[b.link];
+    const auto [mass, moments] = plan_.carried(b.link);
+    bool same = w.mass >= 1e-6 || (mass >= 1e-6 && moments >= 1e-6);
+    bool rotors = true;
+    for (const auto i : b.joints) rotors &= d_.joints[i].is == kind::fixed || d_.joints[i].dynamics.armature >= 1e-6;
+    same |= rotors;
+    const std::string why =
+        "it moves with a mass of " + number(w.mass) + " kg, and moments down to " + number(w.least()) + " kg m^2";
+    if (same)
+      left_out_.list(l.line, title(l) + ": " + why + ", which are raised to 1e-15 each, the least that MuJoCo takes");
+    else
+      left_out_.change(l.line, title(l), why, "they are raised to 1e-15 each");
+    w.raise_to_least();
+  }
+  void write(const mjcf_weight& w) {
+    out_.open("inertial"), out_.attribute("pos", w.com), out_.attribute("mass", w.mass);
+    if (w.axes != unit_quaternion<>{1, 0, 0, 0})
+      out_.attribute("quat", std::vector<double>{w.axes.w, w.axes.x, w.axes.y, w.axes.z});
+    out_.attribute("diaginertia", std::vector<double>(w.moments.begin(), w.moments.end())), out_.close();
+  }
+
+  /// MuJoCo's are soft.
+  void followers() {
+    bool any = false;
+    for (const auto& j : d_.joints) {
+      if (!j.mimic) continue;
+      left_out_.change(j.line, mjcf_title(j), "it follows joint '" + j.mimic->joint + "'",
+                       "it has a coordinate of its own, and an equality, which is soft");
+      if (!any) out_.open("equality");
+      any = true;
+      out_.open("joint"), out_.attribute("joint1", std::string_view(j.name));
+      out_.attribute("joint2", std::string_view(j.mimic->joint));
+      out_.attribute("polycoef", std::vector<double>{j.mimic->offset, j.mimic->ratio, 0, 0, 0}), out_.close();
+    }
+    if (any) out_.close();
+  }
+  void actuators() {
+    std::set<std::string, std::less<>> names;
+    bool any = false;
+    for (const auto& a : d_.actuators) {
+      const auto on =
+          std::find_if(d_.joints.begin(), d_.joints.end(), [&](const auto& j) { return j.name == a.joint; });
+      const auto title = "actuator '" + a.name + "'";
+      if (on == d_.joints.end() || on->is == kind::fixed || on->is == kind::planar) {
+        left_out_.list(a.line, title + ": left out: '" + a.joint + "' is no joint of MJCF");
+        continue;
+      }
+      if (!any) out_.open("actuator");
+      any = true;
+      out_.open("motor");
+      if (!a.name.empty() && !names.insert(a.name).second)
+        left_out_.list(a.line, title + ": its name comes a second time, and is left out");
+      else if (!a.name.empty())
+        out_.attribute("name", std::string_view(a.name));
+      out_.attribute("joint", std::string_view(a.joint)), out_.attribute("gear", a.gear), out_.close();
+    }
+    if (any) out_.close();
+  }
+
+  const robot_description d_;
+  unwritten left_out_;
+  mjcf_plan plan_;
+  mjcf_geoms geoms_;
+  std::set<std::string, std::less<>> links_;
   xml_writer out_;
+  mjcf_joints joints_;
 };
 
 }  // namespace kte::detail

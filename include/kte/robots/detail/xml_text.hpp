@@ -3,6 +3,7 @@
 #include <kte/detail/compiled.hpp>
 #include <kte/robots/detail/xml_node.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 
@@ -11,6 +12,12 @@ namespace kte::detail {
 
 /// The root of a file in XML that another file names. Its elements know the file.
 using xml_parser = xml_node (*)(const std::filesystem::path&);
+
+/// A name of a file in a robot's file, which may have backslashes from Windows.
+inline std::filesystem::path path_of_text(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
 
 /// Throws `bad_file`: "kte: arm.urdf:37: why".
 [[noreturn]] void fail_xml(const std::string& source, int line, const std::string& why);

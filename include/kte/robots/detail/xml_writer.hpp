@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kte/detail/raise.hpp>
+#include <kte/errors.hpp>
 #include <kte/io/numbers.hpp>
+#include <kte/io/utf8.hpp>
 #include <kte/math/vec.hpp>
 
 #include <string>
@@ -8,6 +11,17 @@
 #include <vector>
 
 namespace kte::detail {
+
+/// Throws `bad_argument` for texts that no XML holds.
+inline void check_for_xml(std::string_view text) {
+  for (auto rest = text; !rest.empty();) {
+    const auto n = utf8_length(rest);
+    if (n == 0) raise<bad_argument>("kte: the text '" + std::string(text) + "' is not UTF-8, and XML cannot hold it");
+    if (begins_with_control(rest) && rest[0] != '\n' && rest[0] != '\t' && rest[0] != '\r')
+      raise<bad_argument>("kte: the text '" + std::string(text) + "' has a control character, which XML cannot hold");
+    rest.remove_prefix(n);
+  }
+}
 
 /// Text in XML, two blanks deeper for each element.
 class xml_writer {
@@ -17,6 +31,7 @@ class xml_writer {
     names_.emplace_back(name), is_open_ = true;
   }
   void attribute(std::string_view key, std::string_view value) {
+    check_for_xml(value);
     text_.append(" ").append(key).append("=\"");
     for (const char c : value) {
       if (c == '&')
@@ -51,14 +66,24 @@ class xml_writer {
   void leaf(std::string_view name, std::string_view key, const Value& value) {
     open(name), attribute(key, value), close();
   }
-  std::string take() { return "<?xml version=\"1.0\"?>\n" + std::move(text_); }
+  /// In front of all elements.
+  void comment(std::string_view text) {
+    check_for_xml(text);
+    comments_ += "<!-- ";
+    for (const char c : text) {
+      if (c == '-' && comments_.back() == '-') comments_ += ' ';  // two would end it
+      comments_ += c;
+    }
+    comments_ += " -->\n";
+  }
+  std::string take() { return "<?xml version=\"1.0\"?>\n" + std::move(comments_) + std::move(text_); }
 
  private:
   void start(std::string_view name) {
     if (is_open_) text_ += ">\n";
     text_.append(2 * names_.size(), ' ').append("<").append(name);
   }
-  std::string text_;
+  std::string text_, comments_;
   std::vector<std::string> names_;
   bool is_open_ = false;
 };

@@ -73,7 +73,7 @@ struct gap {
     ++numbers;
     if (a == b || (a != a && b != b)) return;
     ++differ;
-    size = std::max({size, std::abs(a), std::abs(b)}), most = worse(most, std::abs(a - b));
+    size = (std::max)({size, std::abs(a), std::abs(b)}), most = worse(most, std::abs(a - b));
   }
   /// Which share of the numbers differs.
   double share() const { return numbers == 0 ? 0.0 : static_cast<double>(differ) / numbers; }

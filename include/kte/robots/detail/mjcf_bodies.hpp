@@ -1,18 +1,19 @@
 #pragma once
 
 #include <kte/robots/detail/mjcf_joint.hpp>
+#include <kte/robots/detail/mjcf_keyframe.hpp>
 #include <kte/robots/detail/mjcf_masses.hpp>
 #include <kte/robots/detail/mjcf_mesh.hpp>
-#include <kte/robots/detail/mjcf_unread.hpp>
+#include <kte/robots/detail/mjcf_options.hpp>
 
 #include <unordered_set>
 
 namespace kte::detail {
 
 /// Links and joints of a file in MJCF. The world is a link; a body without joints is fixed to what it is in.
-class mjcf_reader {
+class mjcf_bodies {
  public:
-  mjcf_reader(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), tree_(d, o, parse), unread_(d) {}
+  mjcf_bodies(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), tree_(d, o, parse) {}
 
   void read(const xml_node& file) {
     auto& top = tree_.top(file);
@@ -26,15 +27,15 @@ class mjcf_reader {
     for (const auto& w : root.children("worldbody")) {
       if (d_.links[0].line == 0) d_.links[0].line = w.line(), d_.links[0].file = w.file();
       w.only({"geom", "body", "site", "frame", "replicate", "attach", "inertial"}, {"name", "childclass"});
-      contents({&top, {}, w.text_or("childclass", "")}, w, here{0, true, false});
+      contents(tree_.children(w, {&top, {}, w.text_or("childclass", "")}), here{0, true, false});
     }
     apply_mass_rules(top.settings.masses(), d_.links, bodies_);
-    options(root);
+    read_mjcf_options(root, d_, unread_);
     sections(root, {&top});
     for (const auto& a : tree_.attached()) sections({a.model->root, d_}, a);
     name_frames();
     for (const auto& k : root.children("keyframe"))
-      for (const auto& x : k.children("key")) keyframe(x);
+      for (const auto& x : k.children("key")) read_mjcf_keyframe(x, d_);
     unread_.finish();
   }
 
@@ -58,34 +59,9 @@ class mjcf_reader {
     return name;
   }
 
-  void options(const xml_item& root) {
-    bool gravity = true, springs = true, dampers = true, friction = true;
-    const auto flag = [](const xml_item& f, const char* name, bool& on) {
-      if (f.has(name)) on = f.text(name) != "disable";
-    };
-    for (const auto& o : root.children("option")) {
-      unread_.option(o);
-      if (o.has("gravity")) d_.gravity = o.vector("gravity");
-      for (const auto& f : o.children("flag")) {
-        flag(f, "passive", springs), flag(f, "passive", dampers), flag(f, "spring", springs),
-            flag(f, "damper", dampers);
-        flag(f, "gravity", gravity), flag(f, "frictionloss", friction);
-      }
-    }
-    if (!gravity) d_.gravity = vec3<>{};
-    for (auto& j : d_.joints) {
-      auto& y = j.dynamics;
-      if (!springs) y.stiffness = y.time_constant = 0;
-      if (!dampers) y.damping = y.time_constant = 0;
-      if (!friction) y.friction = 0;
-    }
-    if (!springs && !dampers)
-      for (auto& l : d_.links) l.gravity_compensation = 0;
-  }
-
   /// Sites, geoms and bodies of a body, or of the world.
-  void contents(const mjcf_scope& in, const xml_item& x, const here& at) {
-    for (const auto& c : tree_.children(x, in)) {
+  void contents(const std::vector<mjcf_child>& all, const here& at) {
+    for (const auto& c : all) {
       if (c.x.name() == "geom") geom(c, at);
       if (c.x.name() == "site") site(c, at.link);
       if (c.x.name() == "body") body(c, at);
@@ -115,33 +91,18 @@ class mjcf_reader {
     l.gravity_compensation = x.number_or("gravcomp", 0);
     std::vector<mjcf_child> moving;
     bool has_inertial = false;
-    for (const auto& y : tree_.children(x, in)) {
+    const auto all = tree_.children(x, in);
+    for (const auto& y : all) {
       if (y.x.name() == "joint" || y.x.name() == "freejoint") moving.push_back(y);
       has_inertial = has_inertial || y.x.name() == "inertial";
     }
     const here at{index, above.fixed && moving.empty(), settings.from_geoms(has_inertial)};
-    if (has_inertial && !at.weighs) l.inertial = moved_body(in.place, body_of(settings, x.needed_child("inertial")));
+    if (has_inertial && !at.weighs)
+      l.inertial = moved_body(in.place, read_mjcf_inertial(settings, x.needed_child("inertial")));
     const auto own = l.name;
     joints(moving, x, c.in.place * place, d_.links[above.link].name, own);
-    contents(in, x, at);
+    contents(all, at);
     --depth_;
-  }
-
-  static rigid_body<> body_of(const mjcf_settings& settings, const xml_item& written) {
-    const auto x = settings.classes().cleaned(written);
-    x.only({}, {"pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "mass", "diaginertia", "fullinertia"});
-    rigid_body<> b{x.not_negative("mass"), {}, {}};
-    if (x.has("fullinertia")) {
-      const auto f = x.list("fullinertia");
-      if (f.size() != 6) x.fail("fullinertia must have six numbers, got " + std::to_string(f.size()));
-      b.inertia = {f[0], f[3], f[4], f[1], f[5], f[2]};  // from xx yy zz xy xz yz
-    } else if (x.has("diaginertia")) {
-      const auto i = x.vector("diaginertia");
-      b.inertia = {i.x, 0, 0, i.y, 0, i.z};
-    } else if (b.mass > 0) {
-      x.warn("it has no diaginertia: its mass is that of a point");
-    }
-    return moved_body(settings.place(x), b);
   }
 
   void geom(const mjcf_child& c, const here& at) {
@@ -154,7 +115,7 @@ class mjcf_reader {
             "solimp",  "solmix", "margin", "gap",      "condim",      "priority"});
     auto g = read_geom(x, c.in);
     const bool wants_mass = at.weighs && settings.counts(x.number_or("group", 0));
-    const bool by_mesh = x.has("mesh");
+    const bool by_mesh = x.has("mesh") || g.shape.is == robot_shape::form::mesh;
     std::optional<rigid_body<>> b;
     if (by_mesh)
       b = mesh(x, c.in, g, wants_mass, at.fixed);
@@ -252,44 +213,12 @@ class mjcf_reader {
   void actuator(const xml_item& x, const mjcf_scope& in) {
     const auto driven = [&](const auto& j) { return j.name == in.named(x.text("joint")); };
     if (!in.prefix.empty() && x.has("joint") && std::none_of(d_.joints.begin(), d_.joints.end(), driven)) return;
-    unread_.actuator(x);
+    const bool is_motor = unread_.actuator(x);
     if (!x.has("joint")) return x.not_read("acts on no joint, and is not read");
     const auto gear = x.has("gear") ? x.list("gear") : std::vector<double>{1};
     d_.actuators.push_back({x.has("name") ? in.named(x.text("name")) : "", x.line(), in.named(x.text("joint")),
                             gear.empty() ? 1 : gear[0]});
-    x.only({}, {"name", "class", "joint", "gear", "group"});
-  }
-
-  void keyframe(const xml_item& x) {
-    x.only({}, {"name", "qpos"});
-    if (!x.has("qpos")) return;
-    const auto q = x.list("qpos");
-    robot_configuration c{
-        x.text_or("name", ("keyframe" + std::to_string(d_.configurations.size())).c_str()), x.line(), {}};
-    std::size_t at = 0;
-    for (const auto& j : d_.joints) {
-      const std::size_t numbers = j.is == kind::fixed       ? 0
-                                  : j.is == kind::floating  ? 7
-                                  : j.is == kind::spherical ? 4
-                                                            : 1;
-      if (numbers == 0) continue;
-      if (at + numbers > q.size()) break;
-      std::vector<double> of(q.begin() + static_cast<std::ptrdiff_t>(at),
-                             q.begin() + static_cast<std::ptrdiff_t>(at + numbers));
-      if (numbers > 1) {
-        const std::size_t k = numbers - 4;
-        const double length = std::hypot(std::hypot(of[k], of[k + 1]), std::hypot(of[k + 2], of[k + 3]));
-        if (!(length > 0)) x.fail("the quaternion of joint '" + j.name + "' has length 0");
-        for (std::size_t i = k; i < numbers; ++i) of[i] /= length;
-      }
-      c.joints.emplace_back(j.name, std::move(of)), at += numbers;
-    }
-    if (c.joints.size() != static_cast<std::size_t>(std::count_if(d_.joints.begin(), d_.joints.end(),
-                                                                  [](const auto& j) { return j.is != kind::fixed; })) ||
-        at != q.size())
-      return x.warn("its qpos has " + std::to_string(q.size()) +
-                    " numbers, which is not the size of the robot's q: not read");
-    d_.configurations.push_back(std::move(c));
+    if (is_motor) x.only({}, {"name", "class", "joint", "gear", "group", "gainprm", "gaintype", "biastype"});
   }
 
   robot_description& d_;

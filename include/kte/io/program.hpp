@@ -1,0 +1,31 @@
+#pragma once
+
+#include <kte/errors.hpp>
+#include <kte/io/file.hpp>
+
+#include <new>
+
+/// What programs of a command line need.
+namespace kte::detail {
+
+/// Writes all of a text to standard output, at once. Throws `bad_file` with the reason where that cannot be done.
+inline void write_standard_output(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    raise<bad_file>(std::string("kte: cannot write to standard output: ") + std::strerror(errno));
+}
+
+/// The exit code of f(), or what is thrown, as a line of standard error: then it is 1.
+template <class F>
+int exit_code_of(const F& f) {
+  try {
+    return f();
+  } catch (const std::bad_alloc&) {
+    std::fputs("kte: this needs more memory than there is\n", stderr);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+  }
+  return 1;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <kte/robots/detail/mjcf_unread.hpp>
+
+namespace kte::detail {
+
+/// The options of a file, and its flags, which may switch off gravity, springs, dampers and dry friction. Of what comes
+/// twice the last holds.
+inline void read_mjcf_options(const xml_item& root, robot_description& d, mjcf_unread& unread) {
+  bool gravity = true, springs = true, dampers = true, friction = true;
+  const auto flag = [](const xml_item& f, const char* name, bool& on) {
+    if (f.has(name)) on = f.text(name) != "disable";
+  };
+  for (const auto& o : root.children("option")) {
+    unread.option(o);
+    if (o.has("gravity")) d.gravity = o.vector("gravity");
+    for (const auto& f : o.children("flag")) {
+      flag(f, "passive", springs), flag(f, "passive", dampers), flag(f, "spring", springs), flag(f, "damper", dampers);
+      flag(f, "gravity", gravity), flag(f, "frictionloss", friction);
+    }
+  }
+  if (!gravity) d.gravity = vec3<>{};
+  for (auto& j : d.joints) {
+    auto& y = j.dynamics;
+    if (!springs) y.stiffness = y.time_constant = 0;
+    if (!dampers) y.damping = y.time_constant = 0;
+    if (!friction) y.friction = 0;
+  }
+  if (!springs && !dampers)
+    for (auto& l : d.links) l.gravity_compensation = 0;
+}
+
+}  // namespace kte::detail

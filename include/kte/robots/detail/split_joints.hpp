@@ -1,0 +1,39 @@
+#pragma once
+
+#include <kte/robots/detail/angles.hpp>
+
+#include <set>
+#include <utility>
+
+namespace kte::detail {
+
+/// A name that is nobody's.
+inline std::string fresh_name(std::set<std::string, std::less<>>& taken, std::string name) {
+  while (!taken.insert(name).second) name += '\'';
+  return name;
+}
+
+/// The same robot without poses of children: where one stands elsewhere than its joint moves, a link "arm.joint" comes
+/// in between, as in chains, and a fixed joint.
+inline robot_description split_joints(robot_description d) {
+  std::set<std::string, std::less<>> taken;
+  for (const auto& l : d.links) taken.insert(l.name);
+  for (const auto& j : d.joints) taken.insert(j.name);
+  for (std::size_t i = 0; i < d.joints.size(); ++i) {
+    auto& j = d.joints[i];
+    const auto rest = std::exchange(j.child_pose, {});
+    if (j.is == robot_joint::kind::fixed) {
+      j.origin = j.origin * rest;
+    } else if (!is_nothing(rest)) {
+      robot_joint behind;
+      behind.line = j.line, behind.child = j.child, behind.origin = rest;
+      behind.name = fresh_name(taken, j.child + "_fixed");
+      behind.parent = j.child = fresh_name(taken, j.child + ".joint");
+      d.links.emplace_back().name = behind.parent, d.links.back().line = j.line;
+      d.joints.insert(d.joints.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(behind));
+    }
+  }
+  return d;
+}
+
+}  // namespace kte::detail

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <kte/robots/detail/physical.hpp>
+#include <kte/robots/detail/robot_tree.hpp>
+#include <kte/robots/detail/write_mjcf_weight.hpp>
+
+namespace kte::detail {
+
+/// A body of MJCF: a link, and the joints that move it, one after another.
+struct mjcf_body {
+  std::size_t link;
+  std::vector<std::size_t> joints;
+  robot_pose place;                ///< in the body that carries it, all coordinates being 0
+  std::vector<robot_pose> behind;  ///< of each joint: where the body stands in what that joint moves
+};
+
+/// Which bodies of MJCF the links and joints of a description (without poses of children) make. MuJoCo takes no moving
+/// body without mass; joints with nothing but a massless frame between them are those of one body.
+class mjcf_plan {
+ public:
+  using kind = robot_joint::kind;
+
+  explicit mjcf_plan(const robot_description& d) : d_(d), tree_(d, {}), below_(d.links.size()), rest_(d.links.size()) {
+    rest_[root()] = robot_pose{};
+    for (const auto& s : tree_.steps()) {
+      const auto& j = d.joints[s.joint];
+      const auto from = tree_.link(j.parent);
+      below_[from].push_back(s.joint);
+      if (j.is == kind::fixed && rest_[from]) rest_[child(s.joint)] = *rest_[from] * j.origin;
+    }
+    for (const auto& l : d.links) bodies_.push_back(l.inertial);
+    for (auto& b : bodies_)
+      if (b && b->mass == 0 && b->inertia == sym3<>{}) b.reset();
+  }
+
+  std::size_t root() const { return tree_.root(); }
+  std::size_t child(std::size_t joint) const { return tree_.link(d_.joints[joint].child); }
+  const std::vector<std::size_t>& below(std::size_t link) const { return below_[link]; }
+  /// In the world, of what does not move.
+  const std::optional<robot_pose>& rest(const std::string& link) const { return rest_[tree_.link(link)]; }
+  std::optional<rigid_body<>>& weight(std::size_t link) { return bodies_[link]; }
+
+  mjcf_body body(std::size_t first) const {
+    mjcf_body b{child(first), {first}, {}, {}};
+    while (goes_on(b)) b.joints.push_back(below_[b.link][0]), b.link = child(b.joints.back());
+    for (std::size_t i = b.joints.size(); i-- > 0;) {
+      b.behind.insert(b.behind.begin(), b.place);
+      const auto& j = d_.joints[b.joints[i]];
+      b.place = j.is == kind::floating ? robot_pose{} : j.origin * b.place;
+    }
+    return b;
+  }
+
+  /// Whether MuJoCo takes the link as one that moves: for its own mass, or that of one directly fixed to it.
+  bool may_move(std::size_t link) const {
+    if (is_heavy(link)) return true;
+    for (const auto k : below_[link])
+      if (d_.joints[k].is == kind::fixed && is_heavy(child(k))) return true;
+    return false;
+  }
+  /// The mass of a link, and of what is fixed to it, taken off those.
+  std::optional<rigid_body<>> gathered(std::size_t link, std::vector<std::size_t>& from) {
+    auto all = std::exchange(bodies_[link], std::nullopt);
+    if (all) from.push_back(link);
+    for (const auto k : below_[link]) {
+      if (d_.joints[k].is != kind::fixed) continue;
+      const auto more = gathered(child(k), from);
+      if (!more) continue;
+      const auto moved = moved_body(d_.joints[k].origin, *more);
+      all = all ? together(*all, moved) : moved;
+    }
+    return all;
+  }
+  /// The sums of the masses, and of the least principal moments, of a link and of all that it carries.
+  std::pair<double, double> carried(std::size_t link) const {
+    std::pair<double, double> sum{0, 0};
+    if (const auto& b = bodies_[link]) sum = {b->mass, principal_moments(b->inertia)[2]};
+    for (const auto k : below_[link]) {
+      const auto more = carried(child(k));
+      sum.first += more.first, sum.second += more.second;
+    }
+    return sum;
+  }
+
+ private:
+  bool is_heavy(std::size_t link) const {
+    const auto& b = bodies_[link];
+    return b && mjcf_weight(*b).moves();
+  }
+  static int dofs(kind is) { return is == kind::fixed ? 0 : is == kind::spherical || is == kind::planar ? 3 : 1; }
+  /// Whether the link so far is nothing but a frame between its joints and one more, that can be of the same body.
+  bool goes_on(const mjcf_body& b) const {
+    const auto& l = d_.links[b.link];
+    if (bodies_[b.link] || !l.visuals.empty() || !l.collisions.empty() || below_[b.link].size() != 1) return false;
+    const auto& next = d_.joints[below_[b.link][0]];
+    if (next.is == kind::floating || d_.joints[b.joints[0]].is == kind::fixed) return false;
+    if (next.is == kind::fixed && !l.name.starts_with(next.child + ".joint") && may_move(b.link)) return false;
+    bool ball = false;
+    int sum = dofs(next.is);
+    for (const auto i : b.joints) {
+      const auto is = d_.joints[i].is;
+      if (is == kind::floating) return false;
+      sum += dofs(is), ball |= is == kind::spherical;
+    }
+    const bool turns = next.is != kind::fixed && next.is != kind::prismatic;
+    return sum <= 6 && !(ball && (turns || next.origin.rotation != robot_pose{}.rotation));
+  }
+
+  const robot_description& d_;
+  robot_tree tree_;
+  std::vector<std::vector<std::size_t>> below_;
+  std::vector<std::optional<robot_pose>> rest_;
+  std::vector<std::optional<rigid_body<>>> bodies_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,31 @@
+#!/bin/sh
+# kte_header.sh PROGRAM: what `kte-header` does with arguments, files and standard output.
+program=$(realpath "$1")
+. "$(dirname "$0")/common.sh"
+
+gives 2 usage: "$program"
+gives 2 usage: "$program" --no
+gives 0 '' "$program" --help
+prints 'usage: kte-header'
+full "$program" --help
+full "$program" pendulum.json
+
+gives 0 '' "$program" pendulum.json
+prints 'inline constexpr auto pendulum = pendulum_names::assembled();'
+cp out expected
+for file in pendulum.kte pendulum.xml pendulum.JSON 'a model; touch called' marked commented; do
+  gives 0 '' "$program" "$file" --name pendulum
+  if ! cmp -s out expected; then wrong "$file gives another header"; fi
+done
+gives 0 '' "$program" pendulum.json -o 'a header.hpp'
+if [ -s out ] || ! cmp -s 'a header.hpp' expected; then wrong 'the file is another header'; fi
+gives 0 "kte-header: arm.urdf:3: link 'arm': no matter has such an inertia" "$program" arm.urdf --name class
+prints 'inline constexpr auto class_ = class_names::assembled();'
+prints 'inline constexpr auto class_limits = '
+printf '[' >cut.JSON
+gives 1 'cut.JSON:1:1: ' "$program" cut.JSON
+gives 1 "cannot open 'no.urdf'" "$program" no.urdf
+gives 1 "cannot write 'no/a.hpp'" "$program" pendulum.json -o no/a.hpp
+if [ -c /dev/full ]; then gives 1 'No space left' "$program" pendulum.json -o /dev/full; fi
+if [ -c /dev/zero ]; then gives 1 'has more than 268435456 bytes' "$program" /dev/zero; fi
+[ "$failures" -eq 0 ]

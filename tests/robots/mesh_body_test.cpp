@@ -1,0 +1,256 @@
+#include <kte/math/principal_moments.hpp>
+#include <kte/robots/detail/mesh_edges.hpp>
+#include <kte/robots/detail/mesh_fit.hpp>
+#include <kte/robots/detail/mesh_hull.hpp>
+
+#include <numbers>
+
+#include "catch.hpp"
+
+using namespace kte;
+using namespace kte::detail;
+using test::says;
+
+namespace {
+
+using faces = std::vector<std::array<std::uint32_t, 3>>;
+
+triangle_mesh box_mesh(const vec3<>& half, const vec3<>& at) {
+  triangle_mesh m;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0})
+      for (const double z : {-1.0, 1.0})
+        m.vertices.push_back({at.x + half.x * x, at.y + half.y * y, at.z + half.z * z});
+  m.faces = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+             {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  return m;
+}
+/// A prism along z between two heights, with its top face cut into these triangles.
+triangle_mesh prism(const std::vector<std::array<double, 2>>& outline, const faces& top, double low, double high) {
+  triangle_mesh m;
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  for (const double z : {low, high})
+    for (const auto& [x, y] : outline) m.vertices.push_back({x, y, z});
+  for (const auto& [a, b, c] : top) m.faces.push_back({a, c, b}), m.faces.push_back({a + n, b + n, c + n});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    m.faces.push_back({i, j, j + n}), m.faces.push_back({i, j + n, i + n});
+  }
+  return m;
+}
+/// All numbers of an L and an H of steel plates; those of the H are exact in float.
+triangle_mesh l_profile() {
+  auto m = prism({{0.1, 0.2}, {0.5, 0.2}, {0.5, 0.3}, {0.25, 0.3}, {0.25, 0.7}, {0.1, 0.7}},
+                 {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, -0.3, 0);
+  for (auto& v : m.vertices) v = {float(v.x), float(v.y), float(v.z)};
+  return m;
+}
+triangle_mesh h_profile() {
+  std::vector<std::array<double, 2>> outline{{-8, -8}, {8, -8}, {8, -6}, {2, -6}, {2, 6},   {8, 6},
+                                             {8, 8},   {-8, 8}, {-8, 6}, {-2, 6}, {-2, -6}, {-8, -6}};
+  for (auto& [x, y] : outline) x /= 32, y *= 5.0 / 128;
+  return prism(outline,
+               {{0, 1, 2},
+                {0, 2, 3},
+                {0, 3, 10},
+                {0, 10, 11},
+                {3, 4, 9},
+                {3, 9, 10},
+                {4, 5, 6},
+                {4, 6, 7},
+                {4, 7, 9},
+                {7, 8, 9}},
+               -0.5, 0.5);
+}
+/// An irregular octahedron, as points of which none is inside.
+triangle_mesh octahedron() {
+  return {{{1, 0, 0}, {-0.75, 0.125, 0}, {0, 0.5, 0.125}, {0.125, -0.5, 0}, {0, 0, 0.25}, {0, -0.125, -0.375}},
+          {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+}
+triangle_mesh turned_round(triangle_mesh m) {
+  for (auto& f : m.faces) std::swap(f[1], f[2]);
+  return m;
+}
+
+void check_near(const rigid_body<>& b, double mass, const vec3<>& com, const sym3<>& i, double relative) {
+  const double length = std::sqrt(dot(com, com)) + std::sqrt(trace(i) / mass), inertia = relative * trace(i);
+  CHECK(b.mass == within_relative(mass, relative));
+  CHECK((b.com.x == within(com.x, relative * length) && b.com.y == within(com.y, relative * length) &&
+         b.com.z == within(com.z, relative * length)));
+  CHECK((b.inertia.xx == within(i.xx, inertia) && b.inertia.yy == within(i.yy, inertia) &&
+         b.inertia.zz == within(i.zz, inertia)));
+  CHECK((b.inertia.xy == within(i.xy, inertia) && b.inertia.xz == within(i.xz, inertia) &&
+         b.inertia.yz == within(i.yz, inertia)));
+}
+/// Against principal moments.
+void check_measured(const rigid_body<>& b, double mass, const vec3<>& com, const std::array<double, 3>& moments,
+                    double relative) {
+  const auto m = principal_moments(b.inertia);
+  CHECK(b.mass == within_relative(mass, relative));
+  CHECK(
+      (b.com.x == within(com.x, relative) && b.com.y == within(com.y, relative) && b.com.z == within(com.z, relative)));
+  for (std::size_t k = 0; k < 3; ++k) CHECK(m[k] == within_relative(moments[k], relative));
+}
+
+}  // namespace
+
+TEST_CASE("mass properties of meshes with closed forms") {
+  // m/3 (b^2 + c^2) of a box, for all that is convex, near the origin and far from it
+  for (const double far : {0.0, 1.0, 4096.0, 1048576.0})
+    for (const auto kind : {mesh_inertia::legacy, mesh_inertia::exact, mesh_inertia::convex})
+      check_near(mesh_body(box_mesh({0.125, 0.25, 0.5}, {far, -far, 2 * far}), kind, 1000), 125, {far, -far, 2 * far},
+                 sym3<>{125 * 0.3125 / 3, 0, 0, 125 * 0.265625 / 3, 0, 125 * 0.078125 / 3}, 1e-14);
+
+  for (const auto kind : {mesh_inertia::legacy, mesh_inertia::exact})  // a needle
+    CHECK(moments_of(box_mesh({1e-9, 2e-9, 1}, {}), kind).amount == within_relative(1.6e-17, 1e-14));
+
+  // a tetrahedron with edges a, b, c along the axes: V = abc/6, centre (a, b, c)/4,
+  // I_xx = 3/80 m (b^2 + c^2), I_xy = m a b/80
+  const triangle_mesh corner{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}},
+                             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  check_near(mesh_body_of_mass(corner, mesh_inertia::exact, 80), 80, {0.25, 0.5, 0.75}, sym3<>{39, 2, 3, 30, 6, 15},
+             1e-15);
+  CHECK(moments_of(corner, mesh_inertia::exact).amount == within(1, 1e-15));
+
+  // a shell: six plates of a cube with edges 2: 10/9 m about each axis
+  check_near(mesh_body(box_mesh({1, 1, 1}, {5, 0, 0}), mesh_inertia::shell, 0.75), 18, {5, 0, 0},
+             sym3<>{20, 0, 0, 20, 0, 20}, 1e-15);
+
+  // points of a ball: what its hull lacks falls with the square of their distance
+  triangle_mesh ball{{{0, 0, 1}, {0, 0, -1}}, {}};
+  const int n = 48;
+  for (int i = 1; i < n; ++i)
+    for (int j = 0; j < 2 * n; ++j) {
+      const double a = i * std::numbers::pi / n, b = j * std::numbers::pi / n;
+      ball.vertices.push_back({std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)});
+    }
+  const double whole = 4 * std::numbers::pi / 3;
+  const auto b = mesh_body(ball, mesh_inertia::exact, 1);
+  CHECK(b.mass < whole);
+  check_near(b, whole, {0, 0, 0}, sym3<>{0.4 * whole, 0, 0, 0.4 * whole, 0, 0.4 * whole}, 5.0 / (n * n));
+  CHECK(open_edge(convex_hull(ball.vertices)).empty());
+}
+
+TEST_CASE("mass properties of meshes as MuJoCo has them") {
+  // Measured with MuJoCo 2.2.2, default and exactmeshinertia, from float vertices. It rounds the vertices to float once
+  // more when the centre of mass is known, so that only what is exact there agrees to the last digits.
+  check_measured(mesh_body(h_profile(), mesh_inertia::legacy, 1000), 267.28326413781764, {0, 0, 0},
+                 {29.54766422973869, 21.979122581845786, 15.203676556957967}, 1e-10);
+  check_measured(mesh_body(h_profile(), mesh_inertia::exact, 1000), 136.71875, {0, 0, 0},
+                 {18.34710439046223, 13.09712727864583, 8.657773335774738}, 1e-10);
+  const auto l = l_profile();
+  check_measured(mesh_body(l, mesh_inertia::legacy, 1000), 45.90614674844369,
+                 {0.24099875533098605, 0.38952046374100496, -0.15000000387572915},
+                 {1.478710962125243, 1.4659664561507153, 0.640087760076184}, 2e-7);
+  check_measured(mesh_body(l, mesh_inertia::exact, 1000), 29.999999850988402,
+                 {0.22500000560826472, 0.39999999256003244, -0.15000000409781938},
+                 {1.0270977604854072, 1.0062498795272194, 0.4291521482480884}, 2e-7);
+  // faces that point inwards are the same to legacy, and have no volume to exact
+  CHECK(mesh_body(turned_round(l), mesh_inertia::legacy, 1) == mesh_body(l, mesh_inertia::legacy, 1));
+  CHECK_THROWS_MATCHES(moments_of(turned_round(l), mesh_inertia::exact), bad_argument, says("point inwards"));
+  // a surface that is open, or with a face turned round
+  auto open = l;
+  open.faces.pop_back();
+  check_measured(mesh_body(open, mesh_inertia::exact, 1000), 26.55533605817656,
+                 {0.23778655839407495, 0.38590414449665128, -0.15534862761080892},
+                 {0.92676034043404709, 0.8997676599531258, 0.40035538671499121}, 2e-7);
+  CHECK_THAT(open_edge(open), test::contains_text("has no face on one of its sides"));
+  auto turned = l;
+  std::swap(turned.faces.back()[1], turned.faces.back()[2]);
+  CHECK(mesh_body(turned, mesh_inertia::exact, 1000).mass == within_relative(22.38770218621839, 2e-7));
+  CHECK_FALSE(open_edge(turned).empty());
+  CHECK(open_edge(l).empty());
+  // points without faces
+  const triangle_mesh points{l.vertices, {}};
+  check_measured(mesh_body(points, mesh_inertia::legacy, 1000), 47.22993451752063,
+                 {0.26111111336907616, 0.4111111125902318, -0.1500000043668681},
+                 {1.3855571085879255, 1.3568438006431178, 0.7371623863989426}, 2e-7);
+  CHECK(mesh_body(points, mesh_inertia::exact, 1000) == mesh_body(l, mesh_inertia::convex, 1000));
+}
+
+TEST_CASE("meshes that are no bodies are refused") {
+  using enum mesh_inertia;
+  const triangle_mesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
+  CHECK_THROWS_MATCHES(moments_of(flat, exact), bad_argument, says("the mesh has no volume"));
+  CHECK_THROWS_MATCHES(moments_of(flat, legacy), bad_argument, says("the mesh has no volume"));
+  CHECK_THROWS_MATCHES(moments_of(flat, convex), bad_argument, says("its vertices are in one plane"));
+  CHECK(mesh_body(flat, shell, 12).inertia == sym3<>{1, 0, 0, 1, 0, 2});
+  CHECK_THROWS_MATCHES(moments_of({flat.vertices, {{0, 0, 1}}}, shell), bad_argument, says("have no area"));
+  CHECK_THROWS_MATCHES(moments_of({{}, {}}, exact), bad_argument, says("its vertices are in one plane"));
+  CHECK_THROWS_MATCHES(moments_of({flat.vertices, {{0, 1, 4}}}, exact), bad_argument,
+                       says("index 4 of face 0 is out of range: the mesh has 4 vertices"));
+  CHECK_THROWS_MATCHES(moments_of({{{0, 0, 0}, {NAN, 0, 0}}, {}}, convex), bad_argument, says("vertex 1 of the mesh"));
+  const auto huge = box_mesh({1e120, 1e120, 1e120}, {});
+  CHECK_THROWS_MATCHES(moments_of(huge, exact), bad_argument, says("too large"));
+  CHECK_THROWS_MATCHES(mesh_body(octahedron(), exact, -1), bad_argument, says("density"));
+  CHECK_THROWS_MATCHES(mesh_body_of_mass(octahedron(), exact, NAN), bad_argument, says("mass"));
+}
+
+TEST_CASE("convex hulls of points that stand in lines, planes and on one another") {
+  std::vector<vec3<>> points;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      for (int k = 0; k < 6; ++k)  // of decimals, turned: nearly in planes, twice
+        for (int twice = 0; twice < 2; ++twice)
+          points.push_back({0.1 * i * 0.8 - 0.1 * j * 0.6, 0.1 * i * 0.6 + 0.1 * j * 0.8, 0.1 * k + 0.01 * i});
+  const auto hull = convex_hull(points);
+  CHECK(open_edge(hull).empty());
+  for (const auto& f : hull.faces)
+    for (const auto& p : points) REQUIRE(orientation(points[f[0]], points[f[1]], points[f[2]], p) <= 0);
+  CHECK(moments_of(hull, mesh_inertia::exact).amount == within_relative(0.125, 1e-14));
+  // below the rounding of the determinant: 1 + e stands 2^-52 beyond 1
+  const double e = 0x1p-52;
+  CHECK(orientation({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0.3, 0.3, 1 + e}) > 0);
+  CHECK(orientation({0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}, {0.7, 0.2, 0.9}, {0.2, 0.2, 0.2}) == 0);
+}
+
+TEST_CASE("shapes fitted to meshes as MuJoCo fits them") {
+  using form = robot_shape::form;
+  // measured with MuJoCo 2.2.2 for the L; positions with fitaabb it has elsewhere (mesh_fit.hpp)
+  struct fit {
+    form is;
+    bool aabb;
+    vec3<> half;
+  };
+  const auto l = l_profile();
+  for (const auto& [is, aabb, half] :
+       {fit{form::sphere, false, {0.18788040435337053, 0, 0}}, fit{form::sphere, true, {0.38068276194071193, 0, 0}},
+        fit{form::capsule, false, {0.1446133698412762, 0.20210778845692115, 0}},
+        fit{form::capsule, true, {0.24991606671019684, 0.2266913801431656, 0}},
+        fit{form::cylinder, false, {0.1446133698412762, 0.27441447337755925, 0}},
+        fit{form::cylinder, true, {0.24991606671019684, 0.31482812762260437, 0}},
+        fit{form::box, false, {0.14317356051745844, 0.146053179165094, 0.27441447337755925}},
+        fit{form::ellipsoid, true, {0.19989506900310516, 0.15000000596046448, 0.31482812762260437}}}) {
+    const auto g = fit_mesh(l, mesh_inertia::legacy, is, aabb);
+    CHECK((g.half.x == within(half.x, 2e-8) && g.half.y == within(half.y, 2e-8) && g.half.z == within(half.z, 2e-8)));
+    // R is a rotation, and takes the principal axes to those of the mesh
+    const auto m = moments_of(l, mesh_inertia::legacy);
+    const auto own = congruence(transpose(g.pose.rotation), m.inertia);
+    CHECK((own.xx >= own.yy && own.yy >= own.zz));
+    CHECK((own.xy == within(0, 1e-16) && own.xz == within(0, 1e-16) && own.yz == within(0, 1e-16)));
+    const auto unit = g.pose.rotation * transpose(g.pose.rotation);
+    CHECK((unit.x.x == within(1, 1e-15) && unit.x.y == within(0, 1e-15) && unit.y.z == within(0, 1e-15)));
+    CHECK(dot(cross(g.pose.rotation.x, g.pose.rotation.y), g.pose.rotation.z) == within(1, 1e-15));
+    if (!aabb) CHECK(g.pose.position == m.centre);
+  }
+  // a box is its own fit, and a cube keeps its axes
+  const auto g = fit_mesh(box_mesh({0.5, 0.25, 0.125}, {1, 2, 3}), mesh_inertia::exact, form::box, true);
+  CHECK((g.half == vec3<>{0.125, 0.25, 0.5} && g.pose.position == vec3<>{1, 2, 3}));
+  CHECK(fit_mesh(box_mesh({0.1, 0.1, 0.1}, {0.3, 0.7, 0.9}), mesh_inertia::exact, form::box, true).half.x ==
+        within(0.1, 1e-15));
+  CHECK_THROWS_MATCHES(fit_mesh(l, mesh_inertia::exact, form::plane, false), bad_argument, says("can be fitted with"));
+}
+
+TEST_CASE("meshes are placed as MuJoCo places assets") {
+  const mat3<vec3<>> turn{{1, 0, 0}, {0, 0.28, -0.96}, {0, 0.96, 0.28}};
+  const auto placed = placed_mesh({{{1, 2, 3}}, {{0, 1, 2}}}, {0, 1, 1}, turn, {2, -1, 10});
+  CHECK(placed.vertices[0].x == 2);
+  CHECK(placed.vertices[0].y == within(-(0.28 + 1.92), 1e-15));
+  CHECK(placed.vertices[0].z == within(10 * (-0.96 + 0.56), 1e-14));
+  CHECK(placed.faces[0] == std::array<std::uint32_t, 3>{0, 2, 1});  // a mirror image
+  const robot_pose none;
+  CHECK(placed_mesh({{}, {{0, 1, 2}}}, {}, none.rotation, {-1, -1, 1}).faces[0] ==
+        std::array<std::uint32_t, 3>{0, 1, 2});
+  CHECK(mesh_body(placed_mesh(l_profile(), {}, none.rotation, {-1, 1, 1}), mesh_inertia::exact, 1000).mass ==
+        within_relative(29.999999459832885, 1e-7));
+}
