@@ -89,21 +89,13 @@ TEST_CASE("errors in a URDF name file, line and element") {
   };
   refused("<link/>", "2: <link>: has no name");
   refused("<link name=''/>", "2: link '': its name is empty");
-  refused("<link name='a'>\n<inertial>\n<mass value='1'/></inertial></link>",
-          "3: link 'a': <inertial>: has no <inertia>");
-  refused("<link name='a'><inertial>\n<mass/><inertia/></inertial></link>", "3: link 'a': <inertia>: has no ixx");
+  refused("<link name='a'><inertial>\n<mass value='1'/><inertia/></inertial></link>", "3: link 'a': <inertia>: has no ixx");
   refused(
       "<link name='a'><inertial>\n<mass value='-1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>"
       "</inertial></link>",
       "3: link 'a': <mass>: value must not be negative, got -1");
-  refused("<link name='a'><visual/></link>", "2: link 'a': <visual>: has no <geometry>");
   refused("<joint name='elbow'/>", "2: joint 'elbow': has no <parent>");
   joint_refused("hinge", "", "type 'hinge' is none of revolute");
-  joint_refused("revolute", "", "has no <limit>, which joints of type revolute need");
-  joint_refused("revolute", "<limit velocity='1'/>", "<limit>: has no effort");
-  joint_refused("revolute", "<limit effort='1' velocity='1' lower='2' upper='1'/>",
-                "<limit>: lower 2 is above upper 1");
-  joint_refused("revolute", "<limit effort='1' velocity='-1'/>", "<limit>: velocity must not be negative, got -1");
   joint_refused("revolute", "<limit effort='nan' velocity='1'/>", "<limit>: effort is not a number");
   joint_refused("continuous", "<axis xyz='0 0 0'/>", "<axis>: the axis has length 0");
   joint_refused("continuous", "<axis xyz='1 0'/>", "<axis>: xyz must have three numbers, got 2");
@@ -112,6 +104,113 @@ TEST_CASE("errors in a URDF name file, line and element") {
   joint_refused("continuous", "<origin xyz='${l} 0 0'/>", "<origin>: xyz '${l} 0 0' is an expression of xacro");
   joint_refused("continuous", "<origin/><origin/>", "<origin>: comes a second time");
   joint_refused("continuous", "<dynamics damping='-1'/>", "<dynamics>: damping must not be negative, got -1");
-  joint_refused("fixed", "<mimic joint='x'/>", "<mimic>: only revolute, continuous and prismatic joints can follow");
+  joint_refused("floating", "<mimic joint='x'/>", "<mimic>: only revolute, continuous, prismatic and screw joints can");
+  joint_refused("universal", "<mimic joint='x'/>",
+                "<mimic>: only revolute, continuous, prismatic and screw joints can");
+  joint_refused("screw", "", "has no <drake:screw_thread_pitch>");
   joint_refused("continuous", "<mimic/>", "<mimic>: has no joint");
+}
+
+namespace {
+bool has(const std::vector<robot_note>& notes, const std::string& text, bool moves = false) {
+  for (const auto& n : notes)
+    if (n.text.find(text) != std::string::npos && n.changes_motion == moves) return true;
+  return false;
+}
+}  // namespace
+
+TEST_CASE("what URDFs leave out or say twice is read as it is meant, and said") {
+  const auto d = from_urdf(urdf(R"(<material name='red'><color rgba='1 0 0 1'/></material>
+    <material name='red'><color rgba='0 1 0 1'/></material>
+    <material name='red'><color rgba='1 0 0 1'/><texture filename='t.png'/></material>
+    <link name='a'>
+      <inertial><mass value='2'/></inertial>
+      <visual><material name='red'/><material name='blue'/></visual>
+      <collision><geometry><mesh filename='m.stl' scale='0.5'/></geometry></collision>
+      <collision><geometry><capsule radius='1' length='3'/></geometry></collision>
+      <collision><geometry><drake:ellipsoid a='1' b='2' c='3'/></geometry></collision>
+      <collision><geometry><plane/></geometry></collision>
+      <contact><lateral_friction value='1'/></contact> <gravity>0</gravity>
+    </link>
+    <link name='b'><inertial><inertia ixx='1' iyy='2' izz='3'/></inertial> <contact/> </link>)"));
+  const auto& a = d.links[0];
+  CHECK((a.inertial->mass == 2 && a.inertial->inertia == sym3<>{}));
+  CHECK((d.links[1].inertial->mass == 0 && d.links[1].inertial->inertia == sym3<>{1, 0, 0, 2, 0, 3}));
+  CHECK((a.visuals[0].is == robot_shape::form::none && a.visuals[0].material == "red"));
+  CHECK(a.visuals[0].rgba == std::vector<double>{1, 0, 0, 1});
+  CHECK(a.collisions[0].scale == vec3<>{0.5, 0.5, 0.5});
+  CHECK((a.collisions[1].is == robot_shape::form::capsule && a.collisions[1].size == vec3<>{1, 3, 0}));
+  CHECK((a.collisions[2].is == robot_shape::form::ellipsoid && a.collisions[2].size == vec3<>{1, 2, 3}));
+  CHECK(a.collisions[3].is == robot_shape::form::plane);
+  CHECK(has(d.warnings, "link 'a': <inertial>: has no <inertia>"));
+  CHECK(has(d.warnings, "link 'b': <inertial>: has no <mass>: it has 0 kg"));
+  for (const auto* product : {"ixy", "ixz", "iyz"})
+    CHECK(has(d.warnings, std::string("link 'b': <inertia>: has no ") + product));
+  CHECK(has(d.warnings, "<mesh>: scale is one number"));
+  CHECK(has(d.warnings, "link 'a': <contact>: contacts are not modelled: it is not read, as others of 2 links", true));
+  CHECK(has(d.warnings, "link 'a': <gravity>: not read", true));
+  CHECK(has(d.not_read, "material 'red': there is another material of this name; the first is taken"));
+  CHECK(has(d.not_read, "material 'red': <texture>: not read"));
+  CHECK(has(d.not_read, "link 'a': <visual>: has no <geometry>"));
+  CHECK(has(d.not_read, "material 'blue': comes a second time"));
+}
+
+TEST_CASE("joints of URDFs that are not as the format has them") {
+  const auto read = [](const std::string& type, const std::string& rest) {
+    return from_urdf(urdf("<link name='a'/><link name='b'/>" + joint_text("j", type, "a", "b", rest)));
+  };
+  const double none = robot_joint::none;
+  auto d = read("revolute", "");
+  CHECK((d.joints[0].lower == -none && d.joints[0].effort == none && !d.joints[0].continuous));
+  CHECK(has(d.warnings, "joint 'j': has no <limit>, which joints of type revolute need: it has no limits"));
+  CHECK(read("continuous", "").warnings.empty());
+  d = read("prismatic", "<limit lower='2' upper='-1' velocity='-1'/>");
+  CHECK((d.joints[0].lower == -1 && d.joints[0].upper == 2 && d.joints[0].soft_lower == -1));
+  CHECK((d.joints[0].effort == none && d.joints[0].rate == none));
+  CHECK(has(d.warnings, "<limit>: lower 2 is above upper -1; they are exchanged"));
+  CHECK(has(d.warnings, "<limit>: velocity -1 is negative: it has no limit"));
+  CHECK(has(d.warnings, "<limit>: has no effort: it has no limit"));
+  d = read("revolute", "<limit effort='1' velocity='1'/>");
+  CHECK((d.joints[0].lower == 0 && d.joints[0].upper == 0));
+  d = read("continuous", "<axis xyz='0 1 0'/><axis xyz='0 0 1'/>");
+  CHECK(d.joints[0].axis == vec3<>{0, 1, 0});
+  CHECK(has(d.warnings, "<axis>: comes a second time; the first is taken"));
+  d = read("fixed", "<mimic joint='other'/>");
+  CHECK(!d.joints[0].mimic);
+  CHECK(has(d.not_read, "<mimic>: a fixed joint follows no other"));
+  d = read("spherical", "<limit lower='1'/><axis xyz='2 0 0'/>");
+  CHECK((d.joints[0].is == robot_joint::kind::spherical && d.warnings.empty()));
+  CHECK(has(d.not_read, "<limit>: not read: limits are of joints with one coordinate"));
+  d = read("continuous", "<dynamics D='3' damping='1'/><joint_properties friction='1'/>");
+  CHECK(d.joints[0].dynamics.damping == 1);
+  CHECK(has(d.warnings, "<dynamics>: its D is not read", true));
+  CHECK(has(d.warnings, "<joint_properties>: not read", true));
+}
+
+TEST_CASE("extensions of URDF are read where a robot can say them") {
+  const auto d = from_urdf(urdf("<link name='a'/><link name='b'/><link name='c'/><link name='d'/>" +
+                                joint_text("j", "continuous", "a", "b") + R"(
+    <drake:joint name='s' type='screw'><parent link='b'/><child link='c'/><axis xyz='0 0 1'/>
+      <drake:screw_thread_pitch value='6.283185307179586'/></drake:joint>
+    <drake:joint name='u' type='universal'><parent link='c'/><child link='d'/></drake:joint>
+    <frame name='tip' link='b' xyz='0 0 1' rpy='0 0 1.5707963267948966'/> <frame name='far' link='z'/>
+    <frame name='a' link='b'/>
+    <transmission name='t'><joint name='j'/>
+      <actuator name='m'><drake:gear_ratio value='10'/><drake:rotor_inertia value='0.25'/></actuator></transmission>
+    <transmission name='t2'><joint name='z'/><actuator name='m'><drake:rotor_inertia value='1'/></actuator></transmission>
+    <gazebo reference='b'><turnGravityOff>true</turnGravityOff><mu1>1</mu1></gazebo> <gazebo><gravity>0</gravity></gazebo>
+    <gazebo><turnGravityOff>false</turnGravityOff><gravity>true</gravity></gazebo> <loop_joint name='l'/>)"));
+  REQUIRE(d.joints.size() == 4);
+  CHECK(d.joints[0].dynamics.armature == 25);
+  CHECK((d.joints[1].is == robot_joint::kind::screw && d.joints[1].pitch == 1));
+  CHECK((d.joints[2].child == "d.cross" && d.joints[3].parent == "d.cross" && d.joints[3].name == "u_2"));
+  CHECK((d.joints[2].axis == vec3<>{1, 0, 0} && d.joints[3].axis == vec3<>{0, 1, 0}));
+  REQUIRE(d.frames.size() == 1);
+  CHECK((d.frames[0].name == "tip" && d.frames[0].link == "b" && d.frames[0].origin.position == vec3<>{0, 0, 1}));
+  CHECK(d.frames[0].origin.rotation == mat3<vec3<>>{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}});
+  CHECK(has(d.not_read, "frame 'far': not read: there is no link 'z'"));
+  CHECK(has(d.not_read, "frame 'a': not read: another frame or a link has its name"));
+  CHECK(has(d.warnings, "loop_joint 'l': not read", true));
+  CHECK(has(d.warnings, "transmission 't2': there is no joint 'z'", true));
+  CHECK(std::count_if(d.warnings.begin(), d.warnings.end(), [](const auto& n) { return n.changes_motion; }) == 4);
 }

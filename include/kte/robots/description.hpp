@@ -73,7 +73,7 @@ struct robot_joint_dynamics {
 
 /// A joint between two links. Its seat stands in the parent; the child link stands in what it moves.
 struct robot_joint {
-  enum class kind { fixed, revolute, prismatic, spherical, planar, floating };
+  enum class kind { fixed, revolute, prismatic, spherical, planar, floating, screw };
   static constexpr double none = std::numeric_limits<double>::infinity();
 
   std::string name;
@@ -85,6 +85,7 @@ struct robot_joint {
   robot_pose origin;      ///< of the seat in the parent
   robot_pose child_pose;  ///< of the child in the moving side of the joint
   vec3<> axis{1, 0, 0};   ///< of length 1, in the axes of the seat; of a planar joint the normal
+  double pitch = 0;       ///< of a screw, m/rad: its coordinate is the angle
   double lower = -none, upper = none, rate = none, effort = none;
   double soft_lower = -none, soft_upper = none;  ///< where a safety controller begins to brake
   robot_joint_dynamics dynamics;
@@ -95,6 +96,12 @@ struct robot_joint {
   std::optional<follower> mimic;  ///< q = ratio q_joint + offset
   double reference = 0;           ///< the coordinate where the robot stands as the file writes it
 };
+
+/// Whether a joint moves by one number.
+inline bool has_one_coordinate(const robot_joint& j) {
+  using enum robot_joint::kind;
+  return j.is == revolute || j.is == prismatic || j.is == screw;
+}
 
 /// What drives a joint, as far as it is known: a name, the joint, the gear from one to the other.
 struct robot_actuator {

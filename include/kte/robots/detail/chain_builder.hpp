@@ -45,7 +45,7 @@ class chain_builder {
     out_.chain << e;
   }
   const robot_joint& joint(const robot_tree::step& s) const { return d_.joints[s.joint]; }
-  static bool has_number(const robot_joint& j) { return j.is == kind::revolute || j.is == kind::prismatic; }
+  static bool has_number(const robot_joint& j) { return has_one_coordinate(j); }
 
   vec3<> gravity() const { return o_.gravity ? *o_.gravity : d_.gravity ? *d_.gravity : vec3<>{0, 0, -9.81}; }
 
@@ -159,6 +159,7 @@ class chain_builder {
       return placed(revolute_joint_3D(j.name, from, to, n));
     }
     if (j.is == kind::prismatic) return placed(prismatic_joint_3D(j.name, from, to, n));
+    if (j.is == kind::screw) return placed(screw_joint_3D(j.name, from, to, n, j.pitch));
     if (j.is == kind::spherical) return placed(spherical_joint_3D(j.name, from, to));
     if (j.is == kind::planar) return placed(planar_joint_3D(j.name, from, to));
     return placed(free_joint_3D(j.name, from, to));

@@ -11,19 +11,39 @@ namespace kte::detail {
 /// and its path, where it names others; these `parse` reads.
 robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options,
                            xml_parser parse);
+/// The names of the models of such a file.
+std::vector<std::string> sdf_models(const xml_node& root, const std::string& name, const robot_options& options,
+                                    xml_parser parse);
 
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
+#  include <kte/robots/detail/sdf_choice.hpp>
 #  include <kte/robots/detail/sdf_model.hpp>
+#  include <kte/robots/detail/sdf_world.hpp>
 
 namespace kte::detail {
 KTE_FUNCTION robot_description read_sdf(const xml_node& root, const std::string& name, const robot_options& options,
                                         xml_parser parse) {
   robot_description d;
   d.source = name;
-  sdf_model(d, options, parse).read({root, d});
+  xml_node whole = root;
+  sdf_upgrade(d).apply(whole);
+  xml_item(whole, d).only({"model", "world", "include"}, {"version"});
+  const sdf_choice choice(d, options, parse, whole);
+  const auto& chosen = choice.choose();
+  const xml_item model(*chosen.model, d);
+  const bool windy = chosen.world != nullptr && read_sdf_world(d, {*chosen.world, d}, model.text_or("name", ""));
+  sdf_model(d, options).read(model, windy);
   return d;
+}
+KTE_FUNCTION std::vector<std::string> sdf_models(const xml_node& root, const std::string& name,
+                                                 const robot_options& options, xml_parser parse) {
+  robot_description d;
+  d.source = name;
+  xml_node whole = root;
+  sdf_upgrade(d).apply(whole);
+  return sdf_choice(d, options, parse, whole).names();
 }
 }  // namespace kte::detail
 #endif

@@ -16,6 +16,20 @@ inline std::string short_number(double x) {
   return text;
 }
 
+/// The first child of a name; of others a warning.
+inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
+  const auto all = x.children(of);
+  if (all.empty()) return {};
+  if (all.size() > 1) all[1].warn("comes a second time; the first is taken");
+  return all[0];
+}
+
+/// A name that none of these has.
+template <class T>
+std::string free_name(const std::vector<T>& all, std::string name) {
+  while (std::any_of(all.begin(), all.end(), [&](const T& x) { return x.name == name; })) name += '\'';
+  return name;
+}
 /// Of length 1, whatever its length.
 inline vec3<> unit_direction(const xml_item& x, const vec3<>& n) {
   if (std::abs(dot(n, n) - 1) <= 4e-16) return {n.x + 0.0, n.y + 0.0, n.z + 0.0};  // written here, it stays as it is

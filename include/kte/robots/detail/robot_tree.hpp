@@ -119,8 +119,7 @@ KTE_FUNCTION void robot_tree::check_mimics() const {
       const auto it = joints_.find(k->mimic->joint);
       if (it == joints_.end()) refuse("it mimics joint '" + k->mimic->joint + "', which does not exist");
       const auto& master = d_.joints[it->second];
-      if (master.is != robot_joint::kind::revolute && master.is != robot_joint::kind::prismatic)
-        refuse("it mimics joint '" + master.name + "', which has no single coordinate");
+      if (!has_one_coordinate(master)) refuse("it mimics joint '" + master.name + "', which has no single coordinate");
       if (++steps > d_.joints.size()) refuse("it mimics joints that, in the end, mimic each other");
     }
   }

@@ -1,172 +1,163 @@
 #pragma once
 
-#include <kte/robots/detail/sdf_frames.hpp>
+#include <kte/robots/detail/sdf_joint.hpp>
+#include <kte/robots/detail/sdf_link.hpp>
+#include <kte/robots/detail/sdf_tree.hpp>
 
 namespace kte::detail {
 
-/// Links and joints of a model in SDF.
+/// A model in SDF, with those in it, as links and joints.
 class sdf_model {
  public:
-  sdf_model(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), options_(o), parse_(parse) {}
+  sdf_model(robot_description& d, const robot_options& o)
+      : d_(d), options_(o), links_(d, o, frames_, leftovers_), joints_(d, frames_) {}
 
-  void read(const xml_item& root) {
-    root.only({"model", "world"}, {"version"});
-    auto models = root.children("model");
-    for (const auto& w : root.children("world")) {
-      if (w.child("gravity")) d_.gravity = child_vector(w, "gravity");
-      w.only({"model", "gravity"}, {"name"});
-      for (const auto& m : w.children("model")) models.push_back(m);
-    }
-    if (models.empty()) root.fail("has no <model>");
-    if (models.size() > 1) models[1].fail("is a second model: files with one are read");
-    model(models[0]);
+  void read(const xml_item& m, bool windy) {
+    d_.name = m.text_or("name", ""), windy_ = windy;
+    stand(m);
+    gather(m, {}, child_flag(m, "static", false));
+    for (const auto& p : placed_) place_model(p);
+    for (const auto& p : parts_) d_.links.push_back(links_.read(p.x, p.scope, p.name, p.still, windy_));
+    add_world(m);
+    for (const auto& p : moving_) joints_.read(p.x, p.scope, p.name, p.frame);
+    sdf_tree tree(d_, [&](const std::string& a, const std::string& b) { return frames_.relative(m, a, b); });
+    tree.fix(still_);
+    turn_gravity(m, tree.join(frames_.canonical.empty() ? std::string() : frames_.link_of(m, frames_.canonical)));
+    list_frames();
+    leftovers_.warn();
   }
 
  private:
-  using kind = robot_joint::kind;
+  struct part {
+    xml_item x;
+    sdf_scope scope;
+    std::string name, frame{};  ///< full, and of a joint that of its frame
+    bool still = false;
+  };
 
-  void model(const xml_item& m) {
-    d_.name = m.text_or("name", "");
-    m.only({"link", "joint", "frame", "pose", "static"}, {"name", "canonical_link"});
-    for (const auto* name : {"model", "include"})
-      if (const auto found = m.children(name); !found.empty()) found[0].fail("is not read: models within models");
-    frames_.add(m, "world", "__model__", inverse_of(sdf_pose(m, options_)));
-    for (const auto& x : m.children("link")) add_frame(x, "__model__");
-    for (const auto& x : m.children("frame")) add_frame(x, x.text_or("attached_to", "__model__"));
-    for (const auto& x : m.children("joint")) add_frame(x, child_text(x, "child"));
-    bool in_world = false;
-    for (const auto& x : m.children("joint")) in_world |= child_text(x, "parent") == "world";
-    if (in_world) d_.links.emplace_back().name = "world";
-    for (const auto& x : m.children("link")) link(x);
-    for (const auto& x : m.children("joint")) joint(x);
-  }
-  void add_frame(const xml_item& x, const std::string& usual) {
-    const auto pose = x.child("pose");
-    const auto to = pose ? pose->text_or("relative_to", "") : std::string();
-    frames_.add(x, x.text("name"), to.empty() ? usual : to, sdf_pose(x, options_));
+  /// The world stands where its pose says that the model, or a frame in it, stands in the world.
+  void stand(const xml_item& m) {
+    if (const auto to = relative_to(m); !to.empty() && to != "world")
+      m.moves_differently("its pose is relative to '" + excerpt(to) + "', and taken in the world");
+    const auto from = sdf_scope{}.full(m.text_or("placement_frame", "__model__"));
+    frames_.add(true_world, {from, inverse_of(sdf_pose(m, options_)), "", m});
+    for (const auto& l : m.children("link"))
+      if (l.text("name") == "world")
+        return l.warn("it has the name that SDF keeps for the world: joints to the world are joints to it");
+    frames_.add("world", {true_world, {}, "", m});
   }
 
-  void link(const xml_item& x) {
-    x.only({"inertial", "visual", "collision", "pose"}, {"name"});
-    robot_link l;
-    l.name = x.text("name"), l.line = x.line();
-    if (const auto i = x.child("inertial"))
-      l.inertial = inertial(*i);
-    else
-      l.inertial = usual_body(x);
-    for (const auto& s : x.children("visual")) l.visuals.push_back(shape(s));
-    for (const auto& s : x.children("collision")) l.collisions.push_back(shape(s));
-    d_.links.push_back(std::move(l));
-  }
-  static rigid_body<> usual_body(const xml_item& x) {
-    x.warn("has no <inertial>: it has 1 kg and 1 kg m^2, as SDF says then");
-    return {1, {}, {1, 0, 0, 1, 0, 1}};
-  }
-  rigid_body<> inertial(const xml_item& x) {
-    x.only({"mass", "inertia", "pose"}, {});
-    rigid_body<> b{child_number(x, "mass", 1), {}, {1, 0, 0, 1, 0, 1}};
-    if (!(b.mass >= 0)) x.fail("mass must not be negative, got " + number(b.mass));
-    if (const auto i = x.child("inertia")) {
-      i->only({"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, {});
-      b.inertia = {child_number(*i, "ixx", 1), child_number(*i, "ixy", 0), child_number(*i, "ixz", 0),
-                   child_number(*i, "iyy", 1), child_number(*i, "iyz", 0), child_number(*i, "izz", 1)};
+  void gather(const xml_item& m, const sdf_scope& scope, bool still) {
+    m.only({"link", "joint", "frame", "model", "pose", "static", "plugin", "gripper", "enable_wind",
+            "drake:ball_constraint", "drake:linear_bushing_rpy", "drake:linear_spring_damper", "drake:joint"},
+           {"name", "canonical_link", "placement_frame", "kte:merge"});
+    if (still) m.not_read("it is static: its links stand still, and its joints do not move");
+    for (const auto& x : m.children("link")) {
+      const auto& p = parts_.emplace_back(part{x, scope, scope.full(x.text("name")), {}, still});
+      frames_.add(p.name, {frame_for(scope, relative_to(x), scope.model), sdf_pose(x, options_), "", x});
+      if (still) still_.insert(p.name);
     }
-    return moved_body(sdf_pose(x, options_), b);
-  }
-  robot_shape shape(const xml_item& x) {
-    using form = robot_shape::form;
-    x.only({"pose", "geometry", "material"}, {"name"});
-    robot_shape s;
-    s.name = x.text_or("name", ""), s.line = x.line(), s.origin = sdf_pose(x, options_);
-    const auto geometry = x.needed_child("geometry");
-    geometry.only({"box", "cylinder", "sphere", "capsule", "ellipsoid", "plane", "mesh"}, {});
-    for (const auto& g : geometry.children()) {
-      if (g.name() == "box") s.is = form::box, s.size = child_vector(g, "size");
-      if (g.name() == "ellipsoid") s.is = form::ellipsoid, s.size = child_vector(g, "radii");
-      if (g.name() == "sphere") s.is = form::sphere, s.size = {child_number(g, "radius", 1), 0, 0};
-      if (g.name() == "plane") s.is = form::plane;
-      if (g.name() == "cylinder" || g.name() == "capsule") {
-        s.is = g.name() == "capsule" ? form::capsule : form::cylinder;
-        s.size = {child_number(g, "radius", 1), child_number(g, "length", 1), 0};
-      }
-      if (g.name() == "mesh") {
-        s.is = form::mesh, s.mesh = child_text(g, "uri");
-        if (g.child("scale")) s.scale = child_vector(g, "scale");
-      }
+    for (const auto& x : m.children("model")) nest(x, scope, still);
+    for (const auto& x : m.children("frame")) {
+      const auto to = frame_for(scope, x.text_or("attached_to", ""), scope.model);
+      const auto& p = named_.emplace_back(part{x, scope, scope.full(x.text("name"))});
+      frames_.add(p.name, {frame_for(scope, relative_to(x), to), sdf_pose(x, options_), to, x});
     }
-    if (const auto m = x.child("material"))
-      if (const auto c = m->child("diffuse")) s.rgba = c->list_of(c->content(), "diffuse");
-    return s;
+    for (const auto& x : m.children("joint")) {
+      const auto child = frame_for(scope, child_text(x, "child"), scope.model), name = scope.full(x.text("name"));
+      // in older files a link may have the name of a joint, and it is what the name means
+      const auto& p = moving_.emplace_back(part{x, scope, name, frames_.has(name) ? name + " (joint)" : name});
+      frames_.add(p.frame, {frame_for(scope, relative_to(x), child), sdf_pose(x, options_), child, x});
+    }
+    attach(m, scope);
+    leave_out(m);
+  }
+  void nest(const xml_item& x, const sdf_scope& outer, bool still) {
+    const auto name = x.text("name"), full = outer.prefix + name;
+    const bool merged = x.has("kte:merge");
+    const sdf_scope scope{merged ? outer.prefix : full + "::", merged ? full + " (merged)" : full};
+    frames_.add(scope.model, {frame_for(outer, relative_to(x), outer.model), sdf_pose(x, options_), scope.model, x});
+    gather(x, scope, still || child_flag(x, "static", false));
+    if (x.has("placement_frame"))
+      placed_.push_back({x, scope, scope.model, frame_for(scope, x.text("placement_frame"), scope.model)});
+  }
+  /// A frame of the model stands where the pose says.
+  void place_model(const part& p) {
+    const auto inside = frames_.relative(p.x, p.name, p.frame);
+    frames_.place(p.name, sdf_pose(p.x, options_) * inverse_of(inside));
+  }
+  /// A model moves with its canonical link: that of its attribute, else its first, else that of its first model.
+  void attach(const xml_item& m, const sdf_scope& scope) {
+    std::string to;
+    if (m.has("canonical_link") && !m.text_or("canonical_link", "").empty())
+      to = frames_.find(m, scope, m.text("canonical_link"));
+    else if (const auto links = m.children("link"); !links.empty())
+      to = scope.full(links[0].text("name"));
+    else if (const auto models = m.children("model"); !models.empty())
+      to = scope.full(models[0].text("name")) + (models[0].has("kte:merge") ? " (merged)" : "");
+    if (scope.model == "__model__")
+      frames_.canonical = to;
+    else if (!to.empty())
+      frames_.attach(scope.model, to);
+  }
+  std::string frame_for(const sdf_scope& scope, const std::string& name, const std::string& usual) const {
+    if (name.empty()) return usual;
+    auto full = scope.full(name);
+    return name == "world" && !frames_.has(full) ? name : full;
+  }
+  void leave_out(const xml_item& m) {
+    for (const auto& p : m.children("plugin")) leftovers_.plugin(p);
+    for (const auto& w : m.children("enable_wind"))
+      if (windy_ && child_flag(m, "enable_wind", false))
+        w.moves_differently("the wind is not modelled");
+      else
+        w.not_read("not read");
+    for (const auto* of :
+         {"gripper", "drake:ball_constraint", "drake:linear_bushing_rpy", "drake:linear_spring_damper", "drake:joint"})
+      for (const auto& x : m.children(of)) x.moves_differently("not read");
   }
 
-  void joint(const xml_item& x) {
-    x.only({"parent", "child", "pose", "axis", "axis2"}, {"name", "type"});
-    robot_joint j;
-    j.name = x.text("name"), j.line = x.line();
-    j.parent = child_text(x, "parent"), j.child = child_text(x, "child");
-    const auto type = x.text("type");
-    j.continuous = type == "continuous";
-    const bool universal = type == "universal";
-    if (type == "revolute" || type == "continuous" || universal)
-      j.is = kind::revolute;
-    else if (type == "prismatic")
-      j.is = kind::prismatic;
-    else if (type == "ball")
-      j.is = kind::spherical;
-    else if (type != "fixed")
-      x.fail("type '" + excerpt(type) + "' is none of revolute, continuous, prismatic, fixed, ball, universal");
-    j.origin = frames_.relative(x, j.parent, j.name);
-    const auto child_pose = frames_.relative(x, j.name, j.child);
-    const auto child = j.child;
-    if (j.is == kind::revolute || j.is == kind::prismatic) axis(x.needed_child("axis"), j.name, j);
-    if (!universal) {
-      j.child_pose = child_pose;
-      return d_.joints.push_back(std::move(j));
-    }
-    auto second = j;
-    j.child = second.parent = child + ".cross", second.origin = {};
-    d_.links.emplace_back().name = j.child, d_.links.back().line = j.line;
-    second.name = j.name + "_2", second.child_pose = child_pose;
-    axis(x.needed_child("axis2"), j.name, second);
-    d_.joints.push_back(std::move(j)), d_.joints.push_back(std::move(second));
+  bool has_link(const std::string& name) const {
+    return std::any_of(d_.links.begin(), d_.links.end(), [&](const auto& l) { return l.name == name; });
   }
-  /// `frame` is that of the joint: universal joints are two.
-  void axis(const xml_item& x, const std::string& frame, robot_joint& j) {
-    x.only({"xyz", "limit", "dynamics"}, {});
-    if (uses_parent_frame(x)) x.fail("use_parent_model_frame is not read: newer files have expressed_in");
-    const auto n = x.needed_child("xyz");
-    j.axis = unit_axis(n, n.three(n.list_of(n.content(), "xyz"), "xyz"));
-    if (const auto in = n.text_or("expressed_in", ""); !in.empty())
-      j.axis = frames_.relative(x, frame, in).rotation * j.axis;
-    j.lower = -robot_joint::none, j.upper = j.rate = j.effort = robot_joint::none;
-    if (const auto l = x.child("limit")) {
-      l->only({"lower", "upper", "effort", "velocity"}, {});
-      const auto bound = [](double b) { return std::abs(b) >= 1e16 ? std::copysign(robot_joint::none, b) : b; };
-      const auto most = [](double b) { return b < 0 ? robot_joint::none : b; };  // -1 is none
-      if (!j.continuous)
-        j.lower = bound(child_limit(*l, "lower", -1e16)), j.upper = bound(child_limit(*l, "upper", 1e16));
-      j.effort = most(child_limit(*l, "effort", -1)), j.rate = most(child_limit(*l, "velocity", -1));
-      check_range(*l, j.lower, j.upper, "lower", "upper");
-    }
-    j.soft_lower = j.lower, j.soft_upper = j.upper;
-    j.dynamics = {};
-    if (const auto y = x.child("dynamics")) {
-      y->only({"damping", "friction", "spring_reference", "spring_stiffness"}, {});
-      j.dynamics = {child_number(*y, "damping", 0), child_number(*y, "friction", 0),
-                    child_number(*y, "spring_stiffness", 0), child_number(*y, "spring_reference", 0), 0};
-      if (j.dynamics.damping < 0 || j.dynamics.friction < 0 || j.dynamics.stiffness < 0)
-        y->fail("damping, friction and stiffness must not be negative");
+  /// The world is a link where joints need it, or models in the model that stand still.
+  void add_world(const xml_item& m) {
+    bool needed = !still_.empty() && !child_flag(m, "static", false);
+    for (const auto& p : moving_)
+      for (const char* end : {"parent", "child"})
+        needed |= frames_.link_of(p.x, frames_.find(p.x, p.scope, child_text(p.x, end))) == "world";
+    if (needed && !has_link("world")) d_.links.emplace(d_.links.begin())->name = "world";
+  }
+
+  /// Gravity is given in the axes of the world, and that of a robot in those of its root.
+  void turn_gravity(const xml_item& m, const std::string& root) {
+    if (root.empty()) return;
+    const auto turned = frames_.relative(m, true_world, root).rotation;
+    if (turned == robot_pose{}.rotation) return;
+    const vec3<> g = transpose(turned) * d_.gravity.value_or(vec3<>{0, 0, -9.81});
+    d_.gravity = vec3<>{g.x + 0.0, g.y + 0.0, g.z + 0.0};
+  }
+  void list_frames() {
+    for (const auto& p : named_) {
+      const auto link = frames_.link_of(p.x, p.name);
+      if (has_link(link))
+        d_.frames.push_back({p.name, p.x.line(), link, frames_.relative(p.x, link, p.name)});
+      else
+        p.x.not_read("it stands in the world, not in the robot");
     }
   }
-  static bool uses_parent_frame(const xml_item& x) {
-    const auto f = x.child("use_parent_model_frame");
-    return f && f->content() != "0" && f->content() != "false";
-  }
+
+  static constexpr const char* true_world = "__world__";
 
   robot_description& d_;
   const robot_options& options_;
-  xml_parser parse_;
   sdf_frames frames_;
+  sdf_leftovers leftovers_;
+  sdf_links links_;
+  sdf_joints joints_;
+  std::vector<part> parts_, moving_, named_, placed_;  ///< links, joints, frames, and models with placement frames
+  std::set<std::string> still_;                        ///< full names of links that do not move
+  bool windy_ = false;
 };
 
 }  // namespace kte::detail

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <kte/robots/detail/sdf_includes.hpp>
+
+namespace kte::detail {
+
+/// The models of a file in SDF, and which of them is the robot.
+class sdf_choice {
+ public:
+  struct candidate {
+    std::string name;
+    xml_node* model = nullptr;
+    const xml_node* world = nullptr;
+    std::string fault{};  ///< why an included file cannot be read
+  };
+
+  sdf_choice(robot_description& d, const robot_options& o, xml_parser parse, xml_node& root)
+      : d_(d), options_(o), includes_(d, o, parse), root_(root, d) {
+    gather(root, nullptr);
+    for (auto& w : root.children)
+      if (w.name == "world") gather(w, &w);
+  }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const auto& c : all_) all.push_back(c.name);
+    return all;
+  }
+
+  /// The model that the options name; else the only one, the only one that is not static, or the only one of these
+  /// that has joints.
+  const candidate& choose() const {
+    if (all_.empty()) root_.fail("has no <model>");
+    const auto& chosen = options_.model.empty() ? likely() : named();
+    if (!chosen.fault.empty()) raise<bad_file>(chosen.fault);
+    note_others(chosen);
+    return chosen;
+  }
+
+ private:
+  void gather(xml_node& owner, const xml_node* world) {
+    for (auto& c : owner.children) {
+      if (c.name != "model" && c.name != "include") continue;
+      candidate found{xml_item(c, d_).text_or("name", ""), &c, world};
+      try {
+        if (c.name == "include") {
+          found.name = included_name(c);
+          c = includes_.included(c);
+          if (c.name != "model") continue;
+          found.name = xml_item(c, d_).text_or("name", "");
+        } else {
+          includes_.resolve(c);
+        }
+      } catch (const bad_file& e) {
+        found.fault = e.what();
+      }
+      all_.push_back(std::move(found));
+    }
+  }
+  std::string included_name(const xml_node& n) const {
+    std::string name, uri;
+    for (const auto& c : n.children) {
+      if (c.name == "name") name = trimmed(c.text);
+      if (c.name == "uri") uri = trimmed(c.text);
+    }
+    return name.empty() ? std::filesystem::path(uri).filename().string() : name;
+  }
+
+  bool is_static(const candidate& c) const { return child_flag({*c.model, d_}, "static", false); }
+  static bool has_joints(const xml_node& model) {
+    return std::any_of(model.children.begin(), model.children.end(),
+                       [](const xml_node& c) { return c.name == "joint" || (c.name == "model" && has_joints(c)); });
+  }
+  std::string list() const {
+    std::string text;
+    for (const auto& c : all_) text += (text.empty() ? "'" : ", '") + excerpt(c.name) + "'";
+    return text;
+  }
+
+  const candidate& named() const {
+    const candidate* found = nullptr;
+    for (const auto& c : all_) {
+      if (c.name != options_.model) continue;
+      if (found != nullptr) root_.fail("has several models called '" + excerpt(c.name) + "'");
+      found = &c;
+    }
+    if (found == nullptr)
+      root_.fail("has no model '" + excerpt(options_.model) + "' (robot_options::model); its models are " + list());
+    return *found;
+  }
+  const candidate& likely() const {
+    if (all_.size() == 1) return all_[0];
+    std::vector<const candidate*> moving, jointed;
+    for (const auto& c : all_) {
+      if (!c.fault.empty() || is_static(c)) continue;
+      moving.push_back(&c);
+      if (has_joints(*c.model)) jointed.push_back(&c);
+    }
+    if (moving.size() == 1) return *moving[0];
+    if (jointed.size() == 1) return *jointed[0];
+    std::string faults;
+    for (const auto& c : all_)
+      if (!c.fault.empty()) faults += "\n  " + c.fault;
+    root_.fail("has several models: choose one by robot_options::model, of " + list() + faults);
+  }
+  void note_others(const candidate& chosen) const {
+    std::string others;
+    for (const auto& c : all_) {
+      if (&c == &chosen) continue;
+      if (!c.fault.empty())
+        root_.warn("model '" + excerpt(c.name) + "', which is not the robot, cannot be read: " + c.fault);
+      others += (others.empty() ? "'" : ", '") + excerpt(c.name) + "'";
+    }
+    if (!others.empty()) root_.not_read("the robot is model '" + excerpt(chosen.name) + "'; not read: " + others);
+  }
+
+  robot_description& d_;
+  const robot_options& options_;
+  sdf_includes includes_;
+  xml_item root_;
+  std::vector<candidate> all_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kte/robots/detail/sdf_search.hpp>
+
+namespace kte::detail {
+
+/// Puts the models of other files in place of <include>.
+class sdf_includes {
+ public:
+  sdf_includes(robot_description& d, const robot_options& o, xml_parser parse)
+      : d_(d), search_(d, o, parse), parse_(parse) {
+    open_.push_back(whole_path(d.source));
+  }
+
+  /// Of a model, and of those in it.
+  void resolve(xml_node& model) {
+    for (auto& c : model.children) {
+      if (c.name == "include") c = included(c);
+      if (c.name == "model") resolve(c);
+    }
+  }
+  /// What stands in place of an <include>: a model, or an actor or a light. Their names, poses and others are as the
+  /// include says.
+  xml_node included(const xml_node& n) {
+    const xml_item x(n, d_);
+    x.only({"uri", "name", "pose", "static", "placement_frame", "plugin"}, {"merge"});
+    const auto uri = child_text(x, "uri");
+    const auto folder = std::filesystem::path(n.file.empty() ? d_.source : n.file).parent_path();
+    const auto path = search_.find(first_child(x, "uri").value(), uri, folder);
+    const auto whole = whole_path(path);
+    if (std::find(open_.begin(), open_.end(), whole) != open_.end())
+      x.fail("'" + excerpt(uri) + "' includes itself, in the end");
+    if (open_.size() > deepest) x.fail("files that include each other go deeper than " + std::to_string(deepest));
+    if (++count_ > most) x.fail("more than " + std::to_string(most) + " files are included");
+    auto file = parse_(path);
+    if (file.name != "sdf")
+      x.fail("'" + excerpt(uri) + "' is no file in SDF: it begins with <" + excerpt(file.name) + ">");
+    sdf_upgrade(d_).apply(file);
+    auto found = only_model(x, file);
+    if (found.name == "model") {
+      override_model(x, found);
+      open_.push_back(whole);
+      resolve(found);
+      open_.pop_back();
+    }
+    return found;
+  }
+
+ private:
+  static constexpr std::size_t deepest = 32, most = 1000;
+
+  static std::filesystem::path whole_path(const std::filesystem::path& path) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(path, none);
+  }
+  static xml_node only_model(const xml_item& x, xml_node& file) {
+    xml_node* found = nullptr;
+    for (auto& c : file.children) {
+      if (c.name != "model" && c.name != "actor" && c.name != "light") continue;
+      if (found != nullptr) x.fail("the file '" + excerpt(c.file) + "' has several models: a file to include has one");
+      found = &c;
+    }
+    if (found == nullptr) x.fail("the file '" + excerpt(file.file) + "' has no model beside its worlds");
+    return std::move(*found);
+  }
+  static void set(xml_node& n, const char* attribute, const std::string& value) {
+    for (auto& [key, old] : n.attributes)
+      if (key == attribute) {
+        old = value;
+        return;
+      }
+    n.attributes.emplace_back(attribute, value);
+  }
+  static void override_model(const xml_item& x, xml_node& model) {
+    if (const auto name = filled_child(x, "name")) set(model, "name", trimmed_content(*name));
+    if (const auto frame = filled_child(x, "placement_frame")) {
+      if (x.children("pose").empty()) frame->fail("needs a <pose>");
+      set(model, "placement_frame", trimmed_content(*frame));
+    }
+    if (flag(x, x.text_or("merge", "false"))) set(model, merged, "true");
+    for (const char* of : {"pose", "static"})
+      if (const auto c = first_child(x, of)) {
+        std::erase_if(model.children, [&](const auto& m) { return m.name == of; });
+        model.children.push_back(c->node());
+      }
+    for (const auto& p : x.children("plugin")) model.children.push_back(p.node());
+  }
+
+ public:
+  /// The attribute of a model that is merged into that around it.
+  static constexpr const char* merged = "kte:merge";
+
+ private:
+  robot_description& d_;
+  sdf_search search_;
+  xml_parser parse_;
+  std::vector<std::filesystem::path> open_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace kte::detail

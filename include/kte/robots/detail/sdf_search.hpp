@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kte/robots/detail/sdf_upgrade.hpp>
+#include <kte/robots/detail/xml_text.hpp>
+
+namespace kte::detail {
+
+/// Finds the files that URIs name: `model://name`, `package://name`, `file://path`, or a path. What is not absolute is
+/// looked for in the folder of the file that names it, in those around it and in their folders `models`, and then in
+/// those of robot_options::search_path. A folder is a model: its `model.config` names the file.
+class sdf_search {
+ public:
+  using path = std::filesystem::path;
+
+  sdf_search(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), options_(o), parse_(parse) {}
+
+  path find(const xml_item& x, const std::string& uri, const path& folder) const {
+    std::string name = uri;
+    for (const std::string_view scheme : {"model://", "package://", "file://"})
+      if (name.starts_with(scheme)) {
+        name.erase(0, scheme.size());
+        break;
+      }
+    if (name.find("://") != name.npos)
+      x.fail("'" + excerpt(uri) + "' is not on this machine: fetch it, and name its folder by model://, a path, or " +
+             "robot_options::search_path");
+    for (const auto& at : places(name, folder)) {
+      std::error_code none;
+      if (std::filesystem::is_regular_file(at, none)) return at;
+      if (std::filesystem::is_directory(at, none))
+        if (const auto file = model_in(at); !file.empty()) return file;
+    }
+    x.fail("'" + excerpt(uri) + "' is not found, neither in the folders around '" + folder.string() +
+           "' nor in those of robot_options::search_path");
+  }
+
+ private:
+  std::vector<path> places(const std::string& name, const path& folder) const {
+    const path wanted(name);
+    if (wanted.is_absolute()) return {wanted};
+    std::vector<path> all;
+    std::error_code none;
+    for (path at = std::filesystem::absolute(folder, none).lexically_normal();; at = at.parent_path()) {
+      all.push_back(at / wanted), all.push_back(at / "models" / wanted);
+      if (at == at.parent_path()) break;
+    }
+    for (const auto& s : options_.search_path) all.push_back(path(s) / wanted);
+    return all;
+  }
+  /// The file that `model.config` gives for the highest version that is read, else model.sdf.
+  path model_in(const path& folder) const {
+    std::error_code none;
+    int highest = -1;
+    auto file = folder / "model.sdf";
+    if (const auto config = folder / "model.config"; std::filesystem::is_regular_file(config, none)) {
+      const auto root = parse_(config);
+      for (const auto& c : root.children) {
+        if (c.name != "sdf") continue;
+        const int version = sdf_version(xml_item(c, d_).text_or("version", "1.0"));
+        if (version <= highest || version > sdf_upgrade::newest) continue;
+        highest = version, file = folder / trimmed(c.text);
+      }
+    }
+    return std::filesystem::is_regular_file(file, none) ? file : path();
+  }
+
+  robot_description& d_;
+  const robot_options& options_;
+  xml_parser parse_;
+};
+
+}  // namespace kte::detail

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <kte/robots/detail/urdf_joint.hpp>
+
+namespace kte::detail {
+
+/// A whole URDF: links, joints, and what extensions say of them.
+class urdf_robot {
+ public:
+  urdf_robot(robot_description& d, const robot_options& o) : d_(d), links_(d, o), joints_(d, links_) {}
+
+  void read(const xml_item& root) {
+    if (root.name() != "robot") root.fail("a URDF begins with <robot>");
+    d_.name = root.text_or("name", "");
+    root.only({"link", "joint", "material", "frame", "drake:frame", "drake:joint", "transmission", "gazebo",
+               "loop_joint", "force_element", "drake:loop_joint", "drake:force_element", "drake:linear_spring_damper",
+               "drake:linear_bushing_rpy", "drake:ball_constraint", "drake:link"},
+              {"name", "version"});
+    for (const auto& x : root.children("material")) links_.material(x);
+    for (const auto& x : root.children("link")) links_.read(x);
+    links_.colour();
+    for (const auto* of : {"joint", "drake:joint"})
+      for (const auto& x : root.children(of)) joints_.read(x);
+    for (const auto* of : {"frame", "drake:frame"})
+      for (const auto& x : root.children(of)) frame(x);
+    for (const auto& x : root.children("transmission")) transmission(x);
+    for (const auto& x : root.children("gazebo")) gazebo(x);
+    for (const auto* of :
+         {"loop_joint", "force_element", "drake:loop_joint", "drake:force_element", "drake:linear_spring_damper",
+          "drake:linear_bushing_rpy", "drake:ball_constraint", "drake:link"})
+      for (const auto& x : root.children(of)) x.moves_differently("not read");
+    contacts(root);
+  }
+
+ private:
+  /// A frame of Drake.
+  void frame(const xml_item& x) {
+    x.only({}, {"name", "link", "xyz", "rpy"});
+    const auto name = x.text("name"), link = x.text("link");
+    const auto has = [](const auto& all, const std::string& n) {
+      return std::any_of(all.begin(), all.end(), [&](const auto& a) { return a.name == n; });
+    };
+    if (!has(d_.links, link)) return x.not_read("not read: there is no link '" + excerpt(link) + "'");
+    if (has(d_.links, name) || has(d_.frames, name))
+      return x.not_read("not read: another frame or a link has its name");
+    d_.frames.push_back({name, x.line(), link, links_.pose(x)});
+  }
+  /// Of it only what Drake's rotors say: as the joint feels it their inertia is that times the square of the ratio.
+  void transmission(const xml_item& x) {
+    const auto actuators = x.children("actuator");
+    double inertia = 0;
+    for (const auto& a : actuators)
+      if (const auto rotor = a.child("drake:rotor_inertia")) {
+        const auto gear = a.child("drake:gear_ratio");
+        const double ratio = gear ? gear->number("value") : 1;
+        inertia += rotor->not_negative("value") * ratio * ratio;
+      }
+    if (inertia == 0) return x.not_read("not read");
+    const auto name = x.needed_child("joint").text("name");
+    for (auto& j : d_.joints)
+      if (j.name == name && has_one_coordinate(j)) {
+        j.dynamics.armature = inertia;
+        return x.not_read("not read, but for the inertia of its rotor");
+      }
+    x.moves_differently("there is no joint '" + excerpt(name) + "' of one coordinate for its rotor");
+  }
+  static void gazebo(const xml_item& x) {
+    x.not_read("not read");
+    for (const auto& c : x.children()) {
+      const bool flag = !c.content().empty() && c.content() != "0" && c.content() != "false";
+      if (c.name() == "joint" || (flag && c.name() == "turnGravityOff") || (!flag && c.name() == "gravity"))
+        c.moves_differently("not read");
+    }
+  }
+  /// Of bodies that touch nothing is known: one warning of all.
+  static void contacts(const xml_item& root) {
+    std::size_t count = 0;
+    std::optional<xml_item> first;
+    for (const auto& l : root.children("link"))
+      for (const auto& c : l.children("contact")) {
+        if (!first) first = c;
+        ++count;
+      }
+    if (first)
+      first->moves_differently("contacts are not modelled: it is not read" +
+                               (count > 1 ? ", as others of " + std::to_string(count) + " links" : std::string()));
+  }
+
+  robot_description& d_;
+  urdf_links links_;
+  urdf_joints joints_;
+};
+
+}  // namespace kte::detail
