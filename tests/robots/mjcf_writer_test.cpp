@@ -1,12 +1,16 @@
 #include <kte/dynamics/runtime.hpp>
+#include <kte/elements/constant_force.hpp>
+#include <kte/elements/fluid_drag.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
+#include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
+#include <kte/robots/urdf_writer.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"
@@ -407,6 +411,11 @@ TEST_CASE("springs and dampers of balls, damping of free bodies and forces again
   other << base_3D("g") << revolute_joint_3D("q", "g", "a", axis::z) << constant_force_3D("a", vec3<>{0, 0, 1});
   CHECK_THROWS_MATCHES(describe(other), bad_argument,
                        says("constant_force_3D (frame 'a'): it is no link, joint or body"));
+  kte_map_chain screw;
+  screw << base_3D("g") << screw_joint_3D("q", "g", "a", vec3<>{0, 0.6, 0.8}, 0.25) << inertia_3D("a", point_mass(1.0));
+  CHECK(record_of(to_robot(describe(screw)).chain) == record_of(screw));
+  CHECK_THROWS_MATCHES(to_mjcf(screw), bad_argument, says("joint 'q': it is a screw, which MJCF cannot say"));
+  CHECK_THROWS_MATCHES(to_urdf(screw), bad_argument, says("joint 'q': it is a screw, which URDF cannot say"));
   kte_map_chain drag;
   drag << base_3D("g") << free_joint_3D("q", "g", "a") << fluid_drag_3D("a", 1.0, 2.0);
   CHECK_THROWS_MATCHES(describe(drag), bad_argument, says("fluid_drag_3D (frame 'a'): it is no link"));

@@ -6,7 +6,7 @@
 namespace kte {
 
 /// The reverse of `to_robot`: what a chain is as links and joints. Throws `bad_argument`, with the element, for what is
-/// neither: springs between frames, screws, rotors, motors, what is in the plane, a coordinate of two joints. What a
+/// neither: springs between frames, rotors, motors, what is in the plane, a coordinate of two joints. What a
 /// description has no place for, the smoothing of friction, is in its `not_read`.
 robot_description describe(const kte_map_chain& chain, const std::string& name = "robot");
 /// The same with limits and shapes. Throws `bad_parameter` for limits that are none of the chain (`check_limits`).

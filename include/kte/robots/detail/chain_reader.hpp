@@ -68,7 +68,8 @@ class chain_reader {
     static const std::map<std::string, kind, std::less<>> joints{
         {"rigid_link_3D", kind::fixed},          {"revolute_joint_3D", kind::revolute},
         {"prismatic_joint_3D", kind::prismatic}, {"spherical_joint_3D", kind::spherical},
-        {"planar_joint_3D", kind::planar},       {"free_joint_3D", kind::floating}};
+        {"planar_joint_3D", kind::planar},       {"free_joint_3D", kind::floating},
+        {"screw_joint_3D", kind::screw}};
     if (e.type == "base_3D") return link(to(e, "base")), true;
     if (e.type == "inertia_3D") return body(e), true;
     const auto is = joints.find(e.type);
@@ -76,7 +77,7 @@ class chain_reader {
     robot_joint j;
     j.is = is->second, j.origin = place(e), j.parent = to(e, "base"), j.child = to(e, "end");
     j.continuous = j.is == kind::revolute;
-    if (j.is == kind::revolute || j.is == kind::prismatic) j.axis = vector(e, "axis");
+    if (has_one_coordinate(j)) j.axis = vector(e, "axis"), j.pitch = number(e, "pitch");
     if (j.is == kind::planar) j.axis = {0, 0, 1};
     if (j.is != kind::fixed) {
       j.name = to(e, "coordinate");

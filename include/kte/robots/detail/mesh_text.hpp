@@ -9,11 +9,11 @@
 
 namespace kte::detail {
 
-/// Whether a word is `small`, whatever the case of its letters.
-constexpr bool same_word(std::string_view word, std::string_view small) {
-  if (word.size() != small.size()) return false;
+/// Whether a word is `lower`, whatever the case of its letters.
+constexpr bool same_word(std::string_view word, std::string_view lower) {
+  if (word.size() != lower.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i)
-    if ((word[i] >= 'A' && word[i] <= 'Z' ? word[i] - 'A' + 'a' : word[i]) != small[i]) return false;
+    if ((word[i] >= 'A' && word[i] <= 'Z' ? word[i] - 'A' + 'a' : word[i]) != lower[i]) return false;
   return true;
 }
 
@@ -64,7 +64,7 @@ class mesh_text {
     const auto digits = w.starts_with('+') ? w.substr(1) : w;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
     if (w.empty()) bad(std::string(what) + " is cut off");
-    if (error == std::errc::result_out_of_range) bad("'" + excerpt(w) + "' is too large or too small for a double");
+    if (error == std::errc::result_out_of_range) bad("'" + excerpt(w) + "' is too large or too lower for a double");
     if (error != std::errc{} || end != digits.data() + digits.size()) bad("'" + excerpt(w) + "' is not a number");
     if (!std::isfinite(x)) bad(std::string(what) + " is not finite");
     return x;

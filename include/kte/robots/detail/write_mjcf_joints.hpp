@@ -23,6 +23,7 @@ class mjcf_joints {
   void write(const robot_joint& j, const robot_pose& behind) {
     if (j.is == kind::floating) return free_joint(j);
     if (j.is == kind::planar) return planar_joint(j, behind);
+    if (j.is == kind::screw) left_out_.refuse(mjcf_title(j), "it is a screw");
     open_joint(j.name, j.is == kind::revolute ? "hinge" : j.is == kind::prismatic ? "slide" : "ball", behind);
     if (j.is != kind::spherical) out_.attribute("axis", transpose(behind.rotation) * j.axis);
     limits(j), dynamics(j);

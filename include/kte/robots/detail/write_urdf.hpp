@@ -50,6 +50,7 @@ class urdf_writer {
   void joint(const robot_joint& j) {
     const auto title = "joint '" + j.name + "'";
     if (j.is == kind::spherical) left_out_.refuse(title, "it is spherical");
+    if (j.is == kind::screw) left_out_.refuse(title, "it is a screw");
     if (j.dynamics.stiffness != 0) left_out_.change(j.line, title, "it has a spring", "that is left out");
     if (j.dynamics.armature != 0) left_out_.change(j.line, title, "it has a rotor inertia", "that is left out");
     out_.open("joint"), out_.attribute("name", std::string_view(j.name));
