@@ -93,7 +93,7 @@ class quintic_profile {
                                  S(cbrt(S(60) / limits.jerk))});  // (2)
     duration_ = std::max(shortest, at_least);
     if (!(duration_ > S(0)) || !(duration_ < std::numeric_limits<S>::infinity()))
-      detail::raise<bad_argument>("kte: a quintic motion needs a finite duration, or limits that give one");
+      detail::raise<bad_argument>("kte: a quintic motion needs a duration, or limits that give a finite one");
   }
   S duration() const { return duration_; }
   path_point<S> operator()(const S& time) const {

@@ -88,7 +88,7 @@ std::vector<double> plain_numbers(const X& x, std::size_t n) {
 /// Of a vector of a runtime chain.
 template <class X>
 std::vector<double> plain_numbers(const X& x) {
-  return plain_numbers(x, static_cast<std::size_t>(x.size()));
+  return plain_numbers(x.data(), static_cast<std::size_t>(x.size()));
 }
 /// Throws `bad_argument` for a time that is not finite.
 template <class T>
