@@ -110,6 +110,7 @@ TEST_CASE("Motions that make no sense are refused") {
   CHECK_THROWS_MATCHES(trapezoidal_motion(arm, from, three(0, 2.5, 0)), bad_argument,
                        says("to is beyond the limits of coordinate 'q2'"));
   CHECK_THROWS_AS(trapezoidal_motion(arm, from, from), bad_argument);
+  CHECK_NOTHROW(trapezoidal_motion(arm, from, three(-2, 2, -1)));  // on limits
   CHECK_THROWS_MATCHES(trapezoidal_motion(three_r(), from, three(0, 1, 0)), bad_argument,
                        says("limits of acceleration"));
   CHECK_THROWS_MATCHES(quintic_motion(three_r(), from, three(0, 1, 0)), bad_argument, says("needs a duration"));

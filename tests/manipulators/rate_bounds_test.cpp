@@ -75,6 +75,12 @@ TEST_CASE("Outside its limits, or too fast, a joint recovers with the accelerati
   CHECK(rate_bounds(0.5, 3.0, -none, none, 2.0, none, 0.1).upper == 2);
   CHECK(rate_bounds(0.0, 0.0, -1.0, 1.0, 2.0, 0.0, 0.1).upper == 0);
   CHECK(rate_bounds(2.0, 1.0, 2.0, 2.0, none, none, 0.1).upper == 0);  // no room at all
+  // The same on the other side, and no bound is beyond the limit of the rate.
+  CHECK(rate_bounds(1.5, 0.0, -1.0, 1.0, 2.0, none, 0.1).lower == -2);
+  CHECK(rate_bounds(-1.5, 0.0, -1.0, 1.0, 2.0, none, 0.1).lower == 2);
+  CHECK(rate_bounds(-1.5, 0.0, -1.0, 1.0, 2.0, none, 0.1).recovering);
+  CHECK(rate_bounds(-0.9, -3.0, -1.0, 1.0, 2.0, 4.0, 0.01).lower == within(-2.96, 1e-15));
+  CHECK(rate_bounds(-0.9, -3.0, -1.0, 1.0, 2.0, 4.0, 0.01).upper == within(-2.96, 1e-15));
   // A rate that is too fast by what rounding makes of it, of q and of v dt, is not; a little more is.
   for (const double sign : {1.0, -1.0}) {
     CHECK_FALSE(rate_bounds(0.0, sign * (2.04 + 1e-14), -9.0, 9.0, 2.0, 4.0, 0.01).recovering);
