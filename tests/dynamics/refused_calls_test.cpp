@@ -30,12 +30,13 @@ struct call {
 };
 std::vector<call> all_calls(const kte_map_chain& c, const mass_matrix_calc<kte_map_chain>& masses) {
   const std::vector<external_wrench> loads{{"hand", {1, 2, 3}}};
-#define KTE_REFUSING(...)                                                                                         \
-  {                                                                                                               \
-#    __VA_ARGS__,                                                                                                 \
-        [&c, &masses,                                                                                             \
-         loads](auto& s, auto& q, auto& v,                                                                        \
-                auto& a) { (void)(loads), (void)(masses), (void)(q), (void)(v), (void)(a), (void)(__VA_ARGS__); } \
+#define KTE_REFUSING(...)                                                                                              \
+  {                                                                                                                    \
+#    __VA_ARGS__,                                                                                                      \
+        [&c, &masses, loads](                                                                                          \
+            auto& s, auto& q, auto& v,                                                                                 \
+            auto&                                                                                                      \
+                a) { (void)(c), (void)(loads), (void)(masses), (void)(q), (void)(v), (void)(a), (void)(__VA_ARGS__); } \
   }
   return {KTE_REFUSING(inverse_dynamics(c, s, q, v, a)),
           KTE_REFUSING(mass_matrix(c, s, q)),
