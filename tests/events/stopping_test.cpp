@@ -16,6 +16,7 @@ TEST_CASE("Where a function of an event is not a number, or settings make no sen
                     contains_text("event 1 is not a finite number") && contains_text("t = 2."));
   CHECK_THROWS_AS(integrate(solver, std::nan(""), events(good)), bad_argument);
   CHECK_THROWS_WITH(integrate(solver, 4.0, events(good).with({.pieces = 0})), contains_text("pieces"));
+  CHECK_THROWS_WITH(integrate(solver, 4.0, events(good).with({.pieces = 1 << 30})), contains_text("pieces"));
   CHECK_THROWS_WITH(integrate(solver, 4.0, events(good).with({.depth = -1})), contains_text("depth"));
   const auto to_nan =
       event([](double t, const scalar&) { return t - 3.5; }).reset([](double, scalar& x) { x[0] = std::nan(""); });

@@ -317,4 +317,19 @@ TEST_CASE("Adams: failures stop with the last good state") {
   CHECK_THROWS_AS(adams(oscillator, 0.0, state<double>(1, 0), {.absolute = -1.0}), bad_argument);
 }
 
+TEST_CASE("An interval of subnormal length is passed through, or refused after a few tries") {
+  const auto f = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
+  for (const double end : {1e-320, 5e-324, -1e-320, 1e-300}) {
+    CAPTURE(end);
+    adams solver(f, 0.0, Eigen::Vector2d(1, 0.5), {.max_steps = 1000});
+    try {
+      solver.integrate(end);
+      CHECK(solver.time() == end);
+    } catch (const integration_failure& e) {
+      CHECK(e.reason == failure_reason::not_finite);  // not all steps are used up
+    }
+    CHECK(solver.state() == Eigen::Vector2d(1, 0.5));
+  }
+}
+
 }  // namespace

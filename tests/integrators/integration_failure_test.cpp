@@ -160,6 +160,8 @@ TEST_CASE("Bad settings are rejected with their value") {
   dormand_prince45 solver(oscillator, 0.0, x);
   CHECK_THROWS_WITH(solver.integrate(nan), contains_text("end time must be finite, got nan"));
   CHECK(solver.time() == 0);
+  dormand_prince45 early(oscillator, -1.5e308, x);
+  CHECK_THROWS_WITH(early.integrate(1.5e308), contains_text("the way to the end time must be finite"));
 }
 
 }  // namespace

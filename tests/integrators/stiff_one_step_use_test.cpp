@@ -5,6 +5,8 @@
 #include <kte/integrators/trapezoidal.hpp>
 
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "catch.hpp"
 #include "digits50.hpp"
@@ -25,6 +27,16 @@ constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen:
 template <template <class, class> class Method, class F, class X>
 auto make(const F& f, double t0, const X& x0, double tolerance = 1e-6, long long max_steps = 100000) {
   return Method<F, X>(f, t0, x0, {.absolute = tolerance, .relative = tolerance, .max_steps = max_steps});
+}
+
+/// Whether a method gets from one time to another, forward and back, with few tries.
+template <template <class, class> class Method>
+bool passes(double from, double to) {
+  const auto f = [](double t, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1] + std::sin(t), -x[0]); };
+  auto there = make<Method>(f, from, Eigen::Vector2d(1, 0.5), 1e-6, 1000);
+  auto back = make<Method>(f, to, Eigen::Vector2d(1, 0.5), 1e-6, 1000);
+  there.integrate(to), back.integrate(from);
+  return there.time() == to && back.time() == from && there.state().allFinite() && back.state().allFinite();
 }
 
 /// What all steps so far may miss by, each by sqrt(2) times the tolerance of 1e-6 and the weight of a number of this
@@ -192,4 +204,15 @@ TEST_CASE("one-step methods for stiff systems: types follow from arguments") {
   kennedy_carpenter34 e(oscillator, 0.0, x);
   a.integrate(1), b.integrate(1), c.integrate(1), d.integrate(1), e.integrate(1);
   CHECK(c.state()[0] == within(2 * std::cos(1.0), 1e-3));
+}
+
+TEST_CASE("Intervals of subnormal length, or of one rounding, are passed through") {
+  const double eps = std::numeric_limits<double>::epsilon();
+  const std::vector<std::pair<double, double>> intervals{{0, 1e-320}, {0, 5e-324},      {1e-320, 3e-320},
+                                                         {0, 1e-310}, {5e-324, 1e-300}, {1, 1 + eps}};
+  for (const auto& [from, to] : intervals) {
+    CAPTURE(from, to);
+    CHECK(passes<rodas>(from, to));
+    CHECK(passes<rosenbrock23>(from, to));
+  }
 }

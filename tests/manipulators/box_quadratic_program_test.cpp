@@ -118,6 +118,9 @@ TEST_CASE("Boxes of a point, without bounds, and functions without curvature") {
   CHECK(flat.x[0] == 0.5);
   CHECK(flat.x[1] == 0);  // nothing pulls it
   CHECK_THROWS_AS(minimise_in_box(h, two(3, 0), two(1, 0), two(0, 1)), bad_argument);
+  CHECK_THROWS_AS(
+      minimise_in_box(decltype(h)(1e-10 * h), two(1e308, 0), two(-INFINITY, -INFINITY), two(INFINITY, INFINITY)),
+      bad_argument);
   CHECK_THROWS_AS(minimise_in_box(h, two(3, std::nan("")), two(0, 0), two(1, 1)), bad_argument);
   CHECK_THROWS_AS(minimise_in_box(h, two(3, 0), two(0, 0), two(std::nan(""), 1)), bad_argument);
 }

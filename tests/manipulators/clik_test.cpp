@@ -228,6 +228,8 @@ TEST_CASE("What makes no sense is refused") {
   CHECK_THROWS_AS(clik(kuka, away_from_limits(), std::vector{1.0}), bad_argument);
   CHECK_THROWS_AS(clik(kuka, away_from_limits(), seven(seven::Constant(nan))), bad_argument);
   CHECK_THROWS_AS(clik(kuka, away_from_limits(), q, {.iterations = 0}), bad_argument);
+  CHECK_THROWS_AS(clik(kuka, away_from_limits(), q, {.tolerance = INFINITY}), bad_argument);
+  CHECK_THROWS_AS(clik(kuka, away_from_limits(), q, {.length = INFINITY}), bad_argument);
 }
 
 TEST_CASE("An arm as calibrated, whose axes almost meet: from the answers of the arm as drawn") {

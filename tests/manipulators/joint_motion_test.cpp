@@ -49,6 +49,9 @@ TEST_CASE("A trapezoidal motion is as fast as its limits let it, and ends at its
   CHECK((m(0).q - from).norm() == 0);
   CHECK((m(m.duration()).q - to).norm() < 1e-15);
   CHECK(m(m.duration() + 1).v.norm() < 1e-15);
+  CHECK(m(m.duration()).a.norm() == 0);  // at rest
+  CHECK(m(m.duration() * (1 - 1e-9)).a[1] == within(1, 1e-15));
+  CHECK(m(-1).v.norm() == 0);
   // Rate 1 of the first over 1.5, acceleration 1 of the second over 1: t_a = 2/3, T = t_a + 3/2.
   CHECK(m.duration() == within(2.0 / 3 + 1.5, 1e-15));
   const auto most = largest(m, 4);  // its accelerations jump
@@ -107,8 +110,36 @@ TEST_CASE("Motions that make no sense are refused") {
   CHECK_THROWS_MATCHES(trapezoidal_motion(arm, from, three(0, 2.5, 0)), bad_argument,
                        says("to is beyond the limits of coordinate 'q2'"));
   CHECK_THROWS_AS(trapezoidal_motion(arm, from, from), bad_argument);
+  CHECK_NOTHROW(trapezoidal_motion(arm, from, three(-2, 2, -1)));  // on limits
   CHECK_THROWS_MATCHES(trapezoidal_motion(three_r(), from, three(0, 1, 0)), bad_argument,
                        says("limits of acceleration"));
   CHECK_THROWS_MATCHES(quintic_motion(three_r(), from, three(0, 1, 0)), bad_argument, says("needs a duration"));
-  CHECK_THROWS_AS(quintic_motion(arm, from, three(0, std::nan(""), 0)), bad_argument);
+  CHECK_THROWS_MATCHES(quintic_motion(arm, from, three(0, NAN, 0)), bad_argument, says("to[1] of 'q2' is nan"));
+  for (const double bad : {double(NAN), -1.0, double(INFINITY)})
+    CHECK_THROWS_AS(quintic_motion(arm, from, three(0, 1, 0), bad), bad_argument);
+  CHECK_THROWS_MATCHES(quintic_motion(arm, from, three(0, 1, 0))(NAN), bad_argument, says("time along a path is NaN"));
+  CHECK_THROWS_AS(trapezoidal_motion(arm, from, three(0, 1, 0))(NAN), bad_argument);
+  for (const double bad : {double(NAN), -1.0, 0.0}) {
+    CHECK_THROWS_MATCHES(trapezoidal_profile<double>({bad, 1, 1}), bad_argument, says("the limit of rate"));
+    CHECK_THROWS_MATCHES(trapezoidal_profile<double>({1, bad, 1}), bad_argument, says("the limit of acceleration"));
+    CHECK_THROWS_MATCHES(trapezoidal_profile<double>({1, 1, bad}), bad_argument, says("the limit of jerk"));
+    CHECK_THROWS_AS(quintic_profile<double>({bad, 1, 1}), bad_argument);
+    CHECK_THROWS_AS(quintic_profile<double>({1, bad, 1}), bad_argument);
+    CHECK_THROWS_AS(quintic_profile<double>({1, 1, bad}), bad_argument);
+  }
+  CHECK_THROWS_MATCHES(trapezoidal_profile<double>({1e-320, 1}), bad_argument, says("infinitely long"));
+}
+
+TEST_CASE("Lines between poses that are not finite are refused") {
+  const auto at = [](double x, double y) { return pose{rotation_about(axis::z, 0.2), vec3{x, y, 0.0}}; };
+  for (const double bad : {double(NAN), double(INFINITY)}) {
+    CHECK_THROWS_AS(pose_error(at(bad, 1), at(0, 1)), bad_argument);
+    CHECK_THROWS_AS(pose_error(at(0, 1), at(0, bad)), bad_argument);
+    CHECK_THROWS_MATCHES(straight_line(at(0, 1), at(0, bad)), bad_argument, says("is not finite"));
+    CHECK_THROWS_AS(straight_line(at(0, 1), at(1, 1))(bad), bad_argument);
+  }
+  CHECK_THROWS_AS(pose_error(at(-1e308, 1), at(1e308, 1)), bad_argument);
+  CHECK_THROWS_AS(straight_line(at(0, 1), at(1e300, 1))(1e20), bad_argument);
+  CHECK_THROWS_AS(straight_line<float>(at(1e300, 1), at(1e300, 2)), bad_argument);
+  CHECK_NOTHROW(straight_line(at(0, 1), at(1, 1))(-3.0));
 }

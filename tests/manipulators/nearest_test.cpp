@@ -213,8 +213,20 @@ TEST_CASE("what cannot be reached says why") {
   CHECK(caught().reason == unreachable_reason::distance);
   CHECK(caught().position > 7);
   q[0] = NAN;
-  CHECK_THROWS_MATCHES(inverse_kinematics(arm, x, nearest(q)), bad_argument, says("q_now is not finite"));
+  CHECK_THROWS_MATCHES(inverse_kinematics(arm, x, nearest(q)), bad_argument, says("q_now[0] of"));
   CHECK_THROWS_AS(inverse_kinematics(arm, x, nearest(numbers(5))), bad_argument);
+  const manipulator seven(iiwa14(), "tool");
+  for (const double bad : {double(NAN), double(INFINITY)}) {
+    numbers at = numbers::Constant(7, 0.5);
+    at[4] = bad;
+    for (const auto from : {arm_angle_from::stereographic, arm_angle_from::first_axis})
+      CHECK_THROWS_MATCHES(arm_angle_of(seven, at, from), bad_argument, says("q[4] of 'q5' is"));
+  }
+  CHECK_THROWS_AS(arm_angle_of(seven, numbers(6)), bad_argument);
+  // Lengths whose squares overflow: no closed form, and no end of a search for their root either.
+  const manipulator far(chain(none, {{e_z, {1e200, 0, 0}}, {e_z, {1, 0, 0}}, {e_z, {1, 0, 0}}}), "tool");
+  CHECK(far.family() == arm_family::none);
+  CHECK_THROWS_MATCHES(inverse_kinematics(far, x), no_closed_form, says("squares of its lengths overflow"));
   CHECK_THROWS_MATCHES(inverse_kinematics(arm, x, arm_angle(0)), bad_argument, says("no arm angle"));
 }
 

@@ -75,5 +75,46 @@ TEST_CASE("Outside its limits, or too fast, a joint recovers with the accelerati
   CHECK(rate_bounds(0.5, 3.0, -none, none, 2.0, none, 0.1).upper == 2);
   CHECK(rate_bounds(0.0, 0.0, -1.0, 1.0, 2.0, 0.0, 0.1).upper == 0);
   CHECK(rate_bounds(2.0, 1.0, 2.0, 2.0, none, none, 0.1).upper == 0);  // no room at all
+  // The same on the other side, and no bound is beyond the limit of the rate.
+  CHECK(rate_bounds(1.5, 0.0, -1.0, 1.0, 2.0, none, 0.1).lower == -2);
+  CHECK(rate_bounds(-1.5, 0.0, -1.0, 1.0, 2.0, none, 0.1).lower == 2);
+  CHECK(rate_bounds(-1.5, 0.0, -1.0, 1.0, 2.0, none, 0.1).recovering);
+  CHECK(rate_bounds(-0.9, -3.0, -1.0, 1.0, 2.0, 4.0, 0.01).lower == within(-2.96, 1e-15));
+  CHECK(rate_bounds(-0.9, -3.0, -1.0, 1.0, 2.0, 4.0, 0.01).upper == within(-2.96, 1e-15));
+  // A rate that is too fast by what rounding makes of it, of q and of v dt, is not; a little more is.
+  for (const double sign : {1.0, -1.0}) {
+    CHECK_FALSE(rate_bounds(0.0, sign * (2.04 + 1e-14), -9.0, 9.0, 2.0, 4.0, 0.01).recovering);
+    CHECK(rate_bounds(0.0, sign * (2.04 + 2e-13), -9.0, 9.0, 2.0, 4.0, 0.01).recovering);
+    CHECK_FALSE(rate_bounds(1.0, sign * (2.04 + 1e-12), -9.0, 9.0, 2.0, 4.0, 0.01).recovering);
+    CHECK(rate_bounds(1.0, sign * (2.04 + 1e-11), -9.0, 9.0, 2.0, 4.0, 0.01).recovering);
+    CHECK_FALSE(rate_bounds(0.0, sign * 2e3, -9.0, 9.0, 2.0, none, 0.01).recovering);
+  }
+  // Nor is a coordinate outside that is beyond its limit by rounding; the distance it keeps is as large.
+  const double eps = std::numeric_limits<double>::epsilon();
+  CHECK_FALSE(rate_bounds(1 + 2 * eps, 0.0, -1.0, 1.0, 2.0, 4.0, 0.01).recovering);
+  CHECK(rate_bounds(1 + 8 * eps, 0.0, -1.0, 1.0, 2.0, 4.0, 0.01).recovering);
+  CHECK(rate_bounds(1 - 2 * eps, 0.0, -1.0, 1.0, 2.0, 4.0, 0.01).upper == 0);
+  CHECK(rate_bounds(1 - 8 * eps, 0.0, -1.0, 1.0, 2.0, 4.0, 0.01).upper > 0);
+}
+
+TEST_CASE("Bounds of rates of numbers that are none are refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  using test::says;
+  for (const double bad : {nan, none}) {
+    CHECK_THROWS_MATCHES(rate_bounds(bad, 0.0, -1.0, 1.0, 2.0, 4.0, 0.1), bad_argument, says("the coordinate must be"));
+    CHECK_THROWS_MATCHES(rate_bounds(0.0, bad, -1.0, 1.0, 2.0, 4.0, 0.1), bad_argument,
+                         says("the rate before must be"));
+    CHECK_THROWS_MATCHES(rate_bounds(0.0, 0.0, -1.0, 1.0, 2.0, 4.0, bad), bad_argument, says("the time of a step"));
+  }
+  for (const double bad : {nan, -1.0}) {
+    CHECK_THROWS_MATCHES(rate_bounds(0.0, 0.0, 0.0, bad, 2.0, 4.0, 0.1), bad_argument, says("lower must not be above"));
+    CHECK_THROWS_MATCHES(rate_bounds(0.0, 0.0, -1.0, 1.0, bad, 4.0, 0.1), bad_argument, says("the limit of the rate"));
+    CHECK_THROWS_MATCHES(rate_bounds(0.0, 0.0, -1.0, 1.0, 2.0, bad, 0.1), bad_argument, says("the acceleration must"));
+    CHECK_THROWS_MATCHES(stopping_rate(bad, 1.0, 0.1), bad_argument, says("a distance must not be negative"));
+    CHECK_THROWS_AS(stopping_rate(1.0, bad, 0.1), bad_argument);
+    CHECK_THROWS_AS(stopping_rate(1.0, 1.0, bad), bad_argument);
+  }
+  CHECK_THROWS_AS(rate_bounds(0.0, 0.0, nan, 1.0, 2.0, 4.0, 0.1), bad_argument);
+  CHECK_THROWS_AS(stopping_rate(1.0, 1.0, 0.0), bad_argument);
   CHECK(rate_bounds(2.0, 1.0, 2.0, 2.0, none, none, 0.1).lower == 0);
 }

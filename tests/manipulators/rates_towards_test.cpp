@@ -210,8 +210,15 @@ TEST_CASE("Arguments that are none are refused") {
   CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.0), bad_argument, says("dt > 0"));
   CHECK_THROWS_MATCHES(rates_towards(arm, q, v, Eigen::VectorXd::Zero(3), 0.1), bad_argument, says("twist has 3"));
   CHECK_THROWS_AS(rates_towards(arm, q, v, t, 0.1, {.damping = 0}), bad_argument);
+  CHECK_THROWS_AS(rates_towards(arm, q, v, t, 0.1, {.damping = INFINITY}), bad_argument);
+  CHECK_THROWS_AS(rates_towards(arm, q, v, t, 0.1, {.length = INFINITY}), bad_argument);
+  t[0] = 1e308;
+  CHECK_THROWS_AS(rates_towards(arm, q, v, t, 0.1), bad_argument);
+  CHECK_THROWS_MATCHES(rates_towards(arm, q, three_rates(0, NAN, 0), t, 0.1), bad_argument,
+                       says("a rate is no finite number: v_now[1] of 'q2' is nan"));
   t[3] = std::nan("");
-  CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.1), bad_argument, says("twist"));
+  CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.1), bad_argument,
+                       says("a twist is not finite: twist[3] of tool 'tip' is nan"));
   CHECK_THROWS_AS(rates_towards(arm, three_rates(0, std::nan(""), 0), v, twist::Zero(), 0.1), bad_argument);
   CHECK_THROWS_AS(accelerations_towards(arm, q, v, t, 0.1), bad_argument);
   CHECK_THROWS_MATCHES(accelerations_towards(arm, q, v, Eigen::VectorXd::Zero(3), 0.1), bad_argument,

@@ -89,6 +89,40 @@ TEST_CASE("a joint that mimics another carries its mass through the ratio") {
   CHECK(r.joints == std::vector<std::string>{"c", "b", "a"});
 }
 
+TEST_CASE("joints that follow each other in a long row, the last first") {
+  const int n = 20000;
+  robot_description d;
+  d.links.resize(static_cast<std::size_t>(n) + 1), d.joints.resize(static_cast<std::size_t>(n));
+  for (int i = 0; i <= n; ++i) d.links[static_cast<std::size_t>(i)].name = "l" + std::to_string(i);
+  for (int i = 0; i < n; ++i) {
+    auto& j = d.joints[static_cast<std::size_t>(i)];
+    j.name = "j" + std::to_string(i), j.is = robot_joint::kind::prismatic;
+    j.parent = "l0", j.child = "l" + std::to_string(i + 1);
+    if (i + 1 < n) j.mimic = {"j" + std::to_string(i + 1), 1, 0.5};
+  }
+  const auto r = to_robot(d, {});
+  REQUIRE(r.chain.dofs() == 1);
+  auto s = r.chain.make_state();
+  CHECK(forward_kinematics(r.chain, s, std::vector{0.25}, "l1").position.x == within(0.25 + 0.5 * (n - 1), 0));
+  d.joints.back().mimic = {"j0", 1, 0};
+  CHECK_THROWS_AS(to_robot(d, {}), bad_file);
+}
+
+TEST_CASE("soft limits are never wider than the hard ones") {
+  const auto soft = [](const char* limits) {
+    return made("<link name='g'/>" + heavy("a") +
+                joint_text("a", "prismatic", "g", "a",
+                           "<axis xyz='1 0 0'/><limit lower='-1' upper='2' effort='1' velocity='1'/>"
+                           "<safety_controller k_velocity='1' " +
+                               std::string(limits) + "/>"))
+        .soft_limits;
+  };
+  const auto wide = soft("soft_lower_limit='-3' soft_upper_limit='4'"),
+             narrow = soft("soft_lower_limit='-0.5' soft_upper_limit='1'");
+  CHECK((wide.lower[0] == -1 && wide.upper[0] == 2));
+  CHECK((narrow.lower[0] == -0.5 && narrow.upper[0] == 1));
+}
+
 TEST_CASE("fixed links folded give the same motion") {
   const auto q = load_robot(robot_file("everything.urdf")),
              f = load_robot(robot_file("everything.urdf"), {.fold_fixed = true});

@@ -103,7 +103,7 @@ dense_composite_inertia<S> carried_inertia_of(const kte_map_chain& c, basic_runt
                                dense_composite_inertia<S>{S(own.mass), as<S>(own.moment), as<S>(own.inertia)});
     sum = {sum.mass + b.mass, as<S>(sum.moment + b.moment), as<S>(sum.inertia + b.inertia)};
   }
-  return checked_composite<S>(sum);
+  return checked_composite<S>(sum, blame_state{"a mass", s});
 }
 }  // namespace detail
 
@@ -125,15 +125,13 @@ template <class S, indexable Q>
 dense_composite_inertia<S> carried_inertia(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
                                            const name_or_handle& frame) {
   detail::check_regular(c, s), (void)detail::find_frame(c, frame);
-  detail::take(c, s, q);
-  return carried_inertia(c, s, frame);
+  return detail::take(c, s, q).call([&] { return carried_inertia(c, s, frame); });
 }
 template <class S, indexable Q>
 mass_centre<S> carried_mass_centre(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
                                    const name_or_handle& frame) {
   detail::check_regular(c, s), (void)detail::find_frame(c, frame);
-  detail::take(c, s, q);
-  return carried_mass_centre(c, s, frame);
+  return detail::take(c, s, q).call([&] { return carried_mass_centre(c, s, frame); });
 }
 
 }  // namespace kte

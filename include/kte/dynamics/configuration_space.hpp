@@ -127,6 +127,7 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::integrate_one<S>(wiring::table.free[i], q, v, S(dt), out);
   detail::check_result(out, std::size_t{wiring::nq}, [&] {
+    detail::raise_if_time_is_endless("a coordinate", dt);
     detail::blame<wiring>("a coordinate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
   });
   return out;

@@ -94,8 +94,7 @@ runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>
 template <class S, indexable Q, indexable V>
 runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::check_regular(c, s), detail::refuse_spread_masses(c, s);
-  detail::take(c, s, q, v);
-  return coriolis_matrix(c, s);
+  return detail::take(c, s, q, v).call([&] { return coriolis_matrix(c, s); });
 }
 template <class S>
 runtime_matrix<S> mass_matrix_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {

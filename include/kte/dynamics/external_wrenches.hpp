@@ -90,7 +90,7 @@ runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>
     put_jacobian(c, s, w.frame, false, j);
     sum += j.transpose() * w.load;
   }
-  check_result(sum, static_cast<std::size_t>(sum.size()), too_large{"a force"});
+  check_result(sum, static_cast<std::size_t>(sum.size()), blame_state{"a force", s});
   return sum;
 }
 }  // namespace detail
@@ -101,8 +101,7 @@ template <class S, indexable Q>
 runtime_vector<S> external_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
                                   const std::vector<external_wrench>& loads) {
   const auto all = detail::checked_loads(c, s, loads);
-  detail::take(c, s, q);
-  return detail::forces_of_loads(c, s, all);
+  return detail::take(c, s, q).call([&] { return detail::forces_of_loads(c, s, all); });
 }
 /// The same of a static chain.
 template <class Gravity, class... E, indexable Q, key_type... Frames>
@@ -128,9 +127,10 @@ template <class S, indexable Q, indexable V, indexable A>
 runtime_vector<S> inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a, const std::vector<external_wrench>& loads) {
   const auto all = detail::checked_loads(c, s, loads);
-  detail::take(c, s, q, v, a);
-  const runtime_vector<S> from_outside = detail::forces_of_loads(c, s, all);
-  return inverse_dynamics(c, s) - from_outside;
+  return detail::take(c, s, q, v, a).call([&] {
+    const runtime_vector<S> from_outside = detail::forces_of_loads(c, s, all);
+    return runtime_vector<S>(inverse_dynamics(c, s) - from_outside);
+  });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type First, key_type... Frames>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
@@ -145,10 +145,12 @@ template <class S, indexable Q, indexable V, indexable T>
 runtime_vector<S> forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const T& tau, const std::vector<external_wrench>& loads) {
   const auto checked = detail::checked_loads(c, s, loads);
-  detail::take(c, s, q, v, detail::not_given{}, tau);
-  runtime_vector<S> all = detail::forces_of_loads(c, s, checked);
-  for (Eigen::Index i = 0; i < all.size(); ++i) all[i] += static_cast<S>(tau[static_cast<std::size_t>(i)]);
-  return forward_dynamics(c, s, q, v, all);
+  detail::check_regular(c, s);
+  return detail::take(c, s, q, v, detail::not_given{}, tau).call([&] {
+    runtime_vector<S> all = detail::forces_of_loads(c, s, checked);
+    for (Eigen::Index i = 0; i < all.size(); ++i) all[i] += static_cast<S>(tau[static_cast<std::size_t>(i)]);
+    return runtime_vector<S>(detail::accelerations_under(c, s, [&](int i) { return all[i]; }));
+  });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable T, key_type First, key_type... Frames>
 auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,

@@ -105,7 +105,9 @@ jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_ma
 template <class Axes, class S>
 linear_angular<S> bias_acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   const rates_aside aside(s, false);
-  return with_motion_in_world(c, s, x, [](const auto& m) { return bias_of<S>(m, Axes{}); });
+  return with_motion_in_world(c, s, x, [&s](const auto& m) {
+    return bias_of<S>(m, Axes{}, blame_state{"an acceleration", s});
+  });
 }
 template <class S>
 basic_runtime_jacobian<S> at_origin(basic_runtime_jacobian<S> j, const vec3<S>& position) {
@@ -125,8 +127,7 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_c
                                                                  const Q& q, const name_or_handle& frame,
                                                                  at_world_origin_t axes) {
   detail::check_motion(c, s), (void)detail::find_frame(c, frame);
-  detail::take(c, s, q);
-  return jacobian(c, s, frame, axes);
+  return detail::take(c, s, q).call([&] { return jacobian(c, s, frame, axes); });
 }
 
 /// As on static chains, by columns that change as the frame moves (tree/jacobian_rate.hpp). Throws `bad_argument` for a
@@ -144,8 +145,7 @@ basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_st
                                         const name_or_handle& frame, Axes = {}) {
   detail::check_motion(c, s);
   const auto x = detail::find_frame(c, frame);
-  detail::take(c, s, q, v);
-  return detail::jacobian_with_rate_of<Axes>(c, s, x).rate;
+  return detail::take(c, s, q, v).call([&] { return detail::jacobian_with_rate_of<Axes>(c, s, x).rate; });
 }
 
 /// As on static chains; where bases of the state are accelerated, but for gravity, with that.
@@ -161,8 +161,7 @@ template <class S, indexable Q, indexable V, axes_of_rates Axes = in_own_axes_t>
 linear_angular<S> bias_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                     const name_or_handle& frame, Axes = {}) {
   const auto x = detail::find_frame(c, frame);
-  detail::take(c, s, q, v);
-  return detail::bias_acceleration_of<Axes>(c, s, x);
+  return detail::take(c, s, q, v).call([&] { return detail::bias_acceleration_of<Axes>(c, s, x); });
 }
 
 }  // namespace kte

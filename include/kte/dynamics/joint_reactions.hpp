@@ -57,8 +57,9 @@ inline void accumulate_loads(const kte_map_chain& c, runtime_state& s) {
   c.doMotion(s), c.clearForce(s), c.doForce(s);
 }
 inline wrench<vec3<>, vec3<>> reaction_at(const runtime_state& s, kind k, int index) {
-  if (k == kind::frame_2D) return reaction_to<double>(load_of(s.get<kind::frame_2D>(index)));
-  return reaction_to<double>(load_of(s.get<kind::frame_3D>(index)));
+  const blame_state why{"a force", s};
+  if (k == kind::frame_2D) return reaction_to<double>(load_of(s.get<kind::frame_2D>(index)), why);
+  return reaction_to<double>(load_of(s.get<kind::frame_3D>(index)), why);
 }
 /// Throws `unknown_name`, `bad_argument`.
 inline runtime_frame find_moved_frame(const kte_map_chain& c, const name_or_handle& frame) {
@@ -83,8 +84,7 @@ template <indexable Q, indexable V, indexable A>
 wrench<vec3<>, vec3<>> joint_reaction(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                       const name_or_handle& frame) {
   (void)detail::find_moved_frame(c, frame);
-  detail::take(c, s, q, v, a);
-  return joint_reaction(c, s, frame);
+  return detail::take(c, s, q, v, a).call([&] { return joint_reaction(c, s, frame); });
 }
 /// Of all joints, in the order of the chain.
 inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s) {
@@ -101,8 +101,7 @@ inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c,
 template <indexable Q, indexable V, indexable A>
 std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
                                                   const A& a) {
-  detail::take(c, s, q, v, a);
-  return joint_reactions(c, s);
+  return detail::take(c, s, q, v, a).call([&] { return joint_reactions(c, s); });
 }
 
 }  // namespace kte

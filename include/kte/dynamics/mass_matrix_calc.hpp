@@ -99,31 +99,32 @@ class mass_matrix_calc<kte_map_chain> {
   Eigen::MatrixXd mass_matrix(runtime_state& s) const {
     check(s);
     detail::check_positions(s);
-    return product(shaped(s, false));
+    return product(shaped(s, false), s);
   }
   /// M and dM/dt at its positions and rates.
   mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s) const {
     const auto t = twist_shaping(s);
     const Eigen::MatrixXd half = t.rate.transpose() * t.masses * t.value;
-    mass_matrix_with_rate<> m{product(t), half + half.transpose()};  // (1)
-    detail::check_result(m.rate.data(), static_cast<std::size_t>(m.rate.size()), detail::too_large{"a mass matrix"});
+    mass_matrix_with_rate<> m{product(t, s), half + half.transpose()};  // (1)
+    detail::check_result(m.rate.data(), static_cast<std::size_t>(m.rate.size()),
+                         detail::blame_state{"a mass matrix", s});
     return m;
   }
   // The same at q, or q and v, which are put into the state.
   template <indexable Q>
   Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
-    check(s), detail::take(chain_, s, q);
-    return mass_matrix(s);
+    check(s);
+    return detail::take(chain_, s, q).call([&] { return mass_matrix(s); });
   }
   template <indexable Q, indexable V>
   mass_matrix_with_rate<> mass_matrix_and_rate(runtime_state& s, const Q& q, const V& v) const {
-    check(s), detail::take(chain_, s, q, v);
-    return mass_matrix_and_rate(s);
+    check(s);
+    return detail::take(chain_, s, q, v).call([&] { return mass_matrix_and_rate(s); });
   }
   template <indexable Q, indexable V>
   twist_shaping_result<> twist_shaping(runtime_state& s, const Q& q, const V& v) const {
-    check(s), detail::take(chain_, s, q, v);
-    return twist_shaping(s);
+    check(s);
+    return detail::take(chain_, s, q, v).call([&] { return twist_shaping(s); });
   }
 
  private:
@@ -219,9 +220,9 @@ class mass_matrix_calc<kte_map_chain> {
     }
     return t;
   }
-  static Eigen::MatrixXd product(const twist_shaping_result<>& t) {
+  static Eigen::MatrixXd product(const twist_shaping_result<>& t, const runtime_state& s) {
     Eigen::MatrixXd m = t.value.transpose() * t.masses * t.value;  // (1)
-    detail::check_result(m.data(), static_cast<std::size_t>(m.size()), detail::too_large{"a mass matrix"});
+    detail::check_result(m.data(), static_cast<std::size_t>(m.size()), detail::blame_state{"a mass matrix", s});
     return m;
   }
 

@@ -106,8 +106,10 @@ linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const auto h = detail::momentum_rate_of_coordinates(s, c.gravity(), detail::divided_by_mass<S>(w.mass, w.moment));
-  return detail::checked<S>(h.force, h.torque);
+  const detail::blame_state why{"a rate of momentum", s};
+  const auto h =
+      detail::momentum_rate_of_coordinates(s, c.gravity(), detail::divided_by_mass<S>(w.mass, w.moment, why));
+  return detail::checked<S>(h.force, h.torque, why);
 }
 template <class S>
 vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s) {
@@ -118,20 +120,20 @@ vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<
 // The same at q, v, a, which are put into the state.
 template <class S, indexable Q>
 runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  detail::check_regular(c, s), detail::take(c, s, q);
-  return centre_of_mass_jacobian(c, s);
+  detail::check_regular(c, s);
+  return detail::take(c, s, q).call([&] { return centre_of_mass_jacobian(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
 linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                            const A& a) {
-  detail::check_regular(c, s), detail::take(c, s, q, v, a);
-  return centroidal_momentum_rate(c, s);
+  detail::check_regular(c, s);
+  return detail::take(c, s, q, v, a).call([&] { return centroidal_momentum_rate(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
 vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                     const A& a) {
-  detail::check_regular(c, s), detail::take(c, s, q, v, a);
-  return centre_of_mass_acceleration(c, s);
+  detail::check_regular(c, s);
+  return detail::take(c, s, q, v, a).call([&] { return centre_of_mass_acceleration(c, s); });
 }
 
 }  // namespace kte

@@ -129,8 +129,9 @@ Result motion_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, con
                           const name_or_handle& coordinate, const name_or_handle& moved) {
   detail::check_motion(c, s);
   (void)detail::place_in_v(c, coordinate, Result::joint), (void)moved.find(c.wiring(), Result::moved);
-  detail::take(c, s, q, v);
-  return detail::motion_jacobian_at_state<Result>(c, s, coordinate, moved);
+  return detail::take(c, s, q, v).call([&] {
+    return detail::motion_jacobian_at_state<Result>(c, s, coordinate, moved);
+  });
 }
 
 }  // namespace kte

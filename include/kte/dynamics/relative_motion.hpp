@@ -78,8 +78,7 @@ requires(!names_something<Q>) pose<mat3<vec3<S>>, vec3<S>> relative_pose(const k
                                                                          const name_or_handle& a) {
   detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
-  detail::take(c, s, q);
-  return detail::relative_pose_of(c, s, of, in);
+  return detail::take(c, s, q).call([&] { return detail::relative_pose_of(c, s, of, in); });
 }
 template <class S>
 dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
@@ -93,8 +92,7 @@ template <class S, indexable Q, indexable V, indexable X>
 dense_motion<S> relative_motion(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v, const X& x,
                                 const name_or_handle& b, const name_or_handle& a) {
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
-  detail::take(c, s, q, v, x);
-  return detail::relative_motion_of(c, s, of, in);
+  return detail::take(c, s, q, v, x).call([&] { return detail::relative_motion_of(c, s, of, in); });
 }
 template <class S>
 basic_runtime_jacobian<S> relative_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& b,
@@ -111,8 +109,7 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> relative_jacobian(const 
                                                                           const name_or_handle& a) {
   detail::check_motion(c, s);
   const auto of = detail::find_frame(c, b), in = detail::find_frame(c, a);
-  detail::take(c, s, q);
-  return detail::relative_jacobian_of(c, s, of, in);
+  return detail::take(c, s, q).call([&] { return detail::relative_jacobian_of(c, s, of, in); });
 }
 
 }  // namespace kte

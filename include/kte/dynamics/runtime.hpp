@@ -8,8 +8,8 @@
 
 /// The algorithms on runtime chains, under the names they have on static chains. They work in the memory of a state and
 /// return references into it, valid until the next call with that state; they allocate nothing, but for what is as
-/// large as M, for which the first call that gives it makes room. A call that refuses an argument leaves the state as
-/// it was.
+/// large as M, for which the first call that gives it makes room. A call that refuses leaves the positions, velocities
+/// and accelerations of the state as they were, unless what it refuses are signals or bases that the state has.
 namespace kte {
 
 /// Inverse dynamics (RNEA) at the state's positions, rates and accelerations. As `inverse_dynamics` on a static chain.
@@ -24,8 +24,9 @@ const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_
 template <class S, indexable Q, indexable V, indexable A>
 const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const A& a) {
-  detail::take(c, s, q, v, a);
-  return inverse_dynamics(c, s);
+  return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
+    return inverse_dynamics(c, s);
+  });
 }
 
 /// The mass matrix at the state's positions (CRBA). As `mass_matrix` on a static chain.
@@ -41,10 +42,11 @@ const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state
 template <class S, indexable Q>
 const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
-  detail::take(c, s, q);
-  detail::mass_of_coordinates(detail::runtime_elements{c}, s);
-  detail::check_masses(s, s.work.mass);
-  return s.work.mass;
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
+    detail::mass_of_coordinates(detail::runtime_elements{c}, s);
+    detail::check_masses(s, s.work.mass);
+    return s.work.mass;
+  });
 }
 
 /// Forward dynamics at the state's positions and rates under its inputs, as on a static chain. The accelerations are
@@ -60,8 +62,9 @@ template <class S, indexable Q, indexable V, indexable T>
 const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const T& tau) {
   detail::check_regular(c, s);
-  detail::take(c, s, q, v, detail::not_given{}, tau);
-  return detail::accelerations_under(c, s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+  return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
+    return detail::accelerations_under(c, s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+  });
 }
 
 namespace detail {
@@ -114,8 +117,8 @@ template <class S, indexable Q>
 pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                 const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
-  detail::take(c, s, q);
-  return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index);
+  return detail::take<detail::keeping::if_needed>(c, s, q).call(
+      [&] { return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index); });
 }
 
 /// As on static chains (dynamics/configuration_space.hpp).
@@ -124,7 +127,13 @@ Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double
   detail::check_configuration(c.nq(), c.dofs(), q), check_size(static_cast<std::size_t>(c.dofs()), v, "v");
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::integrate_one<double>(f, q, v, dt, out);
-  detail::check_finite(out, static_cast<std::size_t>(c.nq()), "kte: a coordinate is no finite number");
+  const auto nq = static_cast<std::size_t>(c.nq()), nv = static_cast<std::size_t>(c.dofs());
+  detail::check_result(out, nq, [&] {
+    const auto from = detail::plain_numbers(q, nq), rates = detail::plain_numbers(v, nv);
+    detail::raise_if_time_is_endless("a coordinate", dt);
+    detail::raise_if_no_rotation(layout(c), from);
+    detail::raise_not_finite("a coordinate", layout(c), {{"q", from, true}, {"v", rates}});
+  });
   return out;
 }
 template <indexable Q>
@@ -132,7 +141,12 @@ Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
   detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
   Eigen::VectorXd out(c.dofs());
   for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
-  detail::check_finite(out, static_cast<std::size_t>(c.dofs()), "kte: a coordinate is no finite number");
+  detail::check_result(out, static_cast<std::size_t>(c.dofs()), [&] {
+    const auto n = static_cast<std::size_t>(c.nq());
+    const auto a = detail::plain_numbers(from, n), b = detail::plain_numbers(to, n);
+    detail::raise_if_no_rotation(layout(c), a), detail::raise_if_no_rotation(layout(c), b);
+    detail::raise_not_finite("a coordinate", layout(c), {{"from", a, true}, {"to", b, true}});
+  });
   return out;
 }
 inline Eigen::VectorXd neutral_configuration(const kte_map_chain& c) {

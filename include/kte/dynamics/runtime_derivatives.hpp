@@ -49,8 +49,7 @@ const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runti
 template <class S, indexable Q>
 const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
-  detail::take(c, s, q);
-  return detail::inverse_of_masses(c, s);
+  return detail::take(c, s, q).call([&]() -> const auto& { return detail::inverse_of_masses(c, s); });
 }
 
 namespace detail {
@@ -89,8 +88,7 @@ template <class S, indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
   detail::check_regular(c, s);
-  detail::take(c, s, q, v, a);
-  return detail::forces_derived(c, s);
+  return detail::take(c, s, q, v, a).call([&]() -> const auto& { return detail::forces_derived(c, s); });
 }
 
 namespace detail {
@@ -130,16 +128,20 @@ template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
-  forward_dynamics(c, s);
-  return detail::accelerations_derived(c, s);
+  return detail::keep_accelerations(s).call([&]() -> const auto& {
+    forward_dynamics(c, s);
+    return detail::accelerations_derived(c, s);
+  });
 }
 /// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
 template <class S, indexable Q, indexable V, indexable T>
 const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
   detail::check_regular(c, s);
-  forward_dynamics(c, s, q, v, tau);
-  return detail::accelerations_derived(c, s);
+  return detail::take(c, s, q, v, detail::found_later{}, tau).call([&]() -> const auto& {
+    detail::accelerations_under(c, s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+    return detail::accelerations_derived(c, s);
+  });
 }
 
 /// As `hybrid_dynamics` on a static chain: known accelerations of the coordinates named, forces on all others.
@@ -166,14 +168,15 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c
   runtime_vector<S> given = runtime_vector<S>::Zero(s.dofs()), force = given;
   for (std::size_t i = 0; i < n; ++i)
     (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<S>(known[i]);
-  take(c, s, q, v, given, force);
-  hybrid_dynamics_result<S, Eigen::Dynamic> r;
-  r.a = accelerations_under(
-      c, s, [&force](int i) { return force[i]; }, is_known);
-  r.tau = inverse_dynamics(c, s);
-  for (std::size_t i = 0; i < n; ++i)  // what is known is given back as it came
-    if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];
-  return r;
+  return take(c, s, q, v, given, force).call([&] {
+    hybrid_dynamics_result<S, Eigen::Dynamic> r;
+    r.a = accelerations_under(
+        c, s, [&force](int i) { return force[i]; }, is_known);
+    r.tau = inverse_dynamics(c, s);
+    for (std::size_t i = 0; i < n; ++i)  // what is known is given back as it came
+      if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];
+    return r;
+  });
 }
 
 #ifdef KTE_EXTERN

@@ -48,10 +48,11 @@ template <class S, indexable Q>
 requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s, const Q& q) {
   static_assert(detail::goes_through_passes<S>);
-  detail::take(c, s, q);
-  c.doMotion(s);
-  detail::check_poses(s);
-  return s;
+  return detail::take(c, s, q).call([&]() -> const auto& {
+    c.doMotion(s);
+    detail::check_poses(s);
+    return s;
+  });
 }
 
 namespace detail {
@@ -59,12 +60,15 @@ template <class S>
 linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   static_assert(goes_through_passes<S>);
   move(c.wiring(), s, x);
-  return with_motion(s, x, [](const auto& m) { return checked<double>(m.velocity, m.ang_velocity); });
+  return with_motion(s, x, [&s](const auto& m) {
+    return checked<double>(m.velocity, m.ang_velocity, blame_state{"a velocity", s});
+  });
 }
 template <class S>
 linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
-  return with_motion_in_world(c, s, x,
-                              [](const auto& m) { return checked<double>(m.acceleration, m.ang_acceleration); });
+  return with_motion_in_world(c, s, x, [&s](const auto& m) {
+    return checked<double>(m.acceleration, m.ang_acceleration, blame_state{"an acceleration", s});
+  });
 }
 }  // namespace detail
 
@@ -81,8 +85,7 @@ template <class S, indexable Q, indexable V>
 linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                  const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
-  detail::take(c, s, q, v);
-  return detail::velocity_of(c, s, x);
+  return detail::take(c, s, q, v).call([&] { return detail::velocity_of(c, s, x); });
 }
 
 /// The acceleration of a frame, classical, in its own axes, without gravity, which the bases have in the state and
@@ -100,8 +103,7 @@ template <class S, indexable Q, indexable V, indexable A>
 linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                      const A& a, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
-  detail::take(c, s, q, v, a);
-  return detail::acceleration_of(c, s, x);
+  return detail::take(c, s, q, v, a).call([&] { return detail::acceleration_of(c, s, x); });
 }
 
 #ifdef KTE_EXTERN

@@ -163,8 +163,7 @@ void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q&
   check_motion(c, s);
   const auto x = find_frame(c, frame);
   check_room<S>(j, s.dofs());
-  take(c, s, q);
-  put_jacobian(c, s, x, world, j);
+  return take<keeping::if_needed>(c, s, q).call([&] { put_jacobian(c, s, x, world, j); });
 }
 }  // namespace detail
 

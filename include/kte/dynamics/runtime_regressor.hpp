@@ -76,8 +76,7 @@ template <class S, indexable Q, indexable V, indexable A>
 runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a) {
   detail::check_regular(c, s);
-  detail::take(c, s, q, v, a);
-  return detail::regressor_of(c, s);
+  return detail::take(c, s, q, v, a).call([&] { return detail::regressor_of(c, s); });
 }
 
 }  // namespace kte

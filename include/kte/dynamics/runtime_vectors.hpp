@@ -54,11 +54,24 @@ template <class S>
                                    const runtime_vector<S>& tau = {}) {
   const auto layout = layout_of_state(s);
   const auto q = plain_numbers(read_numbers<vector_of::q>(s)), v = plain_numbers(read_numbers<vector_of::v>(s)),
-             a = plain_numbers(tau.size() > 0 ? tau : read_numbers<vector_of::a>(s));
+             a = plain_numbers(read_numbers<vector_of::a>(s)), f = plain_numbers(tau);
   if (std::is_convertible_v<S, double>) raise_if_no_rotation(layout, q);
   blame_signals(what, s);
-  raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {tau.size() > 0 ? "tau" : "a", a}});
+  if (tau.size() == 0) raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {"a", a}});
+  // Under forces accelerations are given only of hybrid dynamics.
+  if (!culprit(layout, {{"q", q, true}, {"v", v}, {"tau", f}}).empty())
+    raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {"tau", f}});
+  raise_not_finite(what, layout, {{"a", a}});
 }
+/// As a function, of a result: throws as `blame` does.
+template <class S>
+struct blame_state {
+  const char* what;
+  const basic_runtime_state<S>& state;
+  [[noreturn, gnu::cold]] void operator()() const { blame(what, state); }
+};
+template <class S>
+blame_state(const char*, const basic_runtime_state<S>&) -> blame_state<S>;
 /// As on static chains: a mass of coordinate `row` that cannot be used.
 template <class S>
 [[noreturn, gnu::cold]] void blame_mass(const basic_runtime_state<S>& s, int row, bool finite) {

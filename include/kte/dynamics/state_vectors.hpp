@@ -69,7 +69,7 @@ void for_each_listed_freedom(State& s, const Visit& visit) {
     freedom at = all[i];
     if (at.what == kind::gen) [[likely]] {
       if constexpr (may_have<State, kind::gen>)
-        for (const std::size_t end = i + at.in_row; i < end; ++i, ++at.slot, ++at.q, ++at.v)
+        for (const std::size_t end = i + static_cast<std::size_t>(at.in_row); i < end; ++i, ++at.slot, ++at.q, ++at.v)
           visit(s.template get<kind::gen>(at.slot), std::as_const(at));
     } else {
       with_turning_coordinate(s, at.what, at.slot, [&](auto& c) { visit(c, std::as_const(at)); });

@@ -12,6 +12,7 @@ namespace kte {
 
 /// How events are looked for.
 struct event_settings {
+  static constexpr int most_pieces = 1000000;
   int pieces = 1;            ///< of each step that are searched one by one: more for a g that waves within a step
   int depth = 20;            ///< how often a piece is halved where g may change its sign twice
   double shortest = 0;       ///< s: a reset again within this time is one too many. Never less than 1e4 eps |t|

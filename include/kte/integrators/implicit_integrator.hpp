@@ -102,6 +102,10 @@ class implicit_integrator : public integrator<Method, F, X> {
                         detail::error_norm(tolerances_, (h * h * part) * out, sizes, sizes) > S(0.1);
       const S d = both ? wide : S(root_of_epsilon() * signed_mean);
       const S after = this->time_ + d, before = both ? S(this->time_ - d) : this->time_;
+      if (after == before) [[unlikely]] {  // a step so short that its square is 0
+        out.setZero();
+        return;
+      }
       this->evaluate_if_possible(after, this->x_, shifted_);
       if (both) this->evaluate_if_possible(before, this->x_, out);
       out = (shifted_ - (both ? out : slope)) / S(after - before);

@@ -55,7 +55,7 @@ class integrator : public moving_state<F, X> {
   using base::function;
 
   /// Integrates to t_end, forward or backward; afterwards `time() == t_end`. Throws `integration_failure` that says
-  /// where and why it stopped, `bad_argument` for a t_end that is not finite.
+  /// where and why it stopped, `bad_argument` for a t_end that is not finite or infinitely far.
   stop_reason integrate(const S& t_end) { return travel(t_end, detail::no_stops{}, detail::no_observer{}); }
   /// The same; calls observer(t, x) at the start and after every step. Where it returns `kte::stop`, of type bool, the
   /// integration ends there: at its time and state.
@@ -98,6 +98,7 @@ class integrator : public moving_state<F, X> {
   /// One step at a time, for loops of one's own: `begin` once, then `step` until `time()` is t_end, for the same t_end.
   void begin(const S& t_end) {
     detail::check_finite(t_end, "end time");
+    detail::check_finite(S(t_end - time_), "the way to the end time");
     is_new_ = is_new_ || in_step_;
     in_step_ = false;
     if (t_end != time_) no_number_is_failure([&] { method().start(t_end); });

@@ -30,12 +30,9 @@ auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& want
   using S = value_of<Q>;
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
-  const auto rows = 6 * arm.tools().size();
-  check_size(rows, wanted, "wanted", "numbers of accelerations of its tools");
-  check_size(size, v, "v"), check_size(size, a_wanted, "a_wanted");
-  detail::check_finite(wanted, rows, "kte: a wanted acceleration is no finite number");
-  detail::check_finite(v, size, "kte: a rate is no finite number");
-  detail::check_finite(a_wanted, size, "kte: a wanted acceleration is no finite number");
+  detail::check_twists_of(arm, wanted, "wanted", "a wanted acceleration");
+  detail::check_rates_of(arm, v, "v", "a rate");
+  detail::check_rates_of(arm, a_wanted, "a_wanted", "a wanted acceleration");
   const auto m = static_cast<Eigen::Index>(size);
   joint_vector<S, n> now(m), aim(m);
   for (Eigen::Index i = 0; i < m; ++i) {

@@ -62,6 +62,12 @@ class free_cholesky {
   Eigen::Matrix<Eigen::Index, N, 1> index_;
   Eigen::Index n_ = 0;
 };
+template <class S, int N>
+box_minimum<S, N>& finite_minimum(box_minimum<S, N>& found) {
+  check_finite(found.x, static_cast<std::size_t>(found.x.size()),
+               "kte: the minimum of a quadratic function in a box is not finite: a number is too large or too small");
+  return found;
+}
 }  // namespace detail
 
 /// The x that minimises a convex quadratic function in a box, by a primal active-set method (Nocedal, Wright: Numerical
@@ -71,7 +77,8 @@ class free_cholesky {
 ///   r = H x - g:   r_i = 0 where free,  r_i >= 0 at lower,  r_i <= 0 at upper           (2)
 ///
 /// H is symmetric and positive definite or semidefinite; bounds may be infinite, or equal. (2) holds to rounding.
-/// Nothing is allocated where the size is fixed. Throws `bad_argument` unless lower <= upper and H, g are finite.
+/// Nothing is allocated where the size is fixed. Throws `bad_argument` unless lower <= upper and H, g are finite, and
+/// where x is not: numbers are too large or too small.
 template <class S, int N>
 box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vector<S, N>& g,
                                   const joint_vector<S, N>& lower, const joint_vector<S, N>& upper) {
@@ -111,7 +118,7 @@ box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vecto
     out.optimal = true;
     for (Eigen::Index i = 0; i < n; ++i)
       out.optimal &= abs(r[i]) <= rounding * size_of_terms(i) && x[i] >= lower[i] && x[i] <= upper[i];
-    if (out.optimal) return out;
+    if (out.optimal) return detail::finite_minimum(out);
     x = x.cwiseMax(lower).cwiseMin(upper);
   }
   const int most = 20 * static_cast<int>(n) + 20;
@@ -143,11 +150,11 @@ box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vecto
       if (wrong > rounding && wrong > most_wrong) most_wrong = wrong, worst = i;
     }
     out.optimal = worst < 0 && refined;
-    if (out.optimal) return out;
+    if (out.optimal) return detail::finite_minimum(out);
     refined = worst < 0;
     if (worst >= 0) at[worst] = 0, free.factorise(h, at);
   }
-  return out;
+  return detail::finite_minimum(out);
 }
 
 }  // namespace kte

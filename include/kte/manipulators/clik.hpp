@@ -71,12 +71,15 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
   using S = value_of<Q>;
   using at_type = detail::arm_at<Arm, S>;
   detail::check_limits_of_poses(arm);
-  if (options.iterations < 1 || options.draws < 1 || !(options.tolerance > 0) || !(options.length >= 0))
-    detail::raise<bad_argument>("kte: options of clik: iterations, draws and tolerance must be greater than 0");
+  const double largest = (std::numeric_limits<double>::max)();
+  if (options.iterations < 1 || options.draws < 1 || !(options.tolerance > 0 && options.tolerance <= largest))
+    detail::raise<bad_argument>(
+        "kte: options of clik: iterations, draws and tolerance must be greater than 0, and finite");
+  if (!(options.length >= 0 && options.length <= largest))
+    detail::raise<bad_argument>("kte: options of clik: length must be finite and not negative");
   const auto levels = detail::as_levels(wanted);
   const auto numbers = neutral_configuration(arm).size();
-  check_size(static_cast<std::size_t>(numbers), q_start, "q_start", "numbers of a configuration");
-  detail::check_finite(q_start, static_cast<std::size_t>(numbers), "kte: q_start is not finite");
+  detail::check_configuration_of(arm, q_start, "q_start");
   typename at_type::configuration start(numbers);
   for (Eigen::Index i = 0; i < numbers; ++i) start[i] = S(q_start[static_cast<std::size_t>(i)]);
   detail::clamp_to_limits(arm, start);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/manipulators/detail/arm_angle_reference.hpp>
+#include <kte/manipulators/detail/arm_coordinates.hpp>
 #include <kte/manipulators/detail/finished_answers.hpp>
 #include <kte/manipulators/detail/wanted_pose.hpp>
 #include <kte/manipulators/ik_requests.hpp>
@@ -76,11 +77,12 @@ detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
   return all;
 }
 
-/// The arm angle of a posture.
+/// The arm angle of a posture. Throws `bad_argument` for a q of another size or that is not finite.
 template <class Chain, class Tools, indexable Q>
 auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q,
                   arm_angle_from reference = arm_angle_from::stereographic) {
   detail::check_arm_angle(arm);
+  detail::check_configuration_of(arm, q, "q");
   using S = value_of<Q>;
   const auto& s = arm.structure();
   const auto joints = detail::raw_angles<S>(s.original, q);

@@ -45,8 +45,7 @@ namespace detail {
 template <class Arm, class Q>
 auto checked_end(const Arm& arm, const Q& q, const char* which) {
   joint_vector<double, arm_numbers<Arm>> out = neutral_configuration(arm);
-  check_size(static_cast<std::size_t>(out.size()), q, which, "numbers of a configuration");
-  check_finite(q, static_cast<std::size_t>(out.size()), "kte: an end of a motion is not finite");
+  check_configuration_of(arm, q, which);
   for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = static_cast<double>(q[static_cast<std::size_t>(i)]);
   for_each_freedom_of(arm, [&](const freedom& f) {
     const auto i = static_cast<std::size_t>(f.v);

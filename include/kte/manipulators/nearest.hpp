@@ -141,10 +141,8 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   using S = std::remove_cvref_t<decltype(x.position.x)>;
   static_assert(!has_lanes<S>, "kte: the nearest posture is of one pose, not of several in a pack");
   auto now = starting_configuration<S>(arm);
-  check_size(static_cast<std::size_t>(now.size()), to.q, "q", "numbers of a configuration");
+  check_configuration_of(arm, to.q, "q_now");
   for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = S(to.q[static_cast<std::size_t>(i)]);
-  for (Eigen::Index i = 0; i < now.size(); ++i)
-    if (!(now[i] - now[i] == S(0))) raise<bad_argument>("kte: inverse kinematics: q_now is not finite");
   const auto best = best_near(arm, x, now);
   if (best.is == best.none)  // equations of degree four may have no answer, not even one of least squares
     raise<unreachable>("kte: this pose cannot be reached", unreachable_reason::distance, std::vector<double>{},

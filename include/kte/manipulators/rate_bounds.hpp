@@ -5,8 +5,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace kte {
+
+namespace detail {
+/// Throws `bad_argument` unless `good`.
+template <class S>
+void check_bound(bool good, const char* what, const S& x) {
+  if (!good) [[unlikely]]
+    raise<bad_argument>(std::string("kte: bounds of a rate: ") + what + ", got " + number(static_cast<double>(x)));
+}
+template <class S>
+void check_braking(const S& a, const S& dt) {
+  check_bound(a >= S(0), "the acceleration must not be negative", a);
+  check_bound(dt > S(0) && dt < std::numeric_limits<S>::infinity(), "the time of a step must be finite and above 0",
+              dt);
+}
+}  // namespace detail
 
 /// The largest rate from which a coordinate stops within distance d, if it goes by steps q += v dt and each step may
 /// take a dt from v: exact in discrete time, where sqrt(2 a d) is too large by up to a dt.
@@ -14,11 +30,12 @@ namespace kte {
 ///   B(d) = a dt (x + n (n + 1)/2)/(n + 1),   x = d/(a dt^2),   n = floor((sqrt(1 + 8 x) - 1)/2)           (1)
 ///
 /// n further steps follow the first: v dt + (v - a dt) dt + ... + (v - n a dt) dt = d. d >= 0, dt > 0; a may be
-/// infinite, which gives d/dt, or 0, which gives 0.
+/// infinite, which gives d/dt, or 0, which gives 0. Throws `bad_argument` for what is not so.
 template <class S>
 S stopping_rate(const S& d, const S& a, const S& dt) {
   using std::floor;
   using std::sqrt;
+  detail::check_bound(d >= S(0), "a distance must not be negative", d), detail::check_braking(a, dt);
   const S most = std::numeric_limits<S>::infinity(), x = d / (a * dt * dt);
   if (a == most || !(x > S(0))) return d / dt;
   if (x == most) return sqrt(S(2) * a * d);
@@ -39,11 +56,17 @@ struct rate_interval {
 ///
 /// Never empty: who keeps (2) in one step can keep it in the next. Where it was broken before, what is left is the
 /// hardest braking; outside [lower, upper] the fastest return that stops at the border. Limits are kept to rounding: q
-/// + v dt stays within [lower, upper] exactly.
+/// + v dt stays within [lower, upper] exactly. Throws `bad_argument` unless q and v_now are finite, lower <= upper,
+/// rate and a not negative, dt finite and above 0.
 template <class S>
 rate_interval<S> rate_bounds(const S& q, const S& v_now, const S& lower, const S& upper, const S& rate, const S& a,
                              const S& dt) {
   const S eps = std::numeric_limits<S>::epsilon();
+  detail::check_bound(q - q == S(0), "the coordinate must be finite", q);
+  detail::check_bound(v_now - v_now == S(0), "the rate before must be finite", v_now);
+  detail::check_bound(lower <= upper, "lower must not be above upper", lower);
+  detail::check_bound(rate >= S(0), "the limit of the rate must not be negative", rate);
+  detail::check_braking(a, dt);
   // The largest rate towards a border at distance d; beyond the border one that comes back.
   const auto towards = [&](const S& border, const S& d) {
     if (d == std::numeric_limits<S>::infinity()) return rate;

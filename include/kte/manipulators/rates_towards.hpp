@@ -66,15 +66,14 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
   const Eigen::Index m = static_cast<Eigen::Index>(size);
-  const auto rows = 6 * arm.tools().size();
-  check_size(rows, twist, "twist", "numbers of twists of its tools");
-  check_size(size, v_now, "v_now"), check_size(size, v_wanted, "v_wanted");
-  detail::check_finite(twist, rows, "kte: a twist is no finite number");
-  detail::check_finite(v_now, size, "kte: a rate is no finite number");
-  detail::check_finite(v_wanted, size, "kte: a wanted rate is no finite number");
+  detail::check_twists_of(arm, twist, "twist", "a twist");
+  detail::check_rates_of(arm, v_now, "v_now", "a rate");
+  detail::check_rates_of(arm, v_wanted, "v_wanted", "a wanted rate");
   if (!(dt > S(0)) || !(dt - dt == S(0))) detail::raise<bad_argument>("kte: a step needs a time dt > 0, and finite");
-  if (!(options.length > 0) || !(options.damping > 0))
-    detail::raise<bad_argument>("kte: length and damping of rates must be greater than 0");
+  for (const double x : {options.length, options.damping})
+    if (!(x > 0 && x <= (std::numeric_limits<double>::max)()))
+      detail::raise<bad_argument>("kte: length and damping of rates must be finite and greater than 0, got " +
+                                  detail::number(x));
   detail::check_limits_of_poses(arm);
 
   const auto j = arm.getJacobianMatrix(q);
@@ -111,6 +110,9 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
     S& most = r % 6 == 0 ? out.linear : out.angular;
     using std::sqrt;
     most = (std::max)(most, S(sqrt(missed)));
+    if (!(most < std::numeric_limits<S>::infinity()))
+      detail::raise<bad_argument>(
+          "kte: by how much a twist is missed is not finite: a twist, a rate or a Jacobian is too large");
   }
   return out;
 }

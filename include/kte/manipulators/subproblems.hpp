@@ -10,8 +10,9 @@
 /// The subproblems of which closed-form inverse kinematics is made (Paden, Kinematics and Control of Robot
 /// Manipulators, 1986; Kahan, Lectures on Computational Aspects of Geometry, 1983; Elias and Wen, IK-Geo, Mechanism and
 /// Machine Theory 209, 2025). R(k, t) turns by t about the unit vector k. All are generic in the scalar. Where there is
-/// no answer they give the one of least squares. No arc cosines: an angle that is next to the border of what can be
-/// reached keeps its digits. And no branches, so that packs take them as well.
+/// no answer they give the one of least squares. Arguments must be finite: nothing is checked here. No arc cosines: an
+/// angle that is next to the border of what can be reached keeps its digits. And no branches, so that packs take them
+/// as well.
 namespace kte {
 
 namespace detail {

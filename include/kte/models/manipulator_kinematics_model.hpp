@@ -43,8 +43,10 @@ class manipulator_kinematics_model : public Chain {
   auto getJacobianMatrixAndDerivative(const Q& q, const V& v) const {
     using matrix = Eigen::Matrix<value_of<Q>, rows, n>;
     const auto both = getJacobianMatrix(detail::moving_along(chain(), q, v));
-    return std::pair<matrix, matrix>{both.unaryExpr([](const auto& x) { return x.value; }),
-                                     both.unaryExpr([](const auto& x) { return x.derivative[0]; })};
+    const std::pair<matrix, matrix> all{both.unaryExpr([](const auto& x) { return x.value; }),
+                                        both.unaryExpr([](const auto& x) { return x.derivative[0]; })};
+    check(all.second.data(), static_cast<std::size_t>(rows * n), "a rate", q, v);
+    return all;
   }
   /// Velocities of the frames: J v.
   template <indexable Q, indexable V>
@@ -52,7 +54,9 @@ class manipulator_kinematics_model : public Chain {
     check_size<n>(v, "v");
     joint_vector<value_of<Q>, n> rates;
     for (std::size_t i = 0; i < std::size_t{n}; ++i) rates[static_cast<Eigen::Index>(i)] = v[i];
-    return Eigen::Matrix<value_of<Q>, rows, 1>(getJacobianMatrix(q) * rates);
+    const Eigen::Matrix<value_of<Q>, rows, 1> all(getJacobianMatrix(q) * rates);
+    check(all, std::size_t{rows}, "a velocity", q, v);
+    return all;
   }
   /// Accelerations of the frames, classical, without gravity: J a + dJ/dt v.
   template <indexable Q, indexable V, indexable A>
@@ -71,6 +75,17 @@ class manipulator_kinematics_model : public Chain {
   }
 
   constexpr const Chain& chain() const { return *this; }
+
+ private:
+  /// Throws `bad_argument` that names the argument at fault, unless these numbers are finite.
+  template <class X, class Q, class V>
+  static void check(const X& x, std::size_t count, const char* what, const Q& q, const V& v) {
+    using S = value_of<Q>;
+    detail::check_result(x, count, [&] {
+      detail::blame<typename Chain::wiring>(what, detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{},
+                                            "a");
+    });
+  }
 };
 template <class Gravity, class... E, key_type... Frames>
 manipulator_kinematics_model(const static_chain<Gravity, E...>&, const Frames&...)

@@ -128,7 +128,7 @@ class basic_runtime_state {
   void swap(basic_runtime_state& o) noexcept {
     std::swap(topology_, o.topology_), std::swap(things_, o.things_);
     std::swap(free_coordinates_, o.free_coordinates_);
-    std::swap(tree_, o.tree_), std::swap(work, o.work);
+    std::swap(tree_, o.tree_), std::swap(work, o.work), std::swap(before, o.before);
   }
 
   shared_topology topology_;
@@ -140,6 +140,7 @@ class basic_runtime_state {
   /// Working memory of the algorithms; nothing in it needs to be read or kept.
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
+  std::vector<S> before;  ///< q, v, a that a call has replaced, until it is known that it refuses nothing
 };
 
 // Not in the class, where they would be inline: of those that are, g++ also compiles what is `extern`.
@@ -148,7 +149,8 @@ basic_runtime_state<S>::basic_runtime_state(shared_topology t)
     : topology_(std::move(t)),
       tree_(std::make_shared<tree_type>(detail::tree_of<parameter>(*topology_))),
       things_([this](kind k) { return topology_->count(k); }),
-      work(*tree_, topology_->nv, topology_->elements.size()) {
+      work(*tree_, topology_->nv, topology_->elements.size()),
+      before(static_cast<std::size_t>(topology_->nq + 2 * topology_->nv)) {
   detail::check_scalar<S>(*topology_, *tree_);
   (void)no_tree();
   for (const auto& f : topology_->free)

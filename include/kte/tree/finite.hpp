@@ -4,6 +4,7 @@
 #include <kte/tree/lanes.hpp>
 
 #include <iterator>
+#include <limits>
 
 /// Whether numbers in a row are finite, by registers: of sums of numbers one by one g++ makes more shuffles than sums.
 namespace kte::tree {
@@ -25,28 +26,45 @@ KTE_INLINE constexpr auto row_of(const X& x) {
 template <class X, class S>
 concept stands_in_row = std::is_same_v<decltype(row_of<S>(std::declval<const X&>())), const S*>;
 
-/// Zeros times the numbers are summed, which gives zero unless one of them is endless or none. Those that do not fill
-/// two registers are read twice.
+/// `factor` times the numbers are summed, and zero times that is zero unless one of the products is endless or none (or
+/// the sum is). Those that do not fill two registers are read twice.
 template <class S>
-KTE_INLINE bool all_finite_in_row(const S* x, std::size_t n) {
+KTE_INLINE bool all_finite_times(const S& factor, const S* x, std::size_t n) {
   constexpr std::size_t count = lanes_of<S>::count;
   if constexpr (count > 1) {
     if (n >= count) {
       lanes<S> some{}, others{};
-      const auto add = [](lanes<S>& sum, const S* from) KTE_INLINE_LAMBDA {
+      const auto add = [&factor](lanes<S>& sum, const S* from) KTE_INLINE_LAMBDA {
         lanes<S> y;
         load<S>(y, from);
-        sum += y * S(0);
+        sum += y * factor;
       };
       for (std::size_t i = 0; i + 2 * count < n; i += 2 * count) add(some, x + i), add(others, x + i + count);
       add(some, x + (n < 2 * count ? 0 : n - 2 * count)), add(others, x + n - count);
       some += others;
       S sum(0);
       for (std::size_t k = 0; k < count; ++k) sum += some[k];
-      return sum == S(0);
+      return sum * S(0) == S(0);
     }
   }
-  return detail::all_finite(x, n);
+  const S sum = detail::sum_by_four<S>(n, [&](std::size_t i) KTE_INLINE_LAMBDA { return S(x[i] * factor); });
+  return all(sum * S(0) == S(0));
+}
+template <class S>
+KTE_INLINE bool all_finite_in_row(const S* x, std::size_t n) {
+  return all_finite_times(S(0), x, n);
+}
+/// Whether all are finite and far from overflow: below 2^128 in double. For a few that are nearly as large it may say
+/// no.
+template <class S>
+KTE_INLINE bool all_moderate_in_row(const S* x, std::size_t n) {
+  using limits = std::numeric_limits<S>;
+  constexpr S factor = [] {
+    S product(1);
+    for (int i = 0; i < limits::max_exponent / 8 * 7; ++i) product *= S(2);
+    return product;
+  }();
+  return all_finite_times(factor, x, n);
 }
 
 }  // namespace kte::tree

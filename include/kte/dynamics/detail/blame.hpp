@@ -78,12 +78,23 @@ double plain_number(const X& x) {
     return 0;  // of several states, or with derivatives: no one number to name
   }
 }
+/// x[0] ... x[n-1].
+template <class X>
+std::vector<double> plain_numbers(const X& x, std::size_t n) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < n; ++i) all.push_back(plain_number(x[i]));
+  return all;
+}
 /// Of a vector of a runtime chain.
 template <class X>
 std::vector<double> plain_numbers(const X& x) {
-  std::vector<double> all;
-  for (Eigen::Index i = 0; i < x.size(); ++i) all.push_back(plain_number(x[i]));
-  return all;
+  return plain_numbers(x.data(), static_cast<std::size_t>(x.size()));
+}
+/// Throws `bad_argument` for a time that is not finite.
+template <class T>
+[[gnu::cold]] void raise_if_time_is_endless(const char* what, const T& dt) {
+  const double x = plain_number(dt);
+  if (!std::isfinite(x)) raise<bad_argument>("kte: " + std::string(what) + " is no finite number: dt is " + number(x));
 }
 
 /// A signal from outside, one number or three.

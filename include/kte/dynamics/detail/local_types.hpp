@@ -30,15 +30,16 @@ template <class Wiring, kind K, int Slot>
 inline constexpr auto loads_on = [] {
   constexpr auto& t = Wiring::table;
   constexpr int last = t.reader[static_cast<std::size_t>(K)][Slot];
-  constexpr std::size_t count = [] {
+  constexpr auto at = [](const auto& of_ports, int p) { return of_ports[static_cast<std::size_t>(p)]; };
+  constexpr std::size_t count = [at] {
     std::size_t n = 0;
-    for (int p = t.reader[static_cast<std::size_t>(K)][Slot]; p >= 0; p = t.previous[p]) ++n;
+    for (int p = t.reader[static_cast<std::size_t>(K)][Slot]; p >= 0; p = at(t.previous, p)) ++n;
     return n;
   }();
   std::array<load_place, count> places{};
   std::size_t n = 0;
-  for (int p = last; p >= 0; p = t.previous[p])
-    places[n++] = {static_cast<std::size_t>(t.element[p]), static_cast<std::size_t>(t.load[p])};
+  for (int p = last; p >= 0; p = at(t.previous, p))
+    places[n++] = {static_cast<std::size_t>(at(t.element, p)), static_cast<std::size_t>(at(t.load, p))};
   return places;
 }();
 

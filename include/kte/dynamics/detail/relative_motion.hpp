@@ -118,7 +118,7 @@ dense_motion<S> relative_motion_of(const kte_map_chain& c, basic_runtime_state<S
   static_assert(goes_through_passes<S>);
   move(c.wiring(), s, a), move(c.wiring(), s, b);
   const auto all = [](const auto& m) { return in_numbers<S>(m); };
-  return checked_motion(with_motion(s, a, all), with_motion(s, b, all));
+  return checked_motion(with_motion(s, a, all), with_motion(s, b, all), blame_state{"a motion", s});
 }
 /// At positions that are good.
 template <class S>

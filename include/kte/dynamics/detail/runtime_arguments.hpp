@@ -80,63 +80,140 @@ KTE_INLINE bool all_finite_as(const X& x, std::size_t n) {
     return all(sum == S(0));
   }
 }
+/// Whether they are finite and far from overflow; of numbers that take long to look at it says no.
+template <class S, class X>
+KTE_INLINE bool all_moderate_as(const X& x, std::size_t n) {
+  if constexpr (std::is_floating_point_v<S> && tree::stands_in_row<X, S>)
+    return tree::all_moderate_in_row(tree::row_of<S>(x), n);
+  else
+    return false;
+}
 /// Throws by `why` unless the forces or accelerations that a state gives back are finite.
 template <class S, class Blame>
 KTE_INLINE void check_result(const basic_runtime_state<S>& s, const Blame& why) {
   if (!tree::all_finite_in_row(s.work.forces.data(), static_cast<std::size_t>(s.dofs()))) [[unlikely]]
     why();
 }
-/// Of a vector, for a state.
+/// Of a vector, for a state. Gives whether all are moderate.
 template <class S, indexable Q>
-KTE_INLINE void check_positions(const basic_runtime_state<S>& s, const Q& q) {
+KTE_INLINE bool check_positions(const basic_runtime_state<S>& s, const Q& q) {
   check_configuration(s.nq(), s.dofs(), q);
+  const auto n = static_cast<std::size_t>(s.nq());
+  const bool moderate = all_moderate_as<S>(q, n);
   position_check all;
-  all.finite(all_finite_as<S>(q, static_cast<std::size_t>(s.nq())));
+  all.finite(moderate || all_finite_as<S>(q, n));
   for (const std::size_t i : s.made_for()->quaternions)
     all.rotation(static_cast<S>(q[i]), static_cast<S>(q[i + 1]), static_cast<S>(q[i + 2]), static_cast<S>(q[i + 3]));
   for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
     blame_argument("a coordinate", s, q, "q", s.nq(), true);
+  return moderate;
 }
 
 /// What a call is not given.
 struct not_given {};
 
+/// Accelerations that are not given either, but that the call will put into the state.
+struct found_later {};
+template <class X>
+inline constexpr bool is_put = !std::is_same_v<X, not_given> && !std::is_same_v<X, found_later>;
+
+/// Of rates, accelerations or forces. Gives whether all are moderate.
 template <class S, class X>
-KTE_INLINE void check_numbers(const basic_runtime_state<S>& s, const X& x, const char* name, const char* what) {
-  if constexpr (!std::is_same_v<X, not_given>) {
+KTE_INLINE bool check_numbers(const basic_runtime_state<S>& s, const X& x, const char* name, const char* what) {
+  if constexpr (is_put<X>) {
     const auto n = static_cast<std::size_t>(s.dofs());
     check_size(n, x, name);
+    if (all_moderate_as<S>(x, n)) [[likely]]
+      return true;
     if (!all_finite_as<S>(x, n)) [[unlikely]]
       blame_argument(what, s, x, name, s.dofs());
+    return false;
+  } else {
+    return true;
   }
 }
 
+/// Numbers of a state that a call replaces, to be put back where it refuses: q, v and a where these are true.
+template <class S, bool Q, bool V, bool A>
+struct replaced_numbers {
+  basic_runtime_state<S>& state;
+  bool kept;  ///< in `before` of the state
+
+  /// visit(number) for those of a coordinate.
+  template <class C, class Visit>
+  KTE_INLINE static void each(C& c, const Visit& visit) {
+    if constexpr (Q) visit_q(c, visit);
+    if constexpr (V) visit_v(c, visit);
+    if constexpr (A) visit_a(c, visit);
+  }
+  void keep() const {
+    S* old = state.before.data();
+    for_each_listed_freedom(state,
+                            [&old](auto& c, const freedom&) { each(c, [&old](const S& number) { *old++ = number; }); });
+  }
+  [[gnu::cold, gnu::noinline]] void put_back() const {
+    const S* old = state.before.data();
+    for_each_listed_freedom(state,
+                            [&old](auto& c, const freedom&) { each(c, [&old](S& number) { number = *old++; }); });
+  }
+  /// What body() gives. When it throws, the state is as it was.
+  template <class Body>
+  KTE_INLINE decltype(auto) call(const Body& body) const {
+    try {
+      return body();
+    } catch (...) {
+      if (kept) put_back();
+      throw;
+    }
+  }
+};
+
+/// When a call keeps what it replaces in a state.
+enum class keeping {
+  always,
+  if_needed  ///< in calls that take no longer than that would matter, and that trees of bodies refuse for no reason but
+             ///< large arguments (and signals or bases in the state that are none)
+};
 /// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
-template <class S, class Q, class V = not_given, class A = not_given, class Tau = not_given>
-void take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {}, const A& a = {},
+template <keeping When = keeping::always, class S, class Q, class V = not_given, class A = not_given,
+          class Tau = not_given>
+auto take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {}, const A& a = {},
           const Tau& tau = {}) {
   c.check(s);
-  check_positions(s, q);
-  check_numbers(s, v, "v", "a velocity");
-  check_numbers(s, a, "a", "an acceleration");
-  check_numbers(s, tau, "tau", "a force");
+  const bool of_q = check_positions(s, q), of_v = check_numbers(s, v, "v", "a velocity"),
+             of_a = check_numbers(s, a, "a", "an acceleration"), of_tau = check_numbers(s, tau, "tau", "a force");
+  const bool moderate = of_q && of_v && of_a && of_tau;
+  constexpr bool with_v = is_put<V>, with_a = !std::is_same_v<A, not_given>;
+  const replaced_numbers<S, true, with_v, with_a> replaced{
+      s, When == keeping::always || !moderate || !s.tree().only_bodies};
+  if (replaced.kept) replaced.keep();
   const auto put_all = [&](auto& x, const freedom& at) KTE_INLINE_LAMBDA {
     put<vector_of::q>(x, at, q);
-    if constexpr (!std::is_same_v<V, not_given>) put<vector_of::v>(x, at, v);
-    if constexpr (!std::is_same_v<A, not_given>) put<vector_of::a>(x, at, a);
+    if constexpr (with_v) put<vector_of::v>(x, at, v);
+    if constexpr (is_put<A>) put<vector_of::a>(x, at, a);
   };
   for_each_listed_freedom(s, put_all);
+  return replaced;
+}
+/// Before a call that puts accelerations into a state and then may still refuse.
+template <class S>
+replaced_numbers<S, false, false, true> keep_accelerations(basic_runtime_state<S>& s) {
+  const replaced_numbers<S, false, false, true> replaced{s, true};
+  replaced.keep();
+  return replaced;
 }
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_positions(const runtime_state&);
-#  define KTE_TAKE(...) \
-    KTE_EXTERN template void take(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&, __VA_ARGS__)
-KTE_TAKE(const not_given&, const not_given&, const not_given&);
-KTE_TAKE(const Eigen::VectorXd&, const not_given&, const not_given&);
-KTE_TAKE(const Eigen::VectorXd&, const Eigen::VectorXd&, const not_given&);
-KTE_TAKE(const Eigen::VectorXd&, const not_given&, const Eigen::VectorXd&);
+#  define KTE_TAKE(When, ...) \
+    KTE_EXTERN template auto take<When>(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&, __VA_ARGS__)
+KTE_TAKE(keeping::always, const not_given&, const not_given&, const not_given&);
+KTE_TAKE(keeping::always, const Eigen::VectorXd&, const not_given&, const not_given&);
+KTE_TAKE(keeping::always, const Eigen::VectorXd&, const not_given&, const Eigen::VectorXd&);
+KTE_TAKE(keeping::if_needed, const not_given&, const not_given&, const not_given&);
+KTE_TAKE(keeping::if_needed, const Eigen::VectorXd&, const not_given&, const not_given&);
+KTE_TAKE(keeping::if_needed, const Eigen::VectorXd&, const Eigen::VectorXd&, const not_given&);
 #  undef KTE_TAKE
 #endif
 

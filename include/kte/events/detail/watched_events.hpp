@@ -17,7 +17,9 @@ class watched_events {
 
   watched_events(const Solver& solver, List& events) : solver_(solver), events_(events), x_(solver.state()) {
     const auto& s = events.settings;
-    if (s.pieces < 1) raise<bad_argument>("kte: pieces must be positive, got " + std::to_string(s.pieces));
+    if (s.pieces < 1 || s.pieces > event_settings::most_pieces)
+      raise<bad_argument>("kte: pieces of a step must be between 1 and " + std::to_string(event_settings::most_pieces) +
+                          ", got " + std::to_string(s.pieces));
     if (s.depth < 0) raise<bad_argument>("kte: depth must not be negative, got " + std::to_string(s.depth));
     if constexpr (!count_is_fixed) status_.resize(count());
     for_each([&](auto& e, status& own, std::size_t k) { own.renew(value(e, k, solver.time(), x_)); });

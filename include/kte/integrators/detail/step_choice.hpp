@@ -118,11 +118,13 @@ class step_choice {
     const S next = h * (S(1) < factor && factor < keep_below_ ? S(1) : factor);
     return h < step_ && next < step_ ? step_ : next;  // a step cut short says nothing about the next
   }
-  /// The shortest step: a few ulp of the time; with `rest` left to go, more than nothing at time 0.
+  /// The shortest step: a few ulp of the time; with `rest` left to go, more than nothing at time 0, and no number with
+  /// fewer digits than others.
   static S least_step(const S& time, const S& rest) {
     using std::abs;
     const S eps = std::numeric_limits<S>::epsilon(), t = abs(time), at_zero = eps * rest;
-    return 4 * eps * (t < at_zero ? at_zero : t);
+    const S least = 4 * eps * (t < at_zero ? at_zero : t), normal = (std::numeric_limits<S>::min)();
+    return least < normal ? normal : least;
   }
   [[gnu::cold, gnu::noinline]] static std::string too_short(const S& h, const S& smallest, const attempt<S>& tried) {
     if (!is_finite(tried.error)) return std::string(tried.obstacle.text) + ", however short the step";

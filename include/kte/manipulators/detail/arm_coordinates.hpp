@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/blame.hpp>
 #include <kte/manipulators/manipulator.hpp>
 
 /// What numerical inverse kinematics asks of static and of runtime manipulators by one name.
@@ -24,6 +25,16 @@ constexpr std::size_t dofs_of(const Arm& arm) {
   }
 }
 
+/// Numbers of a configuration.
+template <class Arm>
+constexpr std::size_t numbers_of(const Arm& arm) {
+  if constexpr (arm_numbers<Arm> >= 0) {
+    return std::size_t{arm_numbers<Arm>};
+  } else {
+    return static_cast<std::size_t>(arm.nq());
+  }
+}
+
 /// visit(freedom) for the degrees of freedom, in their order.
 template <class Arm, class Visit>
 constexpr void for_each_freedom_of(const Arm& arm, const Visit& visit) {
@@ -32,6 +43,37 @@ constexpr void for_each_freedom_of(const Arm& arm, const Visit& visit) {
   } else {
     for (const freedom& f : arm.wiring().free) visit(f);
   }
+}
+
+/// Throws `bad_argument` that names the coordinate at fault unless q is a configuration of finite numbers.
+template <class Arm, class Q>
+void check_configuration_of(const Arm& arm, const Q& q, const char* name) {
+  const std::size_t n = numbers_of(arm);
+  check_size(n, q, name, "numbers of a configuration");
+  if (!all_finite(q, n)) [[unlikely]]
+    raise_not_finite("a coordinate", layout(arm), {{name, plain_numbers(q, n), true}});
+}
+/// The same of rates or accelerations.
+template <class Arm, class V>
+void check_rates_of(const Arm& arm, const V& v, const char* name, const char* what) {
+  check_size(dofs_of(arm), v, name);
+  if (!all_finite(v, dofs_of(arm))) [[unlikely]]
+    raise_not_finite(what, layout(arm), {{name, plain_numbers(v, dofs_of(arm))}});
+}
+/// The same of six numbers for each tool.
+template <class Arm, class T>
+void check_twists_of(const Arm& arm, const T& twist, const char* name, const char* what) {
+  const auto& tools = arm.tools();
+  const std::size_t n = 6 * tools.size();
+  check_size(n, twist, name, "numbers for its tools");
+  if (all_finite(twist, n)) [[likely]]
+    return;
+  const auto all = plain_numbers(twist, n);
+  for (std::size_t i = 0; i < n; ++i)
+    if (const double x = all[i]; x - x != 0)
+      raise<bad_argument>(std::string("kte: ") + what + " is not finite: " + name + "[" + std::to_string(i) +
+                          "] of tool '" + std::string(tools[i / 6]) + "' is " + number(x));
+  raise<bad_argument>(std::string("kte: ") + what + " is not finite");
 }
 
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_limits_of_pose(const std::string& coordinate) {

@@ -5,6 +5,7 @@
 #include <kte/math/principal_moments.hpp>
 
 #include <cstdint>
+#include <limits>
 
 namespace kte {
 
@@ -41,7 +42,7 @@ enum class closed_form : std::uint8_t {
 
 constexpr double root_of(double x) {
   double unit = 1;
-  if (!(x > 0)) return 0;
+  if (!(x > 0 && x <= (std::numeric_limits<double>::max)())) return x < 0 ? 0 : x;
   while (x < 1) x *= 4, unit /= 2;  // exact
   while (x > 4) x /= 4, unit *= 2;
   return unit * constexpr_sqrt(x);
@@ -254,7 +255,11 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
     s.reach = 1 + length_of(arm.tool.position);  // what 1e-9 of it is asked for
     s.form = closed_form::free_body, s.family = arm_family::free_body;
   }
-  if (s.form != closed_form::none || arm.refused != nullptr || !(s.reach > 0)) return s;
+  if (!(s.reach * s.reach < std::numeric_limits<double>::infinity())) {
+    s.original.refused = "is so large that squares of its lengths overflow";
+    s.form = closed_form::none, s.family = arm_family::none;
+  }
+  if (s.form != closed_form::none || s.original.refused != nullptr || !(s.reach > 0)) return s;
   const double most_m = tolerance * s.reach;
   const bool turns = arm.turning() == arm.n;
   if (arm.n <= 4) {

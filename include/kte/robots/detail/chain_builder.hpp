@@ -166,10 +166,12 @@ class chain_builder {
   }
   /// A coordinate that follows must be written before it is read.
   void append_mimic(const robot_joint& j) {
-    if (!followers_.insert(j.name).second) return;
-    const auto& master = d_.joints[tree_.joint(j.mimic->joint)];
-    if (master.mimic) append_mimic(master);
-    append(mimic_gen(master.name, j.name, j.mimic->ratio, j.mimic->offset));
+    std::vector<const robot_joint*> following;
+    for (const auto* k = &j; k->mimic && followers_.insert(k->name).second;
+         k = &d_.joints[tree_.joint(k->mimic->joint)])
+      following.push_back(k);
+    for (auto k = following.rbegin(); k != following.rend(); ++k)
+      append(mimic_gen((*k)->mimic->joint, (*k)->name, (*k)->mimic->ratio, (*k)->mimic->offset));
   }
   void append_dynamics(const robot_joint& j, const std::string& from, const std::string& to, const robot_pose& seat);
   void append_spring(const robot_joint& j, const robot_joint_dynamics& x);

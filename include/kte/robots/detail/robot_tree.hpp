@@ -112,17 +112,26 @@ KTE_FUNCTION void robot_tree::find_root() {
 }
 
 KTE_FUNCTION void robot_tree::check_mimics() const {
-  for (const auto& j : d_.joints) {
-    const auto refuse = [&](const std::string& why) { fail(j.line, "joint '" + j.name + "': " + why); };
-    std::size_t steps = 0;
-    for (const auto* k = &j; k->mimic; k = &d_.joints[joints_.at(k->mimic->joint)]) {
-      const auto it = joints_.find(k->mimic->joint);
-      if (it == joints_.end()) refuse("it mimics joint '" + k->mimic->joint + "', which does not exist");
-      const auto& master = d_.joints[it->second];
-      if (!has_one_coordinate(master)) refuse("it mimics joint '" + master.name + "', which has no single coordinate");
-      if (++steps > d_.joints.size()) refuse("it mimics joints that, in the end, mimic each other");
-    }
+  const auto refuse = [this](const robot_joint& j, const std::string& why) {
+    fail(j.line, "joint '" + j.name + "': " + why);
+  };
+  std::vector<std::size_t> masters(d_.joints.size(), nowhere);
+  for (std::size_t i = 0; i < d_.joints.size(); ++i) {
+    const auto& j = d_.joints[i];
+    if (!j.mimic) continue;
+    const auto it = joints_.find(j.mimic->joint);
+    if (it == joints_.end()) refuse(j, "it mimics joint '" + j.mimic->joint + "', which does not exist");
+    const auto& master = d_.joints[it->second];
+    if (!has_one_coordinate(master)) refuse(j, "it mimics joint '" + master.name + "', which has no single coordinate");
+    masters[i] = it->second;
   }
+  std::vector<std::size_t> seen(d_.joints.size(), nowhere);  // by the way from which joint
+  for (std::size_t i = 0; i < d_.joints.size(); ++i)
+    for (std::size_t k = i; k != nowhere; k = masters[k]) {
+      if (seen[k] == i) refuse(d_.joints[i], "it mimics joints that, in the end, mimic each other");
+      if (seen[k] != nowhere) break;
+      seen[k] = i;
+    }
 }
 
 KTE_FUNCTION void robot_tree::order(const std::string& chosen_root) {
