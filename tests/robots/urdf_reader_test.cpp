@@ -1,3 +1,4 @@
+#include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_reader.hpp>
 
 #include "catch.hpp"
@@ -89,7 +90,8 @@ TEST_CASE("errors in a URDF name file, line and element") {
   };
   refused("<link/>", "2: <link>: has no name");
   refused("<link name=''/>", "2: link '': its name is empty");
-  refused("<link name='a'><inertial>\n<mass value='1'/><inertia/></inertial></link>", "3: link 'a': <inertia>: has no ixx");
+  refused("<link name='a'><inertial>\n<mass value='1'/><inertia/></inertial></link>",
+          "3: link 'a': <inertia>: has no ixx");
   refused(
       "<link name='a'><inertial>\n<mass value='-1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>"
       "</inertial></link>",
@@ -153,6 +155,17 @@ TEST_CASE("what URDFs leave out or say twice is read as it is meant, and said") 
   CHECK(has(d.not_read, "material 'red': <texture>: not read"));
   CHECK(has(d.not_read, "link 'a': <visual>: has no <geometry>"));
   CHECK(has(d.not_read, "material 'blue': comes a second time"));
+}
+
+TEST_CASE("a second inertial is not taken, and the world is ground") {
+  const auto d = from_urdf(
+      "<robot name='r'><link name='a'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+      "izz='1'/></inertial><inertial><mass value='5'/></inertial></link>" +
+      test::joint_text("j", "continuous", "world", "a", "") + "</robot>");
+  CHECK(d.links[0].inertial->mass == 1);
+  CHECK(d.warnings.size() == 2);
+  CHECK(to_robot(d).chain.dofs() == 1);
+  CHECK(d.warnings[1].text == "joint 'j': its parent 'world' is no link of the file: it is the ground");
 }
 
 TEST_CASE("joints of URDFs that are not as the format has them") {

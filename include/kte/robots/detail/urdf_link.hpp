@@ -39,7 +39,7 @@ class urdf_links {
     robot_link l;
     l.name = x.text("name"), l.line = x.line(), l.file = x.file();
     x.only({"inertial", "visual", "collision", "contact", "gravity", "kinematic"}, {"name", "type"});
-    if (const auto i = x.child("inertial")) l.inertial = inertial(*i);
+    if (const auto i = first_child(x, "inertial")) l.inertial = inertial(*i);
     for (const auto& s : x.children("visual")) l.visuals.push_back(shape(s));
     for (const auto& s : x.children("collision")) l.collisions.push_back(shape(s));
     for (const auto* name : {"gravity", "kinematic"})

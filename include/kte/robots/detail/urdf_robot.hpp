@@ -21,6 +21,7 @@ class urdf_robot {
     links_.colour();
     for (const auto* of : {"joint", "drake:joint"})
       for (const auto& x : root.children(of)) joints_.read(x);
+    add_world();
     for (const auto* of : {"frame", "drake:frame"})
       for (const auto& x : root.children(of)) frame(x);
     for (const auto& x : root.children("transmission")) transmission(x);
@@ -33,6 +34,18 @@ class urdf_robot {
   }
 
  private:
+  /// A joint may hang on the link "world" without the file having it.
+  void add_world() {
+    const auto is_world = [](const auto& l) { return l.name == "world"; };
+    if (std::any_of(d_.links.begin(), d_.links.end(), is_world)) return;
+    for (const auto& j : d_.joints)
+      if (j.parent == "world") {
+        d_.links.emplace_back().name = "world";
+        d_.warnings.push_back(
+            {j.line, "joint '" + j.name + "': its parent 'world' is no link of the file: it is the ground"});
+        return;
+      }
+  }
   /// A frame of Drake.
   void frame(const xml_item& x) {
     x.only({}, {"name", "link", "xyz", "rpy"});
