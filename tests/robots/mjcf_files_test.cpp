@@ -54,6 +54,8 @@ TEST_CASE("includes that cannot be read are refused by file and line") {
   refused("<mujoco>\n<include file='none.xml'/></mujoco>", "robot.xml:2: <include>: there is no file 'none.xml'");
   refused("<mujoco><include/></mujoco>", "<include>: has no file");
   refused("<mujoco><include file='robot.xml'/></mujoco>", "'robot.xml' is included already");
+  refused(mjcf("<include file='.'/>"), "there is no file '.'");
+  refused(mjcf("<include file='" + std::string(5000, 'x') + "'/>"), "there is no file 'xxx");
   f.write("a.xml", mjcf("<include file='b.xml'/>"));
   f.write("b.xml", "<mujoco>\n\n<include file='a.xml'/></mujoco>");
   refused(mjcf("<include file='a.xml'/>"), "b.xml:3: <include>: the file 'a.xml' is included already");
@@ -139,6 +141,10 @@ TEST_CASE("a body of a mesh is read where its mass matters, and only there") {
   CHECK_FALSE(read("<geom type='mesh' mesh='lost' mass='0'/>").links[1].inertial);
   CHECK_FALSE(read("<geom type='mesh' mesh='lost' density='0'/>").links[1].inertial);
   CHECK_FALSE(read("<geom type='mesh' mesh='lost'/>", "", "").links[1].inertial);  // stands on the world
+  const auto shell = *read("<geom type='mesh' mesh='cube' shellinertia='true'/>").links[1].inertial;
+  CHECK(shell.mass == within(24000, 1e-11));  // of six faces
+  CHECK(read("<geom type='mesh' mesh='cube'/><geom type='mesh' mesh='cube' pos='9 0 0'/>").links[1].inertial->mass ==
+        within(16000, 1e-11));
   CHECK_THROWS_AS(read("<geom type='mesh' mesh='lost'/>", "settotalmass='1'", ""), bad_file);
   CHECK(read("<geom type='mesh' mesh='lost' group='3'/>", "inertiagrouprange='0 2'").links.size() == 2);
   const std::string own = "<joint/><inertial pos='0 0 0' mass='5' diaginertia='1 1 1'/>";

@@ -112,7 +112,6 @@ TEST_CASE("errors in MJCF name file, line and element") {
   joint("class='x'", "there is no default class 'x'");
   joint("damping='-1'", "damping must not be negative");
   refused("<body name='b' childclass='x'/>", "3: body 'b': there is no default class 'x'");
-  refused("<body name='b' quat='0 0 0 0'/>", "3: body 'b': a quaternion of length 0 is no rotation");
   refused("<body name='b'><joint/><geom type='mesh'/></body>", "3: body 'b': <geom>: has no mesh");
   refused("<body name='b'><geom shellinertia='true' size='1'/></body>",
           "3: body 'b': <geom>: shellinertia is not read");

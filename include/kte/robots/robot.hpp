@@ -29,7 +29,7 @@ struct robot {
   std::vector<robot_actuator> actuators;
   std::vector<configuration> configurations;
   std::vector<robot_note> not_read;  ///< what the file holds and the chain does not, with lines
-  std::vector<robot_note> warnings;  ///< what was taken as it is, though it is odd
+  std::vector<robot_note> warnings;  ///< first what moves differently from the file's robot, then what is odd
 };
 
 }  // namespace kte

@@ -206,19 +206,21 @@ class chain_builder {
     out_.soft_limits.lower = soft.lower, out_.soft_limits.upper = soft.upper;
   }
   void read_configurations() {
+    if (d_.configurations.empty()) return;
+    std::unordered_map<std::string, layout_entry<std::string>> places;
+    for (const auto& e : layout(out_.chain)) places.emplace(e.name, e);
     for (const auto& c : d_.configurations) {
       auto& made = out_.configurations.emplace_back();
       const auto q = neutral_configuration(out_.chain);
       made.name = c.name, made.q.assign(q.data(), q.data() + q.size());
-      for (const auto& [joint, numbers] : c.joints)
-        for (const auto& e : layout(out_.chain)) {
-          if (e.name != joint) continue;
-          if (static_cast<int>(numbers.size()) != e.nq)
-            raise<bad_file>("kte: " + place_text(d_.source, c.line) + "configuration '" + c.name + "': joint '" +
-                            joint + "' has " + std::to_string(e.nq) + " numbers, got " +
-                            std::to_string(numbers.size()));
-          std::copy(numbers.begin(), numbers.end(), made.q.begin() + e.q);
-        }
+      for (const auto& [joint, numbers] : c.joints) {
+        const auto e = places.find(joint);
+        if (e == places.end()) continue;  // it follows another, or is fixed
+        if (static_cast<int>(numbers.size()) != e->second.nq)
+          raise<bad_file>("kte: " + place_text(d_.source, c.line) + "configuration '" + c.name + "': joint '" + joint +
+                          "' has " + std::to_string(e->second.nq) + " numbers, got " + std::to_string(numbers.size()));
+        std::copy(numbers.begin(), numbers.end(), made.q.begin() + e->second.q);
+      }
     }
   }
   /// Warnings of what moves differently come first, or are refused.

@@ -42,8 +42,6 @@ mesh_moments moments_of(const triangle_mesh& mesh, mesh_inertia kind);
 
 /// The body of this density, kg/m^3, or kg/m^2 of a shell, in the axes of the mesh.
 rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind, double density);
-/// The body of this mass, kg.
-rigid_body<> mesh_body_of_mass(const triangle_mesh& mesh, mesh_inertia kind, double mass);
 
 }  // namespace kte::detail
 
@@ -142,12 +140,6 @@ KTE_FUNCTION rigid_body<> mesh_body(const triangle_mesh& mesh, mesh_inertia kind
     raise<bad_argument>("kte: the density of a mesh must be finite and not negative, got " + number(density));
   const auto m = moments_of(mesh, kind);
   return {density * m.amount, m.centre, scaled(density, m.inertia)};
-}
-KTE_FUNCTION rigid_body<> mesh_body_of_mass(const triangle_mesh& mesh, mesh_inertia kind, double mass) {
-  if (!(mass >= 0 && std::isfinite(mass)))
-    raise<bad_argument>("kte: the mass of a mesh must be finite and not negative, got " + number(mass));
-  const auto m = moments_of(mesh, kind);
-  return {mass, m.centre, scaled(mass / m.amount, m.inertia)};
 }
 
 }  // namespace kte::detail

@@ -6,6 +6,7 @@
 #include <kte/robots/detail/mjcf_mesh.hpp>
 #include <kte/robots/detail/mjcf_options.hpp>
 
+#include <unordered_map>
 #include <unordered_set>
 
 namespace kte::detail {
@@ -29,9 +30,10 @@ class mjcf_bodies {
       w.only({"geom", "body", "site", "frame", "replicate", "attach", "inertial"}, {"name", "childclass"});
       contents(tree_.children(w, {&top, {}, w.text_or("childclass", "")}), here{0, true, false});
     }
-    apply_mass_rules(top.settings.masses(), d_.links, bodies_);
+    apply_mass_rules(top.settings.masses(), d_, bodies_);
     read_mjcf_options(root, d_, unread_);
     sections(root, {&top});
+    for (const auto& j : d_.joints) joints_.insert(j.name);
     for (const auto& a : tree_.attached()) sections({a.model->root, d_}, a);
     name_frames();
     for (const auto& k : root.children("keyframe"))
@@ -82,7 +84,7 @@ class mjcf_bodies {
       if (!x.has("pos")) x.fail("has no pos: coordinate='global' is read where bodies have one");
       in.place = inverse_of(place);
     }
-    if (x.text_or("mocap", "false") == "true") x.not_read("mocap is not read: it stands still");
+    if (keyword(x, "mocap", {"false", "true"}) == "true") x.not_read("mocap is not read: it stands still");
     const std::size_t index = d_.links.size();
     bodies_.push_back(index);
     auto& l = d_.links.emplace_back();
@@ -102,6 +104,8 @@ class mjcf_bodies {
     const auto own = l.name;
     joints(moving, x, c.in.place * place, d_.links[above.link].name, own);
     contents(all, at);
+    if (has_inertial && !d_.links[index].inertial)  // no geom counts
+      d_.links[index].inertial = moved_body(in.place, read_mjcf_inertial(settings, x.needed_child("inertial")));
     --depth_;
   }
 
@@ -122,6 +126,8 @@ class mjcf_bodies {
     else if (wants_mass)
       b = body_of_geom(x, g);
     auto& l = d_.links[at.link];
+    if (b && wants_mass && settings.discards_visuals() && !g.collides)
+      x.moves_differently("its mass counts, whatever discardvisual says");
     if (b && wants_mass) {
       const auto placed = moved_body(c.in.place, *b);
       l.inertial = l.inertial ? together(*l.inertial, placed) : placed;
@@ -159,11 +165,12 @@ class mjcf_bodies {
   void name_frames() {
     std::unordered_set<std::string> names;
     for (const auto& l : d_.links) names.insert(l.name);
+    std::unordered_map<std::string, std::size_t> copies;
     for (auto& f : d_.frames) {
       if (names.insert(f.name).second) continue;
       const auto old = f.name;
-      do f.name += ".site";
-      while (!names.insert(f.name).second);
+      for (std::size_t& k = copies[old]; !names.insert(f.name).second; ++k)
+        f.name = old + ".site" + (k == 0 ? "" : std::to_string(k + 1));
       d_.not_read.push_back({f.line, "site '" + old + "': its frame is '" + f.name + "', as a body has its name"});
     }
   }
@@ -205,14 +212,14 @@ class mjcf_bodies {
   void sections(const xml_item& root, const mjcf_scope& in) {
     for (const auto& x : root.children()) {
       const auto n = x.name();
-      if (n == "contact" || n == "equality" || n == "tendon" || n == "deformable") unread_.section(x);
+      if (n == "contact" || n == "equality" || n == "tendon" || n == "deformable")
+        unread_.section(x, in.model->settings.classes());
       if (n == "actuator")
         for (const auto& a : x.children()) actuator(in.model->settings.classes().resolved(a, ""), in);
     }
   }
   void actuator(const xml_item& x, const mjcf_scope& in) {
-    const auto driven = [&](const auto& j) { return j.name == in.named(x.text("joint")); };
-    if (!in.prefix.empty() && x.has("joint") && std::none_of(d_.joints.begin(), d_.joints.end(), driven)) return;
+    if (!in.prefix.empty() && x.has("joint") && !joints_.contains(in.named(x.text("joint")))) return;
     const bool is_motor = unread_.actuator(x);
     if (!x.has("joint")) return x.not_read("acts on no joint, and is not read");
     const auto gear = x.has("gear") ? x.list("gear") : std::vector<double>{1};
@@ -226,7 +233,7 @@ class mjcf_bodies {
   mjcf_unread unread_;
   mjcf_meshes meshes_;
   std::vector<std::size_t> bodies_;  ///< the links that are bodies of the file
-  std::unordered_set<std::string> taken_;
+  std::unordered_set<std::string> taken_, joints_;
   int depth_ = 0;
 };
 

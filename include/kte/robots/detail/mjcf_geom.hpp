@@ -33,19 +33,25 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   auto size = x.has("size") ? x.list("size") : std::vector<double>{};
   const bool round = s.is == form::capsule || s.is == form::cylinder;
   if (x.has("fromto")) {
+    if (!round && s.is != form::box && s.is != form::ellipsoid)
+      x.fail("fromto is only for capsules, cylinders, ellipsoids and boxes");
     const auto f = x.list("fromto");
     if (f.size() != 6) x.fail("fromto must have six numbers, got " + std::to_string(f.size()));
-    const vec3<> from{f[0], f[1], f[2]}, to{f[3], f[4], f[5]}, along = to - from;
+    const vec3<> from{f[0], f[1], f[2]}, to{f[3], f[4], f[5]}, along = from - to;
     s.origin = {0.5 * (from + to), shortest_turn_of_z_to(unit_direction(x, along))};
-    const double half = 0.5 * std::sqrt(dot(along, along)), r = size.empty() ? 0 : size[0];
+    if (size.empty()) x.fail("has no size");
+    const double half = 0.5 * std::sqrt(dot(along, along)), r = size[0];
     size = round ? std::vector<double>{r, half} : std::vector<double>{r, r, half};
   }
   const std::size_t needed = s.is == form::sphere                           ? 1
                              : round                                        ? 2
                              : s.is == form::box || s.is == form::ellipsoid ? 3
                                                                             : 0;
-  if (size.size() < needed) x.fail("its size must have " + std::to_string(needed) + " numbers");
+  if (size.size() < needed)
+    x.fail("its size must have " + std::to_string(needed) + (needed == 1 ? " number" : " numbers"));
   size.resize(3);
+  for (std::size_t i = 0; i < needed; ++i)
+    if (!(size[i] >= 0)) x.fail("its size must not be negative, got " + number(size[i]));
   g.half = {size[0], size[1], size[2]};
   s.size = s.is == form::box ? 2.0 * g.half : round ? vec3<>{g.half.x, 2 * g.half.y, 0} : g.half;
   return g;
@@ -58,6 +64,7 @@ inline std::optional<rigid_body<>> body_of_geom(const xml_item& x, const mjcf_ge
   if (x.text_or("shellinertia", "false") == "true") x.fail("shellinertia is not read: its body needs an <inertial>");
   const auto [volume, moments] = solid(g.shape.is, g.half);
   const double mass = x.has("mass") ? x.not_negative("mass") : volume * x.not_negative_or("density", 1000);
+  if (!std::isfinite(mass)) x.fail("its mass is not finite");
   if (!(mass > 0)) return {};
   return moved_body(g.shape.origin, {mass, {}, {mass * moments.x, 0, 0, mass * moments.y, 0, mass * moments.z}});
 }

@@ -17,12 +17,17 @@ class mjcf_includes {
  public:
   mjcf_includes(robot_description& d, const std::filesystem::path& folder, xml_parser parse)
       : d_(d), parse_(parse), folder_(folder) {
-    seen_.insert(std::filesystem::weakly_canonical(d.source));
+    seen_.insert(canonical(d.source));
   }
 
   void resolve(xml_node& n) { resolve_in(folder_, n); }
 
  private:
+  static std::filesystem::path canonical(const std::filesystem::path& path) {
+    std::error_code none;
+    const auto known = std::filesystem::weakly_canonical(path, none);
+    return none ? path : known;
+  }
   void resolve_in(const std::filesystem::path& folder, xml_node& n) {
     if (std::none_of(n.children.begin(), n.children.end(), [](const auto& c) { return c.name == "include"; })) {
       for (auto& c : n.children) resolve_in(folder, c);
@@ -45,10 +50,9 @@ class mjcf_includes {
     const auto name = path_of_text(x.text("file"));
     x.only({}, {"file"});
     auto path = folder_ / name;
-    if (!std::filesystem::exists(path)) path = folder / name;
-    if (!std::filesystem::exists(path))
-      x.fail("there is no file '" + excerpt(name.string()) + "' in the folder of the robot's file");
-    if (!seen_.insert(std::filesystem::weakly_canonical(path)).second)
+    if (!is_file(path)) path = folder / name;
+    if (!is_file(path)) x.fail("there is no file '" + excerpt(name.string()) + "' in the folder of the robot's file");
+    if (!seen_.insert(canonical(path)).second)
       x.fail("the file '" + excerpt(name.string()) + "' is included already; a file is included once");
     return path;
   }

@@ -7,7 +7,7 @@ namespace kte::detail {
 /// A range, where there is one: by its own flag, or as the compiler says because it is written.
 inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, const char* range, const char* limited,
                                                            const mjcf_settings& settings) {
-  const auto on = x.text_or(limited, "auto");
+  const auto on = keyword(x, limited, {"auto", "true", "false"});
   if (on != "true" && !(on == "auto" && settings.limits_by_range() && x.has(range))) return {};
   if (!x.has(range)) return x.warn(std::string("it is limited and has no ") + range), std::nullopt;
   const auto r = x.list(range);

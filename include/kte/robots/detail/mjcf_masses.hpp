@@ -39,12 +39,22 @@ inline sym3<> with_least_moment(const sym3<>& i, double least) {
 /// What the compiler's rules make of the bodies of these links: masses and principal moments are at
 /// least so large (boundmass, boundinertia), moments that no matter has become their mean (balanceinertia), and all are
 /// multiplied so that masses add up (settotalmass), in this order.
-inline void apply_mass_rules(const mjcf_mass_rules& rules, std::vector<robot_link>& links,
+inline void apply_mass_rules(const mjcf_mass_rules& rules, robot_description& d,
                              const std::vector<std::size_t>& bodies) {
+  auto& links = d.links;
+  if (rules.fuse && rules.any())
+    d.warnings.push_back(
+        {0,
+         "<compiler>: fusestatic changes what settotalmass, boundmass and boundinertia count: it is not read",
+         {},
+         true});
   double total = 0;
   for (const auto index : bodies) {
     auto& l = links[index];
-    if (!l.inertial && (rules.least_mass > 0 || rules.least_moment > 0)) l.inertial.emplace();
+    if (!l.inertial && (rules.least_mass > 0 || rules.least_moment > 0)) {
+      l.inertial.emplace();
+      d.warnings.push_back({l.line, "body '" + l.name + "': it has no mass, and the least one at its origin", l.file});
+    }
     if (!l.inertial) continue;
     auto& b = *l.inertial;
     b.mass = (std::max)(b.mass, rules.least_mass);

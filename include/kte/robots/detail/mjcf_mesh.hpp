@@ -30,15 +30,18 @@ class mjcf_meshes {
   }
   /// The body of a geom that is a mesh, in the axes of the mesh.
   rigid_body<> body(const xml_item& geom, mjcf_model& model) {
-    const auto& mesh = read(geom, model);
     const auto kind = kind_of(geom, model);
-    return guarded(geom, [&] {
+    auto& known = bodies_[{asset(model, geom.text("mesh")), kind}];
+    if (!known) {
+      const auto& mesh = read(geom, model);
       const bool by_volume = kind == mesh_inertia::legacy || kind == mesh_inertia::exact;
-      if (const auto edge = by_volume ? open_edge(mesh) : std::string(); !edge.empty())
-        geom.warn("its mesh is not closed, so that its mass may be wrong: " + edge);
-      return geom.has("mass") ? mesh_body_of_mass(mesh, kind, geom.not_negative("mass"))
-                              : mesh_body(mesh, kind, geom.not_negative_or("density", 1000));
-    });
+      guarded(geom, [&] { known = unit_body{mesh_body(mesh, kind, 1), by_volume ? open_edge(mesh) : std::string()}; });
+    }
+    const auto& [unit, edge] = *known;
+    if (!edge.empty()) geom.warn("its mesh is not closed, so that its mass may be wrong: " + edge);
+    const double k = geom.has("mass") ? geom.not_negative("mass") / unit.mass : geom.not_negative_or("density", 1000);
+    const auto& i = unit.inertia;
+    return {k * unit.mass, unit.com, {k * i.xx, k * i.xy, k * i.xz, k * i.yy, k * i.yz, k * i.zz}};
   }
   /// Gives a geom of another form than a mesh the place and sizes that fit its mesh.
   void fit(const xml_item& geom, const mjcf_scope& in, mjcf_geom& g) {
@@ -46,6 +49,8 @@ class mjcf_meshes {
     const auto kind = kind_of(geom, *in.model);
     const auto fitted =
         guarded(geom, [&] { return fit_mesh(mesh, kind, g.shape.is, in.model->settings.fits_boxes()); });
+    if (in.model->settings.fits_boxes())
+      geom.warn("fitaabb: it stands where its mesh is; MuJoCo 2.2.2 puts it elsewhere");
     const double k = geom.number_or("fitscale", 1);
     g.half = k * fitted.half, g.shape.origin = in.model->settings.place(geom) * fitted.pose;
   }
@@ -69,8 +74,10 @@ class mjcf_meshes {
            (model.settings.strips_paths() ? file.filename() : file);
   }
   mesh_inertia kind_of(const xml_item& geom, mjcf_model& model) {
-    if (model.settings.exact_meshes()) return mesh_inertia::exact;
     const auto* a = asset(model, geom.text("mesh"));
+    if (!a) geom.fail("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
+    if (geom.text_or("shellinertia", "false") == "true") return mesh_inertia::shell;
+    if (model.settings.exact_meshes()) return mesh_inertia::exact;
     const auto kind = a->text_or("inertia", "legacy");
     static const std::map<std::string, mesh_inertia, std::less<>> kinds{{"legacy", mesh_inertia::legacy},
                                                                         {"exact", mesh_inertia::exact},
@@ -81,14 +88,12 @@ class mjcf_meshes {
     return it->second;
   }
   const triangle_mesh& read(const xml_item& geom, mjcf_model& model) {
-    const auto name = geom.text("mesh");
-    const auto* a = asset(model, name);
-    if (!a) geom.fail("there is no mesh '" + excerpt(name) + "' among the assets");
+    const auto* a = asset(model, geom.text("mesh"));
     if (const auto known = meshes_.find(a); known != meshes_.end()) return known->second;
     triangle_mesh mesh;
     if (a->has("file")) {
       const auto path = path_of(*a, model);
-      if (!std::filesystem::exists(path))
+      if (!is_file(path))
         geom.fail("its mass is that of a mesh, and there is no file '" + excerpt(path.generic_string()) + "'");
       mesh = read_mesh(path);
     } else {
@@ -111,7 +116,8 @@ class mjcf_meshes {
     for (std::size_t i = 0; i < f.size(); i += 3) {
       auto& face = mesh.faces.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        if (!(f[i + k] >= 0 && f[i + k] < static_cast<double>(mesh.vertices.size())))
+        if (!(f[i + k] >= 0 && f[i + k] < static_cast<double>(mesh.vertices.size())) ||
+            f[i + k] != std::floor(f[i + k]))
           a.fail("face names vertex " + number(f[i + k]) + " of " + std::to_string(mesh.vertices.size()));
         face[k] = static_cast<std::uint32_t>(f[i + k]);
       }
@@ -119,6 +125,12 @@ class mjcf_meshes {
     return mesh;
   }
 
+  /// The body at density 1, and where its surface is open.
+  struct unit_body {
+    rigid_body<> body;
+    std::string edge;
+  };
+  std::map<std::pair<const xml_item*, mesh_inertia>, std::optional<unit_body>> bodies_;
   std::map<const mjcf_model*, std::map<std::string, xml_item, std::less<>>> assets_;
   std::map<const xml_item*, triangle_mesh> meshes_;
 };

@@ -10,6 +10,8 @@ struct mjcf_mass_rules {
   double least_mass = 0, least_moment = 0;  ///< boundmass, boundinertia
   double total = -1;                        ///< settotalmass; none below 0
   bool balance = false;                     ///< balanceinertia
+  bool fuse = false;                        ///< fusestatic: bodies that stand still are none
+  bool any() const { return least_mass > 0 || least_moment > 0 || total > 0; }
 };
 
 /// What holds for a whole file in MJCF: the compiler's settings and the classes of defaults. Several <compiler> count
@@ -34,6 +36,8 @@ class mjcf_settings {
   bool strips_paths() const { return strip_path_; }
   bool exact_meshes() const { return exact_meshes_; }
   bool fits_boxes() const { return fit_boxes_; }
+  /// Whether geoms that nothing collides with are none.
+  bool discards_visuals() const { return discard_; }
   const robot_options& options() const { return options_; }
 
   /// Position, and rotation by quat, axisangle, euler, xyaxes or zaxis.
@@ -59,18 +63,19 @@ class mjcf_settings {
             "boundinertia", "inertiagrouprange", "exactmeshinertia", "fitaabb",      "discardvisual",   "fusestatic",
             "usethread",    "convexhull",        "saveinertial",     "alignfree"});
     const auto truth = [&](const char* name, bool& value) {
-      if (c.has(name)) value = c.text(name) == "true";
+      if (c.has(name)) value = keyword(c, name, {"false", "true"}) == "true";
     };
-    if (c.has("angle")) degrees_ = c.text("angle") == "degree";
+    if (c.has("angle")) degrees_ = keyword(c, "angle", {"degree", "radian"}) == "degree";
     if (c.has("eulerseq")) sequence_ = c.text("eulerseq");
     if (sequence_.size() != 3 || sequence_.find_first_not_of("xyzXYZ") != sequence_.npos)
       c.fail("eulerseq must be three of x, y, z, X, Y, Z, got '" + excerpt(sequence_) + "'");
-    if (c.has("coordinate")) in_world_ = c.text("coordinate") == "global";
+    if (c.has("coordinate")) in_world_ = keyword(c, "coordinate", {"local", "global"}) == "global";
     if (c.text_or("alignfree", "false") == "true")
       c.warn("alignfree is not read: coordinates of free bodies are those of their own axes");
-    if (c.has("inertiafromgeom")) from_geoms_ = c.text("inertiafromgeom");
+    if (c.has("inertiafromgeom")) from_geoms_ = keyword(c, "inertiafromgeom", {"auto", "true", "false"});
     truth("autolimits", auto_limits_), truth("strippath", strip_path_), truth("balanceinertia", masses_.balance);
     truth("exactmeshinertia", exact_meshes_), truth("fitaabb", fit_boxes_);
+    truth("fusestatic", masses_.fuse), truth("discardvisual", discard_);
     mesh_folder_ = c.text_or("meshdir", mesh_folder_.c_str());
     asset_folder_ = c.text_or("assetdir", asset_folder_.c_str());
     masses_.least_mass = c.not_negative_or("boundmass", masses_.least_mass);
@@ -81,15 +86,10 @@ class mjcf_settings {
     if (groups_.size() != 2) c.fail("inertiagrouprange must have two numbers, got " + std::to_string(groups_.size()));
   }
 
+  /// Where the element has one of these and its class another, it is the first of this order, as in MuJoCo.
   mat3<vec3<>> rotation(const xml_item& x) const {
-    if (x.has("quat")) return rotation_of_quaternion(x, x.list("quat"));
     if (x.has("euler")) return rotation_of_euler(x, x.vector("euler"));
-    if (x.has("axisangle")) {
-      const auto a = x.list("axisangle");
-      if (a.size() != 4) x.fail("axisangle must have four numbers, got " + std::to_string(a.size()));
-      const auto [c, s] = turn_by(angle(a[3]), options_.quarter_turn_tolerance);
-      return without_minus_zero(as<double>(rotation_about(unit_direction(x, {a[0], a[1], a[2]}), c, s)));
-    }
+    if (x.has("zaxis")) return shortest_turn_of_z_to(unit_direction(x, x.vector("zaxis")));
     if (x.has("xyaxes")) {
       const auto a = x.list("xyaxes");
       if (a.size() != 6) x.fail("xyaxes must have six numbers, got " + std::to_string(a.size()));
@@ -98,14 +98,23 @@ class mjcf_settings {
       const auto w = unit_direction(x, v - dot(u, v) * u);
       return without_minus_zero(transpose(mat3<vec3<>>{u, w, cross(u, w)}));
     }
-    if (x.has("zaxis")) return shortest_turn_of_z_to(unit_direction(x, x.vector("zaxis")));
-    return robot_pose{}.rotation;
+    if (x.has("axisangle")) {
+      const auto a = x.list("axisangle");
+      if (a.size() != 4) x.fail("axisangle must have four numbers, got " + std::to_string(a.size()));
+      const auto [c, s] = turn_by(angle(a[3]), options_.quarter_turn_tolerance);
+      return without_minus_zero(as<double>(rotation_about(unit_direction(x, {a[0], a[1], a[2]}), c, s)));
+    }
+    if (!x.has("quat")) return robot_pose{}.rotation;
+    const auto q = x.list("quat");
+    if (q == std::vector<double>(4))
+      return x.warn("a quaternion of length 0 is taken as no rotation"), robot_pose{}.rotation;
+    return rotation_of_quaternion(x, q);
   }
 
   const robot_options& options_;
   mjcf_classes classes_;
   bool degrees_ = true, auto_limits_ = true, strip_path_ = false, exact_meshes_ = false, fit_boxes_ = false;
-  bool in_world_ = false;
+  bool in_world_ = false, discard_ = false;
   std::string from_geoms_ = "auto", sequence_ = "xyz", mesh_folder_, asset_folder_;
   std::vector<double> groups_{-1e9, 1e9};
   mjcf_mass_rules masses_;

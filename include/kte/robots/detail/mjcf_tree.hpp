@@ -98,6 +98,7 @@ class mjcf_tree {
       auto text = std::to_string(i);
       text.insert(0, digits - (std::min)(digits, text.size()), '0');
       in.suffix = x.text_or("sep", "") + text + before;
+      if (++count_ > most_elements) x.fail("the robot has more than " + std::to_string(most_elements) + " elements");
       expand(x, in, all);
     }
   }
@@ -139,7 +140,7 @@ class mjcf_tree {
         const auto path = from.folder / m.text("file");
         auto& known = by_path_[path.string()];
         if (known == nullptr) {
-          if (!std::filesystem::exists(path)) m.fail("there is no file '" + excerpt(m.text("file")) + "'");
+          if (!is_file(path)) m.fail("there is no file '" + excerpt(m.text("file")) + "'");
           known = &load(parse_(path), path.parent_path());
         }
         if (m.has("name") || xml_item(known->root, d_).text_or("model", "") == name) return *known;

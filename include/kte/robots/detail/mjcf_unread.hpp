@@ -18,16 +18,22 @@ class mjcf_unread {
     for (const auto* name : {"density", "viscosity"})
       if (x.number_or(name, 0) != 0) x.moves_differently(std::string("the drag of its ") + name + " is not modelled");
     x.only({"flag"}, {"gravity", "density", "viscosity"});
-    for (const auto& f : x.children("flag")) f.only({}, {"gravity", "passive", "spring", "damper", "frictionloss"});
+    for (const auto& f : x.children("flag"))
+      f.only({}, {"gravity", "passive", "spring", "damper", "frictionloss", "equality", "contact", "constraint"});
   }
-  void section(const xml_item& x) {
+  void switch_off(bool equality, bool contact) {
+    no_equality_ = equality, no_contact_ = contact;
+    if (contact) contact_.reset();
+  }
+  void section(const xml_item& x, const mjcf_classes& classes) {
     if (x.name() == "contact") {
       for (const auto& c : x.children()) c.name() == "pair" ? note_contact(c) : c.not_read("not read");
     } else if (x.name() == "equality") {
       for (const auto& c : x.children())
-        if (c.text_or("active", "true") == "true") c.moves_differently("this constraint is not modelled");
+        if (!no_equality_ && classes.resolved(c, "", "equality").text_or("active", "true") == "true")
+          c.moves_differently("this constraint is not modelled");
     } else if (x.name() == "tendon") {
-      for (const auto& c : x.children()) tendon(c);
+      for (const auto& c : x.children()) tendon(classes.resolved(c, ""));
     } else if (x.name() == "deformable") {
       for (const auto& c : x.children())
         c.name() == "skin" ? c.not_read("not read") : c.moves_differently("what is flexible is not modelled");
@@ -66,6 +72,7 @@ class mjcf_unread {
            x.text_or("gainprm", "1") == "1";
   }
   void note_contact(const xml_item& x) {
+    if (no_contact_) return;
     if (!contact_) contact_.emplace(x);
     ++contacts_;
   }
@@ -81,6 +88,7 @@ class mjcf_unread {
   std::map<std::string, group> actuators_;
   std::optional<xml_item> contact_;
   std::size_t contacts_ = 0;
+  bool no_equality_ = false, no_contact_ = false;
 };
 
 }  // namespace kte::detail

@@ -16,6 +16,17 @@ inline std::string short_number(double x) {
   return text;
 }
 
+/// The word of an attribute, which must be one of these; the first of them if there is none.
+inline std::string keyword(const xml_item& x, const char* attribute, std::initializer_list<std::string_view> words) {
+  const auto word = x.text_or(attribute, std::string(*words.begin()).c_str());
+  std::string all;
+  for (const auto w : words) {
+    if (w == word) return word;
+    all.append(all.empty() ? "" : ", ").append(w);
+  }
+  x.fail(std::string(attribute) + " '" + excerpt(word) + "' is none of " + all);
+}
+
 /// The first child of a name; of others a warning.
 inline std::optional<xml_item> first_child(const xml_item& x, const char* of) {
   const auto all = x.children(of);

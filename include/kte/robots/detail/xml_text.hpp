@@ -19,6 +19,12 @@ inline std::filesystem::path path_of_text(std::string name) {
   return name;
 }
 
+/// Whether there is a regular file: no folder, device or pipe.
+inline bool is_file(const std::filesystem::path& path) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(path, none);
+}
+
 /// Throws `bad_file`: "kte: arm.urdf:37: why".
 [[noreturn]] void fail_xml(const std::string& source, int line, const std::string& why);
 /// For the message: of "XML_ERROR_MISMATCHED_ELEMENT" the words.
