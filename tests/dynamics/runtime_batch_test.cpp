@@ -90,6 +90,19 @@ TEST_CASE("a bad state of a batch does not spoil the others", "[batch][runtime][
   CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, short_one), test::contains_text("tau has 50 numbers"));
 }
 
+TEST_CASE("matrices of states in rows are refused", "[batch][runtime][errors]") {
+  const kte_map_chain c = arm();  // two states in two rows: as many numbers, and 2 divides 6
+  const Eigen::MatrixXd q = Eigen::MatrixXd::Constant(2, 6, 0.1), v = Eigen::MatrixXd::Zero(5, 2);
+  Eigen::MatrixXd tau(5, 2), mass(5, 10), flat(25, 2);
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, q, v, v, tau),
+                    test::contains_text("q has columns of 2 numbers, a state has 6"));
+  CHECK_THROWS_WITH(batch::mass_matrix<4>(c, q, mass), test::contains_text("q has columns of 2 numbers"));
+  const Eigen::MatrixXd columns = q.transpose();
+  CHECK_NOTHROW(batch::mass_matrix<4>(c, columns, mass));
+  CHECK_NOTHROW(batch::mass_matrix<4>(c, columns, flat));
+  CHECK(flat.reshaped() == mass.reshaped());
+}
+
 TEST_CASE("batches of chains with laws of their own are refused", "[batch][runtime][errors]") {
   kte_map_chain c = arm();
   c << spring_gen("slide", "turn", 0.0, 10.0);
