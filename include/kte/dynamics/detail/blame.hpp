@@ -240,7 +240,8 @@ template <class Wiring, class Q, class V, class A>
   const auto y = plain_numbers<Wiring::dofs>(v), z = plain_numbers<Wiring::dofs>(a);
   const auto& layout = layout_of_wiring<Wiring>::table;
   constexpr auto n = std::size_t{Wiring::dofs}, nq = std::size_t{Wiring::nq};
-  if constexpr (requires { static_cast<double>(q.template at<0>()); }) raise_if_no_rotation(layout, {x.data(), nq});
+  if constexpr (requires { requires has_plain_numbers<std::remove_cvref_t<decltype(q.template at<0>())>>; })
+    raise_if_no_rotation(layout, {x.data(), nq});
   raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
 }
 /// Of a mass matrix that cannot be used, for coordinate `row`: there is no mass, or it is no finite number.
