@@ -82,12 +82,30 @@ TEST_CASE("a bad state of a batch does not spoil the others", "[batch][runtime][
   std::vector<double> good(nv * 11), tau(nv * 11);
   batch::inverse_dynamics<4>(c, x.q, x.v, x.a, good);
   x.v[nv * 6 + 1] = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau), test::contains_text("state 6: "));
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau),
+                    test::contains_text("state 6: a velocity is no finite number: v[1] of 'turn' is inf"));
   for (std::size_t k = 0; k < 11; ++k)
     for (std::size_t i = 0; i < nv; ++i)
       CHECK((k == 6 ? std::isnan(tau[k * nv + i]) : tau[k * nv + i] == good[k * nv + i]));
+  x.v[nv * 6 + 1] = 0;
+  std::fill_n(x.q.begin() + nq * 3 + 2, 4, 0.0);
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau),
+                    test::contains_text("state 3: quaternion 'ball' has length 0"));
   std::vector<double> short_one(nv * 10);
   CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, short_one), test::contains_text("tau has 50 numbers"));
+}
+
+TEST_CASE("matrices of states in rows are refused", "[batch][runtime][errors]") {
+  const kte_map_chain c = arm();  // two states in two rows: as many numbers, and 2 divides 6
+  const Eigen::MatrixXd q = Eigen::MatrixXd::Constant(2, 6, 0.1), v = Eigen::MatrixXd::Zero(5, 2);
+  Eigen::MatrixXd tau(5, 2), mass(5, 10), flat(25, 2);
+  CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, q, v, v, tau),
+                    test::contains_text("q has columns of 2 numbers, a state has 6"));
+  CHECK_THROWS_WITH(batch::mass_matrix<4>(c, q, mass), test::contains_text("q has columns of 2 numbers"));
+  const Eigen::MatrixXd columns = q.transpose();
+  CHECK_NOTHROW(batch::mass_matrix<4>(c, columns, mass));
+  CHECK_NOTHROW(batch::mass_matrix<4>(c, columns, flat));
+  CHECK(flat.reshaped() == mass.reshaped());
 }
 
 TEST_CASE("batches of chains with laws of their own are refused", "[batch][runtime][errors]") {

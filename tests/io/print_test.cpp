@@ -80,6 +80,11 @@ TEST_CASE("joint vectors are printed by names; others are refused") {
   CHECK(printed(by_names(pendulum, std::vector{0.125})) == "q  0.125\n");
   CHECK_THROWS_MATCHES(printed(by_names(pendulum, std::vector{1.0, 2.0})), kte::bad_argument,
                        kte::test::says("a joint vector of this chain has 1 numbers (q) or 1 (v), not 2"));
+  struct {  // as an int, its length is 1
+    std::size_t size() const { return (std::size_t{1} << 32) + 1; }
+    double operator[](std::size_t) const { return 0.125; }
+  } long_one;
+  CHECK_THROWS_WITH(printed(by_names(pendulum, long_one)), kte::test::contains_text("not 4294967297"));
 }
 
 TEST_CASE("numbers have the digits of the stream") {

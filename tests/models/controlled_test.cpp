@@ -142,6 +142,14 @@ TEST_CASE("The rates of a law are as many as it has states") {
   CHECK_THROWS_MATCHES(pid(0, x), bad_argument, test::says("the rates of a law are 5 numbers, the law has 4 states"));
   rates = {1, 2, 3, 4};
   CHECK(pid(0, x)[11] == 4);
+  struct long_rates {  // as an int, their length is 4
+    std::size_t size() const { return (std::size_t{1} << 32) + 4; }
+    double operator[](std::size_t) const { return 0; }
+  };
+  controlled overlong(
+      model, brake_by_integral, [](double, const auto&, const auto&) { return long_rates{}; },
+      std::array{0.0, 0.0, 0.0, 0.0});
+  CHECK_THROWS_WITH(overlong(0, x), test::contains_text("are 4294967300 numbers"));
 }
 
 TEST_CASE("Inputs that are no finite numbers are named") {

@@ -41,15 +41,17 @@ inline constexpr std::size_t nq = nv<Chain>;
 template <class Chain>
 requires(requires { Chain::nq; }) inline constexpr std::size_t nq<Chain> = std::size_t{Chain::nq};
 
-/// Rejects matrices of which the states are not the columns.
+/// Rejects matrices of which the states are not the columns: columns have the numbers of a state, or `part` of them, or
+/// one.
 template <class X>
-void check_layout(const X& x, std::size_t a_state, const char* name) {
+void check_layout(const X& x, std::size_t a_state, std::size_t part, const char* name) {
   if constexpr (requires { x.innerStride(), x.outerStride(), x.rows(); }) {
     static_assert(!X::IsRowMajor || X::IsVectorAtCompileTime, "kte: in a batch the states are the columns of a matrix");
     if (x.size() == 0) return;
     if (x.innerStride() != 1 || (!X::IsVectorAtCompileTime && x.outerStride() != x.rows()))
       kte::detail::raise<bad_argument>(std::string("kte: the numbers of ") + name + " do not lie side by side");
-    if (!X::IsVectorAtCompileTime && a_state % static_cast<std::size_t>(x.rows()) != 0)
+    const auto rows = static_cast<std::size_t>(x.rows());
+    if (!X::IsVectorAtCompileTime && rows != a_state && rows != part && rows != 1)
       kte::detail::raise<bad_argument>(std::string("kte: ") + name + " has columns of " + std::to_string(x.rows()) +
                                        " numbers, a state has " + std::to_string(a_state));
   }
@@ -57,7 +59,7 @@ void check_layout(const X& x, std::size_t a_state, const char* name) {
 /// How many states there are in x.
 template <class X>
 std::size_t states_in(const X& x, std::size_t a_state, const char* name) {
-  check_layout(x, a_state, name);
+  check_layout(x, a_state, a_state, name);
   const auto size = static_cast<std::size_t>(x.size());
   if (a_state == 0 ? size != 0 : size % a_state != 0)
     kte::detail::raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(size) +
@@ -65,8 +67,8 @@ std::size_t states_in(const X& x, std::size_t a_state, const char* name) {
   return a_state == 0 ? 0 : size / a_state;
 }
 template <class X>
-void check(const X& x, std::size_t a_state, std::size_t count, const char* name) {
-  check_layout(x, a_state, name);
+void check(const X& x, std::size_t a_state, std::size_t count, const char* name, std::size_t part = 1) {
+  check_layout(x, a_state, part, name);
   if (static_cast<std::size_t>(x.size()) != a_state * count)
     kte::detail::raise<bad_argument>(std::string("kte: ") + name + " has " + std::to_string(x.size()) + " numbers, " +
                                      std::to_string(count) + " states have " + std::to_string(a_state * count));
@@ -130,7 +132,7 @@ template <int W = 0, class Chain, class Q, class M, class Executor = in_this_thr
 void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
   constexpr std::size_t nq = detail::nq<Chain>, nv = detail::nv<Chain>;
   const std::size_t n = detail::states_in(q, nq, "q");
-  detail::check(m, nv * nv, n, "M");
+  detail::check(m, nv * nv, n, "M", nv);
   detail::job<detail::mass_matrix_of, Chain, P, nv * nv, nq> job(chain, n, m.data(), {q.data()});
   detail::finish(job, executor);
 }

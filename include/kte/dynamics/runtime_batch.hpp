@@ -37,7 +37,7 @@ template <int W = 0, class Q, class M, class Executor = in_this_thread,
 void mass_matrix(const kte_map_chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
   const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
   const std::size_t n = detail::states_in(q, nq, "q");
-  detail::check(m, nv * nv, n, "M");
+  detail::check(m, nv * nv, n, "M", nv);
   detail::runtime_job<detail::runtime_mass_matrix, P, 1> job(chain, n, m.data(), nv * nv, {{{q.data(), nq}}});
   detail::finish(job, executor);
 }

@@ -55,7 +55,7 @@ template <class S>
   const auto layout = layout_of_state(s);
   const auto q = plain_numbers(read_numbers<vector_of::q>(s)), v = plain_numbers(read_numbers<vector_of::v>(s)),
              a = plain_numbers(read_numbers<vector_of::a>(s)), f = plain_numbers(tau);
-  if (std::is_convertible_v<S, double>) raise_if_no_rotation(layout, q);
+  if (has_plain_numbers<S>) raise_if_no_rotation(layout, q);
   blame_signals(what, s);
   if (tau.size() == 0) raise_not_finite(what, layout, {{"q", q, true}, {"v", v}, {"a", a}});
   // Under forces accelerations are given only of hybrid dynamics.

@@ -4,6 +4,8 @@
 #include <kte/io/print_numbers.hpp>
 #include <kte/static_chain/layout.hpp>
 
+#include <utility>
+
 /// `std::cout << state`: a line for each coordinate, frame and signal, with its name. `std::cout << by_names(chain,
 /// v)`: one for each coordinate, with its numbers in a joint vector.
 namespace kte {
@@ -59,13 +61,14 @@ std::ostream& operator<<(std::ostream& out, const named_vector<Chain, X>& named)
   const auto table = layout(named.chain);
   int nq = 0, nv = 0;
   for (const auto& e : table) nq += e.nq, nv += e.nv;
-  const auto size = static_cast<int>(named.x.size());
-  if (size != nq && size != nv)
+  const auto size = named.x.size();
+  if (std::cmp_not_equal(size, nq) && std::cmp_not_equal(size, nv))
     throw bad_argument("kte: a joint vector of this chain has " + std::to_string(nq) + " numbers (q) or " +
                        std::to_string(nv) + " (v), not " + std::to_string(size));
   for (const auto& e : table) {
     out << e.name;
-    const int first = size == nq ? e.q : e.v, count = size == nq ? e.nq : e.nv;
+    const bool configuration = std::cmp_equal(size, nq);
+    const int first = configuration ? e.q : e.v, count = configuration ? e.nq : e.nv;
     for (int i = first; i < first + count; ++i) out << "  " << named.x[static_cast<std::size_t>(i)];
     out << '\n';
   }

@@ -20,7 +20,7 @@ template <int N, class Rates>
 void check_law_rates(const Rates& c_dot) {
   static_assert(holds<Rates, N>, "kte: the rates of a law have another number of entries than the law has states");
   if constexpr (requires { c_dot.size(); })
-    if (static_cast<int>(c_dot.size()) != N) [[unlikely]]
+    if (std::cmp_not_equal(c_dot.size(), N)) [[unlikely]]
       raise<bad_argument>("kte: the rates of a law are " + std::to_string(c_dot.size()) + " numbers, the law has " +
                           std::to_string(N) + " states");
 }

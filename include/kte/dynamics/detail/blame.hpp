@@ -67,15 +67,29 @@ template <class Layout>
   }
 }
 
-/// As a double; typed zeros, and what is not asked for, as 0.
+/// Whether S has numbers to name: real ones, and packs of them.
+template <class S>
+inline constexpr bool has_plain_numbers = std::is_convertible_v<S, double> || requires {
+  S::lanes;
+};
+/// As a double; typed zeros, and what is not asked for, as 0. Of a pack the first lane that is not finite, else the
+/// largest one.
 template <class X>
 double plain_number(const X& x) {
   if constexpr (std::is_same_v<X, zero_t> || std::is_same_v<X, skip>) {
     return 0;
   } else if constexpr (requires { static_cast<double>(x); }) {
     return static_cast<double>(x);
+  } else if constexpr (requires { X::lanes; }) {
+    double largest = 0;
+    for (std::size_t i = 0; i < std::size_t{X::lanes}; ++i) {
+      const auto lane = static_cast<double>(x[i]);
+      if (!std::isfinite(lane)) return lane;
+      if (std::fabs(lane) > std::fabs(largest)) largest = lane;
+    }
+    return largest;
   } else {
-    return 0;  // of several states, or with derivatives: no one number to name
+    return 0;  // with derivatives: no one number to name
   }
 }
 /// x[0] ... x[n-1].
@@ -226,7 +240,8 @@ template <class Wiring, class Q, class V, class A>
   const auto y = plain_numbers<Wiring::dofs>(v), z = plain_numbers<Wiring::dofs>(a);
   const auto& layout = layout_of_wiring<Wiring>::table;
   constexpr auto n = std::size_t{Wiring::dofs}, nq = std::size_t{Wiring::nq};
-  if constexpr (requires { static_cast<double>(q.template at<0>()); }) raise_if_no_rotation(layout, {x.data(), nq});
+  if constexpr (requires { requires has_plain_numbers<std::remove_cvref_t<decltype(q.template at<0>())>>; })
+    raise_if_no_rotation(layout, {x.data(), nq});
   raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
 }
 /// Of a mass matrix that cannot be used, for coordinate `row`: there is no mass, or it is no finite number.

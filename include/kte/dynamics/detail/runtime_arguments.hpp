@@ -54,7 +54,7 @@ template <class S, class X>
   for (int i = 0; i < n; ++i) numbers[i] = static_cast<S>(x[static_cast<std::size_t>(i)]);
   const auto all = plain_numbers(numbers);
   const auto layout = layout_of_state(s);
-  if (configuration && std::is_convertible_v<S, double>) raise_if_no_rotation(layout, all);
+  if (configuration && has_plain_numbers<S>) raise_if_no_rotation(layout, all);
   raise_not_finite(what, layout, {{name, all, configuration}});
 }
 
