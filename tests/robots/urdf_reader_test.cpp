@@ -160,8 +160,8 @@ TEST_CASE("what URDFs leave out or say twice is read as it is meant, and said") 
 TEST_CASE("a second inertial is not taken, and the world is ground") {
   const auto d = from_urdf(
       "<robot name='r'><link name='a'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
-      "izz='1'/></inertial><inertial><mass value='5'/></inertial></link>" +
-      test::joint_text("j", "continuous", "world", "a", "") + "</robot>");
+      "izz='1' ixy='0' ixz='0' iyz='0'/></inertial><inertial><mass value='5'/></inertial></link>" +
+      joint_text("j", "continuous", "world", "a") + "</robot>");
   CHECK(d.links[0].inertial->mass == 1);
   CHECK(d.warnings.size() == 2);
   CHECK(to_robot(d).chain.dofs() == 1);

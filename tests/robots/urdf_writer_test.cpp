@@ -154,8 +154,7 @@ TEST_CASE("what URDF cannot say is refused by name") {
     CHECK_THROWS_MATCHES(to_urdf(c), bad_argument, says(why));
   };
   refused(spherical_joint_3D("ball", "b", "c"), "kte: joint 'ball': it is spherical, which URDF cannot say");
-  refused(screw_joint_3D("s", "b", "c", axis::z, 0.1),
-          "kte: screw_joint_3D (coordinate 's', base 'b', end 'c'): it is");
+  refused(screw_joint_3D("s", "b", "c", axis::z, 0.1), "kte: joint 's': it is a screw, which URDF cannot say");
   refused(spring_3D("a", "b", 0.1, 1.0), "kte: spring_3D (anchor1 'a', anchor2 'b'): it is no link");
   refused(revolute_joint_3D("q", "b", "c"), "its coordinate 'q' moves another joint too");
   kte_map_chain c;

@@ -64,7 +64,7 @@ class mesh_text {
     const auto digits = w.starts_with('+') ? w.substr(1) : w;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
     if (w.empty()) bad(std::string(what) + " is cut off");
-    if (error == std::errc::result_out_of_range) bad("'" + excerpt(w) + "' is too large or too lower for a double");
+    if (error == std::errc::result_out_of_range) bad("'" + excerpt(w) + "' is too large or too small for a double");
     if (error != std::errc{} || end != digits.data() + digits.size()) bad("'" + excerpt(w) + "' is not a number");
     if (!std::isfinite(x)) bad(std::string(what) + " is not finite");
     return x;
