@@ -113,7 +113,7 @@ TEST_CASE("worlds with included models") {
     return f.write("w.sdf", sdf("<world name='w'>" + inside + "</world>"));
   };
   auto path = world(include("model://floor") + include("model://arm", "<name>robot</name>") + include("model://sun"));
-  CHECK(models(path) == std::vector<std::string>{"floor", "robot", "sun"});
+  CHECK(kte::models(path) == std::vector<std::string>{"floor", "robot", "sun"});
   auto r = load_robot(path);
   CHECK((r.name == "robot" && r.chain.dofs() == 1));
   CHECK(has(r.warnings, "model 'sun', which is not the robot, cannot be read: kte: " + path +
@@ -124,7 +124,7 @@ TEST_CASE("worlds with included models") {
   path = world(include("https://example.org/models/Sun") + include("model://arm"));
   CHECK(load_robot(path).chain.dofs() == 1);
   CHECK_THROWS_MATCHES(load_robot(path, {.model = "Sun"}), bad_file, says("is not on this machine"));
-  CHECK(models(f.write("a.urdf", "<robot name='u'><link name='a'/></robot>")) == std::vector<std::string>{"u"});
+  CHECK(kte::models(f.write("a.urdf", "<robot name='u'><link name='a'/></robot>")) == std::vector<std::string>{"u"});
 }
 
 TEST_CASE("includes that cannot be had are refused by name") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/frames/rigid_motion.hpp>
+#include <kte/kernels/joint_vector.hpp>
 
 #include <Eigen/Core>
 

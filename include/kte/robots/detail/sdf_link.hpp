@@ -9,8 +9,7 @@ namespace kte::detail {
 /// Links of a model in SDF.
 class sdf_links {
  public:
-  sdf_links(robot_description& d, const robot_options& o, const sdf_frames& f, sdf_leftovers& l)
-      : d_(d), options_(o), frames_(f), leftovers_(l) {}
+  sdf_links(const robot_options& o, const sdf_frames& f, sdf_leftovers& l) : options_(o), frames_(f), leftovers_(l) {}
 
   /// A link of this full name. What stands still needs no body.
   robot_link read(const xml_item& x, const sdf_scope& scope, const std::string& name, bool stands, bool windy) {
@@ -99,7 +98,6 @@ class sdf_links {
     return s;
   }
 
-  robot_description& d_;
   const robot_options& options_;
   const sdf_frames& frames_;
   sdf_leftovers& leftovers_;

@@ -10,7 +10,7 @@ namespace kte::detail {
 class sdf_model {
  public:
   sdf_model(robot_description& d, const robot_options& o)
-      : d_(d), options_(o), links_(d, o, frames_, leftovers_), joints_(d, frames_) {}
+      : d_(d), options_(o), links_(o, frames_, leftovers_), joints_(d, frames_) {}
 
   void read(const xml_item& m, bool windy) {
     d_.name = m.text_or("name", ""), windy_ = windy;
