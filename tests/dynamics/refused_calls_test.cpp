@@ -122,3 +122,13 @@ TEST_CASE("A call that refuses because numbers overflow leaves the state as it w
   CHECK(unnamed == "");
   CHECK(refused > 300);
 }
+
+TEST_CASE("a state that was moved is put back too") {
+  const auto c = arm();
+  auto first = c.make_state();
+  auto s = std::move(first);
+  const vector q{{0.5, 0.25, 0.8, 0.6, 0, 0}}, v = vector::Ones(5);
+  set_positions(s, q), set_velocities(s, v);
+  CHECK_THROWS_AS(forward_dynamics(c, s, neutral_configuration(c), vector(1e200 * v), v), bad_argument);
+  CHECK((positions(s) == q && velocities(s) == v));
+}

@@ -162,7 +162,8 @@ basic_runtime_state<S>::basic_runtime_state(basic_runtime_state&& o) noexcept
       tree_(std::exchange(o.tree_, no_tree())),
       things_(std::move(o.things_)),
       free_coordinates_(std::move(o.free_coordinates_)),
-      work(std::move(o.work)) {}
+      work(std::move(o.work)),
+      before(std::move(o.before)) {}
 template <class S>
 basic_runtime_state<S>& basic_runtime_state<S>::operator=(const basic_runtime_state& o) {
   if (topology_->layout == o.topology_->layout) {
