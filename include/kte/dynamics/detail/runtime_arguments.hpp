@@ -175,18 +175,21 @@ enum class keeping {
   if_needed  ///< in calls that take no longer than that would matter, and that trees of bodies refuse for no reason but
              ///< large arguments (and signals or bases in the state that are none)
 };
+/// What `take` replaces. (Not `auto`: to find that, users of kte::compiled would instantiate it.)
+template <class S, class V, class A>
+using replaced_by = replaced_numbers<S, true, is_put<V>, !std::is_same_v<A, not_given>>;
+
 /// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
 template <keeping When = keeping::always, class S, class Q, class V = not_given, class A = not_given,
           class Tau = not_given>
-auto take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {}, const A& a = {},
-          const Tau& tau = {}) {
+replaced_by<S, V, A> take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {},
+                          const A& a = {}, const Tau& tau = {}) {
   c.check(s);
   const bool of_q = check_positions(s, q), of_v = check_numbers(s, v, "v", "a velocity"),
              of_a = check_numbers(s, a, "a", "an acceleration"), of_tau = check_numbers(s, tau, "tau", "a force");
   const bool moderate = of_q && of_v && of_a && of_tau;
-  constexpr bool with_v = is_put<V>, with_a = !std::is_same_v<A, not_given>;
-  const replaced_numbers<S, true, with_v, with_a> replaced{
-      s, When == keeping::always || !moderate || !s.tree().only_bodies};
+  constexpr bool with_v = is_put<V>;
+  const replaced_by<S, V, A> replaced{s, When == keeping::always || !moderate || !s.tree().only_bodies};
   if (replaced.kept) replaced.keep();
   const auto put_all = [&](auto& x, const freedom& at) KTE_INLINE_LAMBDA {
     put<vector_of::q>(x, at, q);
@@ -206,14 +209,21 @@ replaced_numbers<S, false, false, true> keep_accelerations(basic_runtime_state<S
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_positions(const runtime_state&);
-#  define KTE_TAKE(When, ...) \
-    KTE_EXTERN template auto take<When>(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&, __VA_ARGS__)
-KTE_TAKE(keeping::always, const not_given&, const not_given&, const not_given&);
-KTE_TAKE(keeping::always, const Eigen::VectorXd&, const not_given&, const not_given&);
-KTE_TAKE(keeping::always, const Eigen::VectorXd&, const not_given&, const Eigen::VectorXd&);
-KTE_TAKE(keeping::if_needed, const not_given&, const not_given&, const not_given&);
-KTE_TAKE(keeping::if_needed, const Eigen::VectorXd&, const not_given&, const not_given&);
-KTE_TAKE(keeping::if_needed, const Eigen::VectorXd&, const Eigen::VectorXd&, const not_given&);
+KTE_EXTERN template struct replaced_numbers<double, true, false, false>;
+KTE_EXTERN template struct replaced_numbers<double, true, true, false>;
+KTE_EXTERN template struct replaced_numbers<double, true, true, true>;
+KTE_EXTERN template struct replaced_numbers<double, false, false, true>;
+#  define KTE_TAKE(When, V, A, Tau)                                                                \
+    KTE_EXTERN template replaced_by<double, V, A> take<When>(const kte_map_chain&, runtime_state&, \
+                                                             const Eigen::VectorXd&, const V&, const A&, const Tau&)
+KTE_TAKE(keeping::always, not_given, not_given, not_given);
+KTE_TAKE(keeping::always, Eigen::VectorXd, not_given, not_given);
+KTE_TAKE(keeping::always, Eigen::VectorXd, not_given, Eigen::VectorXd);
+KTE_TAKE(keeping::always, Eigen::VectorXd, found_later, Eigen::VectorXd);
+KTE_TAKE(keeping::always, Eigen::VectorXd, Eigen::VectorXd, not_given);
+KTE_TAKE(keeping::if_needed, not_given, not_given, not_given);
+KTE_TAKE(keeping::if_needed, Eigen::VectorXd, not_given, not_given);
+KTE_TAKE(keeping::if_needed, Eigen::VectorXd, Eigen::VectorXd, not_given);
 #  undef KTE_TAKE
 #endif
 
