@@ -91,11 +91,12 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   r.chain.gravity(vec3<>{0, 0, -1.5}), r.actuators = {{"m", 3, "turn", 2}};
   r.shapes[0].origin.rotation = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
   r.shapes[1].is = robot_shape::form::plane, r.shapes[2].is = robot_shape::form::ellipsoid;
-  auto& mesh = r.shapes.emplace_back(r.shapes[0]);
+  auto mesh = r.shapes[0], nowhere = mesh;
   mesh.is = robot_shape::form::mesh, mesh.name = "nothing";
+  r.shapes.push_back(mesh);
   r.shapes.emplace_back(mesh).mesh = "a.stl";
   r.shapes.emplace_back(mesh).is = robot_shape::form::none;
-  r.shapes.emplace_back(r.shapes[0]).frame = "nowhere";
+  r.shapes.emplace_back(nowhere).frame = "nowhere";
   const auto path = [](const std::string& m) { return "x/" + m; };
   const auto text = to_urdf(r, {.not_written = &notes, .mesh_path = path});
   std::vector<std::string> texts;
@@ -110,7 +111,7 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   CHECK(notes[2].line == 19);
   CHECK(text == (holding("<!-- not as in the robot: actuator 'm' is left out -->\n") &&
                  holding("<mesh filename=\"x/a.stl\"/>") && holding("name=\"parts &lt;&amp;>\"")));
-  const auto& arm = from_urdf(text).links.at(2);
+  const auto arm = from_urdf(text).links.at(2);
   REQUIRE(arm.visuals.size() == 4);
   CHECK(arm.visuals[0].size == vec3<>{0.1, 0.5, 0});
   CHECK(arm.visuals[1].origin.position == vec3<>{0, 0.25, 0});
