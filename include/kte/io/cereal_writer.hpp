@@ -16,9 +16,9 @@ namespace kte::detail {
 
 /// A text, to a stream that must take it. (Streams catch what is thrown while they make room, and just become bad.)
 /// Ends by itself: what stood in the stream before does not count.
-struct checked_text {
+struct whole_text {
   const std::string& text;
-  friend std::ostream& operator<<(std::ostream& out, const checked_text& x) {
+  friend std::ostream& operator<<(std::ostream& out, const whole_text& x) {
     out << x.text << '\0';
     if (!out) throw std::bad_alloc();
     return out;
@@ -57,7 +57,7 @@ class cereal_writer final : public field_writer {
     put_name(name);
     if constexpr (is_xml) {
       archive_->startNode();
-      archive_->saveValue(checked_text{value});
+      archive_->saveValue(whole_text{value});
       archive_->finishNode();
     } else {
       if (constexpr std::size_t most = (std::numeric_limits<unsigned>::max)(); value.size() > most)
