@@ -11,8 +11,11 @@
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/runtime_regressor.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
+#include <kte/io/recording.hpp>
+#include <kte/io/table_writer.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>

@@ -88,7 +88,9 @@ template <class S, indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
   detail::check_regular(c, s);
-  return detail::take(c, s, q, v, a).call([&]() -> const auto& { return detail::forces_derived(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
+    return detail::forces_derived(c, s);
+  });
 }
 
 namespace detail {
