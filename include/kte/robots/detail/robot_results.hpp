@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/runtime.hpp>
 #include <kte/robots/detail/no_limit.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
