@@ -86,7 +86,7 @@ TEST_CASE("models of manipulators: tools, limits and inputs") {
   };
   const auto chain = record_of(c);
   CHECK(bad({chain.gravity, chain.elements, {}, {{"elbow", {}}}}) ==
-        "kte: limits of 'elbow', which is no degree of freedom of the chain");
+        "kte: limits of 'elbow', which is not a degree of freedom of the chain");
   CHECK(bad({chain.gravity, chain.elements, {}, {{"q", {{"upper", {1, 2}}}}}}) ==
         "kte: limits of 'q': upper must have 1 numbers, got 2");
   CHECK(bad({chain.gravity, chain.elements, {}, {{"q", {{"upper", {-1}}, {"lower", {1}}}}}}) ==

@@ -249,7 +249,7 @@ TEST_CASE("what moves differently is warned of first, or refused") {
         "flex 'f': what is flexible is not modelled\n"
         "position 'p1': its law is not modelled, nor that of any <position>: 'p1', 'p2', 'p3' and 1 more\n"
         "body 'b': <geom>: contact is not modelled: friction, solref and the like of 1 element\n"
-        "link 'b': no matter has such an inertia: its principal moment 3 is above 1 + 1 by 1 kg m^2; it is taken as "
+        "link 'b': no body can have such an inertia: its principal moment 3 is above 1 + 1 by 1 kg m^2; it is taken as "
         "published\n");
   CHECK((r.warnings[0].changes_motion && !r.warnings.back().changes_motion));
   CHECK_THROWS_MATCHES(robot_of(text, strict), bad_file,

@@ -62,7 +62,7 @@ TEST_CASE("what a file in MJCF says") {
   CHECK(listed(d.not_read) ==
         "42 <sensor>: not read\n"
         "15 <light>: not read\n"
-        "34 freejoint 'drone': the pose of its body is where it starts, which is no part of a chain\n"
+        "34 freejoint 'drone': the pose of its body is where it starts, which is not part of a chain\n"
         "4 <option>: its timestep is not read\n");
 }
 

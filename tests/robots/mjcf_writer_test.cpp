@@ -177,7 +177,7 @@ TEST_CASE("springs and dampers of balls, damping of free bodies and forces again
   kte_map_chain other;
   other << base_3D("g") << revolute_joint_3D("q", "g", "a", axis::z) << constant_force_3D("a", vec3<>{0, 0, 1});
   CHECK_THROWS_MATCHES(describe(other), bad_argument,
-                       says("constant_force_3D (frame 'a'): it is no link, joint or body"));
+                       says("constant_force_3D (frame 'a'): it is not a link, joint or body"));
   kte_map_chain screw;
   screw << base_3D("g") << screw_joint_3D("q", "g", "a", vec3<>{0, 0.6, 0.8}, 0.25) << inertia_3D("a", point_mass(1.0));
   const auto turns = describe(screw).joints[0];
@@ -186,5 +186,5 @@ TEST_CASE("springs and dampers of balls, damping of free bodies and forces again
   CHECK_THROWS_MATCHES(to_urdf(screw), bad_argument, says("joint 'q': it is a screw, which URDF cannot say"));
   kte_map_chain drag;
   drag << base_3D("g") << free_joint_3D("q", "g", "a") << fluid_drag_3D("a", 1.0, 2.0);
-  CHECK_THROWS_MATCHES(describe(drag), bad_argument, says("fluid_drag_3D (frame 'a'): it is no link"));
+  CHECK_THROWS_MATCHES(describe(drag), bad_argument, says("fluid_drag_3D (frame 'a'): it is not a link"));
 }

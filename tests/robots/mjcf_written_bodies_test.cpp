@@ -72,11 +72,11 @@ TEST_CASE("bodies that MuJoCo would not take") {
                         joint_text("q", "continuous", "a", "b", "<axis xyz='1 0 0'/>"));
   CHECK_THROWS_MATCHES(
       to_mjcf(odd), bad_argument,
-      says("kte: link 'b': no matter has such moments: one is wrong by 0.75 kg m^2, which MJCF cannot"));
+      says("kte: link 'b': no body can have such moments: one is wrong by 0.75 kg m^2, which MJCF cannot"));
   CHECK(to_mjcf(odd, {.lossy = true}) == holding("diaginertia=\"1.25 1.25 2.5\""));
-  CHECK(
-      to_mjcf(made(body("a", 1, "ixx='2.75' iyy='1' izz='1'"))) ==
-      (holding("diaginertia=\"2.5 1.25 1.25\"") && holding("it is at rest, and has the nearest that matter has -->")));
+  CHECK(to_mjcf(made(body("a", 1, "ixx='2.75' iyy='1' izz='1'"))) ==
+        (holding("diaginertia=\"2.5 1.25 1.25\"") &&
+         holding("it is at rest, and has the nearest that a body can have -->")));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.3000000001'"))) == holding("<!--"));
   CHECK(to_mjcf(made(body("a", 1, "ixx='0.1' iyy='0.2' izz='0.30000000000000004'"))) ==
         holding("diaginertia=\"0.1 0.2 0.30000000000000004\""));
@@ -128,7 +128,7 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
           "joint 'puck': it is planar, and written as slides 'puck_x', 'puck_y' and a hinge 'puck_angle'",
           "joint 'flight': it floats in the world, in which link 'ground' rests",
           "actuator 'm': its name comes a second time, and is left out",
-          "actuator 'o': left out: 'puck' is no joint of MJCF"});
+          "actuator 'o': left out: 'puck' is not a joint of MJCF"});
   for (const auto& n : notes) CHECK(text == holding("<!-- not as in the robot: " + n.text + " -->\n"));
   CHECK(text == holding("<motor name=\"m\" joint=\"turn\" gear=\"2\"/>\n    <motor joint=\"slide\" "
                         "gear=\"1\"/>\n    <motor joint=\"turn\" gear=\"1\"/>\n  </actuator>"));
@@ -154,7 +154,7 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
   reversed.joints[0].lower = -1, reversed.joints[0].soft_lower = -0.5;
   CHECK(to_mjcf(reversed) == holding("joint 'q': its soft limits are left out"));
   reversed.joints[0].lower = 2, reversed.joints[0].upper = 1;
-  CHECK_THROWS_MATCHES(to_mjcf(reversed), bad_argument, says("kte: joint 'q': its limits 2 and 1 are no range"));
+  CHECK_THROWS_MATCHES(to_mjcf(reversed), bad_argument, says("kte: joint 'q': its limits 2 and 1 are not a range"));
   robot empty;
   empty.chain = f;
   CHECK_THROWS_MATCHES(to_mjcf(empty), bad_parameter, says("kte: limits: lower must have 1 numbers"));

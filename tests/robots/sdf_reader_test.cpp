@@ -75,7 +75,7 @@ TEST_CASE("errors in SDF name file, line and element") {
   joint("fixed", "<pose relative_to='c'/>", "there is no frame 'c'");
   joint("screw", "<axis/><thread_pitch>0</thread_pitch>", "thread_pitch must not be 0");
   refused("<model name='n'/><joint name='j' type='fixed'><parent>a</parent><child>n</child></joint>",
-          "4: joint 'j': the frame 'n' is attached to no link");
+          "4: joint 'j': the frame 'n' is not attached to a link");
   refused("<frame name='f' attached_to='g'/><frame name='g' attached_to='f'/>",
           "4: frame 'g': it is attached to itself");
   refused("<link name='c'><gravity>perhaps</gravity></link>", "4: link 'c': <gravity>: 'perhaps' is neither true nor");

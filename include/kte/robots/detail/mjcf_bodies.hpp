@@ -197,7 +197,7 @@ class mjcf_bodies {
       j.parent = from, j.child = last ? own : fresh(own + "." + std::to_string(i + 1));
       if (j.is == kind::floating) {
         if (all.size() > 1 || parent != "world") y.fail("a free joint must be the only one of a body in the world");
-        if (!is_nothing(place)) y.not_read("the pose of its body is where it starts, which is no part of a chain");
+        if (!is_nothing(place)) y.not_read("the pose of its body is where it starts, which is not part of a chain");
       } else {
         j.origin = place * j.origin;
       }

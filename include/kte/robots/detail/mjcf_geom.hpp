@@ -27,7 +27,7 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
       {"capsule", form::capsule}, {"ellipsoid", form::ellipsoid}, {"cylinder", form::cylinder},
       {"box", form::box},         {"mesh", form::mesh},           {"sdf", form::mesh}};
   const auto type = types.find(x.text_or("type", "sphere"));
-  if (type == types.end()) x.fail("type '" + excerpt(x.text("type")) + "' is no type of geom");
+  if (type == types.end()) x.fail("type '" + excerpt(x.text("type")) + "' is not a type of geom");
   s.is = type->second, s.mesh = x.text_or("mesh", "");
   if (x.has("mesh") && s.is != form::mesh) return g;  // fitted to the mesh
   s.origin = in.model->settings.place(x);
