@@ -117,7 +117,7 @@ works='echo table; printf ! >&3'
 
 # What no program can have is said before it is compiled.
 gives 1 "'nowhere'" "$evaluate" arm.urdf states.csv --static --frame nowhere
-gives 1 "'joint' is one of the plane" "$evaluate" pendulum.json states.csv --static --frame joint
+gives 1 "'joint' is a frame in the plane" "$evaluate" pendulum.json states.csv --static --frame joint
 compiled 0
 
 # Compilers that fail leave nothing.
