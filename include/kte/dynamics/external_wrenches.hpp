@@ -50,7 +50,7 @@ template <class S, class W>
 Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   const double all[]{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
   if (!all_finite(all, 6)) [[unlikely]]
-    raise<bad_argument>("kte: a force or torque from outside on '" + std::string(frame) + "' is no finite number");
+    raise<bad_argument>("kte: a force or torque from outside on '" + std::string(frame) + "' is not finite");
   Eigen::Matrix<S, 6, 1> x;
   for (int i = 0; i < 6; ++i) x[i] = S(all[i]);
   return x;

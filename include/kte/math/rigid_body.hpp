@@ -9,7 +9,7 @@ namespace kte {
 ///   mass     kg
 ///   com      centre of mass in the axes of its frame, m
 ///   inertia  about the centre of mass, in the axes of the frame, kg m^2
-/// Elements refuse a body that no matter can have; `rigid_body{...}.as_published()` is taken as it is, for tables of
+/// Elements refuse a body that cannot exist; `rigid_body{...}.as_published()` is taken as it is, for tables of
 /// robots whose inertias are measured or rounded: only finite, and its mass not negative.
 template <class M = double, class C = vec3<>, class I = sym3<>>
 struct rigid_body {

@@ -48,7 +48,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
       const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
       if (row >= dofs())
         throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
-                         " holds a coordinate that is no degree of freedom");
+                         " holds a coordinate that is not a degree of freedom");
       holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
     }
   }
@@ -185,7 +185,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     for (const auto& signal : wiring().signals)
       if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
     throw bad_argument("kte: '" + std::string(name) +
-                       "' is no input from outside: an element writes it, or it is the time");
+                       "' is not an input from outside: an element writes it, or it is the time");
   }
   /// doMotion of the elements that keep them, and of what these depend on.
   void rates_of_internals() const {
