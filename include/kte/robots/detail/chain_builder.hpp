@@ -241,11 +241,10 @@ class chain_builder {
   std::vector<std::optional<rigid_body<>>> bodies_;  ///< by links
   robot out_;
   std::unordered_set<std::string> taken_, followers_;
-  std::string rest_;  ///< a coordinate at rest, from which springs and dampers act
 };
 
-/// Damping by itself is a `damper_gen` from a coordinate at rest: linear, and cheaper than friction. With dry friction
-/// both are one `joint_friction_gen`.
+/// Damping by itself is a `joint_damping_gen`: linear, and cheaper than friction. With dry friction both are one
+/// `joint_friction_gen`.
 inline void chain_builder::append_dynamics(const robot_joint& j, const std::string& from, const std::string& to,
                                            const robot_pose& seat) {
   const auto& x = j.dynamics;
@@ -255,15 +254,11 @@ inline void chain_builder::append_dynamics(const robot_joint& j, const std::stri
   if (x.armature != 0) append(inertia_gen(j.name, x.armature));
 }
 inline void chain_builder::append_spring(const robot_joint& j, const robot_joint_dynamics& x) {
-  if (rest_.empty() && (x.stiffness != 0 || (x.damping != 0 && x.friction == 0))) {
-    rest_ = fresh("rest");
-    append(base_gen(rest_));
-  }
   if (x.friction != 0)
     append(joint_friction_gen(j.name, {x.damping, x.friction, 0, 1, o_.friction_smoothing}));
   else if (x.damping != 0)
-    append(damper_gen(rest_, j.name, x.damping));
-  if (x.stiffness != 0) append(spring_gen(rest_, j.name, x.rest, x.stiffness));
+    append(joint_damping_gen(j.name, x.damping));
+  if (x.stiffness != 0) append(joint_stiffness_gen(j.name, x.stiffness, x.rest));
 }
 /// Of joints with a time constant T and a damping ratio z, d = 2 I/T and k = I/(T z)^2, where 1/I is the joint's entry
 /// on the diagonal of M^-1 with the robot as it is written.
