@@ -42,6 +42,7 @@
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/joint_motor.hpp>
 #include <kte/elements/joint_stiction.hpp>
 #include <kte/elements/joint_stiffness.hpp>
 #include <kte/elements/law_spring.hpp>

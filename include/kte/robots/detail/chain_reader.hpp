@@ -106,6 +106,15 @@ class chain_reader {
     if (!rest_.contains(to(e, "anchor1"))) refuse(e, "its anchor1 is not at rest: links and joints cannot say that");
     return joint(e, to(e, "anchor2"));
   }
+  void motor(const element_record& e) {
+    const auto n = [&](const char* name) { return number(e, name); };
+    d_.actuators.push_back({to(e, "command"),
+                            0,
+                            joint(e, to(e, "coordinate")).name,
+                            1,
+                            {n("gain"), n("offset"), n("stiffness"), n("damping"), n("lower"), n("upper"),
+                             n("lower_command"), n("upper_command")}});
+  }
   static void spring(const element_record& e, robot_joint& j, double rest) {
     if (j.dynamics.stiffness != 0) refuse(e, "its joint has a spring already");
     j.dynamics.stiffness = number(e, "stiffness"), j.dynamics.rest = rest;
@@ -126,6 +135,8 @@ class chain_reader {
       spring(e, joint_from_rest(e), number(e, "rest_length"));
     } else if (e.type == "inertia_gen") {
       joint(e, to(e, "coordinate")).dynamics.armature += number(e, "mass");
+    } else if (e.type == "joint_motor_gen") {
+      motor(e);
     } else if (e.type == "joint_friction_gen") {
       if (number(e, "stiction") != 0) refuse(e, "it has stiction: links and joints cannot say that");
       auto& x = joint(e, to(e, "coordinate")).dynamics;
