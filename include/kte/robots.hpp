@@ -4,4 +4,5 @@
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
+#include <kte/robots/motors.hpp>
 #include <kte/robots/urdf_writer.hpp>

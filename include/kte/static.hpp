@@ -37,11 +37,14 @@
 #include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_backlash_mode.hpp>
+#include <kte/elements/joint_damping.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/joint_motor.hpp>
 #include <kte/elements/joint_stiction.hpp>
+#include <kte/elements/joint_stiffness.hpp>
 #include <kte/elements/law_spring.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/mimic.hpp>

@@ -1,4 +1,4 @@
-// expect: error: .*kte: this element reads a name that no element of the chain writes
+// expect: error: .*kte: nothing moves by this coordinate of the element: misspelt
 // expect: spring.*wall_
 #include <kte/kte.hpp>
 

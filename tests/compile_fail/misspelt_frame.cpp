@@ -1,5 +1,6 @@
 // expect: error: .*kte: this element reads a name that no element of the chain writes: misspelt
 // expect: rigid_link.*elbwo_
+// expect: did_you_mean_key<elbwo_, elbow_>
 #include <kte/kte.hpp>
 
 // clang-format off

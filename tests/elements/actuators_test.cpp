@@ -186,3 +186,42 @@ TEST_CASE("loads from outside are those of actuators on frames", "[actuators][ex
   const std::array<double, 1> one_number{0.1};
   CHECK_THROWS_AS(inverse_dynamics(dry, u, one_number, one_number, one_number, {{"arm", f, m}}), bad_argument);
 }
+
+TEST_CASE("a motor of a joint follows its law within its ranges", "[actuators]") {
+  constexpr motor_law servo{.gain = 8,
+                            .offset = 0.5,
+                            .stiffness = 8,
+                            .damping = 2,
+                            .lower = -5,
+                            .upper = 3,
+                            .lower_command = -1,
+                            .upper_command = 1};
+  const auto force = [](const motor_law& law, double at, double rate, double command) {
+    auto x = trial_of(joint_motor_gen("q", "u", law), 1);
+    x.at<0>() = {.q = at, .q_dot = rate}, x.at<1>() = command;
+    x.doForce();
+    return x.at<0>().f;
+  };
+  CHECK(force({}, 1, 1, 2.5) == 2.5);
+  CHECK(force(servo, 0.25, 0.5, 0.25) == -0.5);
+  CHECK(force(servo, 1, 0.5, 7) == -0.5);  // as of a command of 1
+  CHECK(force(servo, 0, 0, 1) == 3);
+  CHECK(force(servo, 2, 0, 1) == -5);
+  CHECK(std::isnan(force(servo, not_a_number, 0, 0)));
+  CHECK(std::isnan(force(servo, 0, 0, not_a_number)));
+
+  const auto c = chain(inertia_gen(q, 1.0), joint_motor_gen(q, volts, servo));
+  auto s = make_state(c);
+  s[q] = {.q = 0.25, .q_dot = 0.5}, s[volts] = 0.25;
+  const auto d = inverse_dynamics_derivatives(c, s);
+  CHECK((d.by_q(0, 0) == 8 && d.by_v(0, 0) == 2));
+  CHECK(core::joint_motor_gen{servo}.switching(s[q], 0.25) == 3.5);  // from -0.5
+  CHECK(core::joint_motor_gen{}.switching(s[q], 0.25) == 1);
+
+  const std::string where = "kte: joint_motor_gen (coordinate 'q', command 'u'): ";
+  const auto what = [](const motor_law& law) { return complaint([&] { joint_motor_gen("q", "u", law); }); };
+  CHECK(what({.gain = not_a_number}) == where + "gain must be finite, got nan");
+  CHECK(what({.lower = 1, .upper = -1}) == where + "lower must not be above upper, got 1");
+  CHECK(what({.lower_command = 1, .upper_command = -1}) ==
+        where + "lower_command must not be above upper_command, got 1");
+}

@@ -174,7 +174,7 @@ TEST_CASE("a free joint in a runtime chain wants names of its kinds", "[elements
   CHECK(c.nq() == 8);
   auto s = c.make_state();
   CHECK_THROWS_WITH(s.pose_2D("X"), "kte: 'X' is a 3D pose, not a 2D pose");
-  CHECK_THROWS_WITH(s.pose_3D("Y"), "kte: this chain has no 3D pose 'Y'");
+  CHECK_THROWS_WITH(s.pose_3D("Y"), "kte: this chain has no 3D pose 'Y' (there are 'X')");
 }
 
 TEST_CASE("free joints go to records and back", "[elements][free_joint]") {

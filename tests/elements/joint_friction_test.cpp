@@ -49,7 +49,8 @@ TEST_CASE("smooth friction is as its formula says", "[elements][joint_friction]"
   CHECK(force(dry, 0.1) == within(-1.025, 1e-14));  // Coulomb and viscous
   CHECK(force({.coulomb = 2, .smoothing_velocity = 0.001}, 1e-4) == within(-2 * std::tanh(0.1), 1e-15));  // no stiction
   CHECK(force(dry, 1e300) == -2.5e299);
-  CHECK(force({.viscous = 3, .smoothing_velocity = 1}, 2.0) == -6);
+  CHECK(force({.viscous = 3}, 2.0) == -6);  // without a smoothing velocity
+  CHECK(std::isnan(force({.viscous = 3}, not_a_number)));
   CHECK(std::isnan(force(dry, not_a_number)));
 }
 
@@ -62,6 +63,22 @@ TEST_CASE("smooth friction has its derivative at rest too", "[elements][joint_fr
   CHECK(slope(0.1) == within(0.25, 1e-14));
   const double h = 1e-6;
   CHECK(slope(0.002) == within_relative((force(dry, 0.002 - h) - force(dry, 0.002 + h)) / (2 * h), 1e-5));
+}
+
+TEST_CASE("damping and a spring of one coordinate need no base", "[elements][joint_friction]") {
+  random_numbers draw(2);
+  CHECK(testing::no_work_done<double>(joint_damping_gen("q", 0.5), draw) == 0);
+  auto x = trial_of(joint_stiffness_gen("q", 8.0, 0.25), 1);
+  x.at<0>() = {.q = 1.25};
+  x.doForce();
+  CHECK(x.at<0>().f == -8);
+  constexpr auto c = chain(inertia_gen(q, 2.0), joint_damping_gen(q, 0.5), joint_stiffness_gen(q, 8.0, 0.25),
+                           joint_friction_gen(q, {.viscous = 0.25}));
+  constexpr std::array at{1.25}, rate{4.0}, acceleration{0.0};
+  CHECK(inverse_dynamics(c, at, rate, acceleration)[0] == 11);
+  const auto d = inverse_dynamics_derivatives(c, at, rate, acceleration);
+  CHECK((d.by_q(0, 0) == 8 && d.by_v(0, 0) == 0.75));
+  CHECK(potential_energy(c, at) == 4);
 }
 
 TEST_CASE("dry friction stops a sliding mass where it should", "[elements][joint_friction]") {
@@ -80,7 +97,8 @@ TEST_CASE("dry friction stops a sliding mass where it should", "[elements][joint
 
 TEST_CASE("smooth friction is saved and loaded, and rejects what makes no sense", "[elements][joint_friction]") {
   kte_map_chain c;
-  c << inertia_gen("q", 1.0) << joint_friction_gen("q", dry);
+  c << inertia_gen("q", 1.0) << joint_friction_gen("q", dry) << joint_damping_gen("q", 0.5)
+    << joint_stiffness_gen("q", 8.0, 0.25) << joint_friction_gen("q", {.viscous = 0.1});
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
   const auto what = [](auto member, double x) {
     auto p = dry;
@@ -94,5 +112,16 @@ TEST_CASE("smooth friction is saved and loaded, and rejects what makes no sense"
   CHECK(what(&p::stiction, 0.5) == where + "stiction must be 0 or not below coulomb, got 0.5");
   CHECK(what(&p::stiction, 0) == "");
   CHECK(what(&p::stribeck_velocity, 0) == where + "stribeck_velocity must be finite and positive, got 0");
-  CHECK(what(&p::smoothing_velocity, -1) == where + "smoothing_velocity must be finite and positive, got -1");
+  CHECK(what(&p::smoothing_velocity, -1) ==
+        where + "smoothing_velocity must be finite and positive with dry friction, got -1");
+  CHECK(what(&p::smoothing_velocity, 0) ==
+        where + "smoothing_velocity must be finite and positive with dry friction, got 0");
+  CHECK(complaint([] { joint_friction_gen("q", {.viscous = 1, .smoothing_velocity = -1}); }) ==
+        where + "smoothing_velocity must be finite and not negative, got -1");
+  CHECK(complaint([] { joint_damping_gen("q", -1.0); }) ==
+        "kte: joint_damping_gen (coordinate 'q'): damping must be finite and not negative, got -1");
+  CHECK(complaint([] { joint_stiffness_gen("q", -1.0); }) ==
+        "kte: joint_stiffness_gen (coordinate 'q'): stiffness must be finite and not negative, got -1");
+  CHECK(complaint([] { joint_stiffness_gen("q", 1.0, infinity); }) ==
+        "kte: joint_stiffness_gen (coordinate 'q'): rest must be finite, got inf");
 }

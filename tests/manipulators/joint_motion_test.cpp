@@ -109,11 +109,15 @@ TEST_CASE("Motions that make no sense are refused") {
   const three from(0, 0.5, -1);
   CHECK_THROWS_MATCHES(trapezoidal_motion(arm, from, three(0, 2.5, 0)), bad_argument,
                        says("to is beyond the limits of coordinate 'q2'"));
-  CHECK_THROWS_AS(trapezoidal_motion(arm, from, from), bad_argument);
+  CHECK_THROWS_MATCHES(trapezoidal_motion(three_r(), from, from), bad_argument,
+                       says("trapezoidal_motion: from and to are the same, and nothing moves"));
   CHECK_NOTHROW(trapezoidal_motion(arm, from, three(-2, 2, -1)));  // on limits
   CHECK_THROWS_MATCHES(trapezoidal_motion(three_r(), from, three(0, 1, 0)), bad_argument,
-                       says("limits of acceleration"));
-  CHECK_THROWS_MATCHES(quintic_motion(three_r(), from, three(0, 1, 0)), bad_argument, says("needs a duration"));
+                       says("kte: trapezoidal_motion: coordinate 'q2' has no limit of acceleration, nor has another "
+                            "that moves: give the manipulator one, as by limits.acceleration[1] = 2, which files of "
+                            "robots do not have"));
+  CHECK_THROWS_MATCHES(quintic_motion(three_r(), from, three(0, 1, 0)), bad_argument,
+                       says("coordinate 'q2' has no limit of rate, acceleration or jerk"));
   CHECK_THROWS_MATCHES(quintic_motion(arm, from, three(0, NAN, 0)), bad_argument, says("to[1] of 'q2' is nan"));
   for (const double bad : {double(NAN), -1.0, double(INFINITY)})
     CHECK_THROWS_AS(quintic_motion(arm, from, three(0, 1, 0), bad), bad_argument);

@@ -2,6 +2,7 @@
 #include <kte/io/model_file.hpp>
 #include <kte/io/recorder.hpp>
 #include <kte/models/runtime_models.hpp>
+#include <kte/runtime_chain/check_chain.hpp>
 #include <kte/runtime_chain/from_record.hpp>
 #include <kte/runtime_chain/topology.hpp>
 
@@ -108,7 +109,10 @@ TEST_CASE("what is asked for by a shared name", "[runtime_chain][topology]") {
   auto s = c.make_state();
   CHECK_THROWS_MATCHES(s.frame_2D("elbow"), unknown_name, says("kte: 'elbow' is a 3D frame, not a 2D frame"));
   CHECK_THROWS_MATCHES(s.rotation_3D("elbow"), unknown_name, says("kte: 'elbow' is a coordinate, not a rotation"));
-  CHECK_THROWS_MATCHES(s.frame_3D("shoulder"), unknown_name, says("kte: this chain has no 3D frame 'shoulder'"));
+  CHECK_THROWS_MATCHES(s.frame_3D("shoulder"), unknown_name,
+                       says("kte: this chain has no 3D frame 'shoulder' (there are "
+                            "'ground', 'body', 'elbow', 'tool')"));
+  CHECK_THROWS_MATCHES(s.frame_3D("toll"), unknown_name, says("no 3D frame 'toll', did you mean 'tool'? (there are"));
   // Without a kind it must be one thing.
   const auto& t = c.wiring();
   CHECK(t.kind_of("ground") == kind::frame_3D);
@@ -137,11 +141,15 @@ TEST_CASE("names of one family are still of one thing", "[runtime_chain][topolog
   fails(free_joint_3D("elbow", "tool", "x"), "'elbow' is a coordinate, not a 3D pose");
   fails(revolute_joint_2D("q", "elbow", "x"), "'elbow' is a 3D frame, not a 2D frame");
   fails(rigid_link_3D("tool", "elbow", along_x(1.0)), "it writes 'elbow', which is then written twice");
-  fails(rigid_link_3D("tool", "ground", along_x(1.0)), "it writes 'ground', which is read before it is written");
-  fails(rigid_link_gen("q", "elbow", 1.0), "it writes 'elbow', which is read before it is written");
+  fails(rigid_link_3D("tool", "ground", along_x(1.0)),
+        "kte: free_joint_3D (coordinate 'body', base 'ground', end 'body'): it reads 'ground' before it is written, by "
+        "rigid_link_3D (base 'tool', end 'ground'): append it behind that");
+  fails(rigid_link_gen("q", "elbow", 1.0),
+        "kte: revolute_joint_3D (coordinate 'elbow', base 'body', end 'elbow'): it reads 'elbow' before it is written");
   CHECK_NOTHROW(c << spring_gen("elbow", "ground", 0.0, 1.0));  // a coordinate of the base's name, which moves nothing
   CHECK_THROWS_MATCHES(c.make_state(), bad_wiring,
-                       says("a force acts on coordinate 'ground', which no element moves by"));
+                       says("kte: spring_gen (anchor1 'elbow', anchor2 'ground'): nothing moves by 'ground': is it "
+                            "misspelt?"));
 }
 
 TEST_CASE("shared names in recordings", "[runtime_chain][topology]") {
@@ -171,4 +179,56 @@ TEST_CASE("shared names in recordings", "[runtime_chain][topology]") {
   };
   check(shared);
   check(of_texts);
+}
+
+TEST_CASE("names that were misspelt are found by those that are there", "[runtime_chain][topology]") {
+  kte_map_chain c;
+  c << revolute_joint_3D("q1", "ground", "arm", axis::y) << inertia_3D("arm", brick);
+  const auto fails = [](kte_map_chain with, const auto& e, const std::string& why) {
+    CHECK_THROWS_MATCHES((with << e, with.make_state()), bad_wiring, says("kte: " + why));
+  };
+  fails(c, joint_friction_gen("q_1", {.viscous = 1}),
+        "joint_friction_gen (coordinate 'q_1'): nothing moves by 'q_1', did you mean 'q1'?");
+  fails(c, position_measure_gen("q11", "y"),
+        "position_measure_gen (coordinate 'q11', output 'y'): nothing moves by 'q11', did you mean 'q1'?");
+  fails(c, inertia_3D("amr", brick),
+        "inertia_3D (frame 'amr'): it reads 'amr', which no element before it writes, did you mean 'arm'? (there are "
+        "'ground', 'arm'; a further base is declared by base_2D or base_3D)");
+  // an inertia before its joint is taken for the base, and blamed itself
+  kte_map_chain early;
+  early << inertia_3D("arm", brick);
+  fails(early, revolute_joint_3D("q", "ground", "arm", axis::y),
+        "inertia_3D (frame 'arm'): it reads 'arm' before it is written, by revolute_joint_3D (coordinate 'q', base "
+        "'ground', end 'arm'): append it behind that");
+  CHECK(record_of(early).elements.size() == 1);
+}
+
+TEST_CASE("what is odd about a chain is found, and may be meant", "[runtime_chain][topology]") {
+  kte_map_chain c;
+  c << revolute_joint_3D("q1", "ground", "arm", axis::y) << inertia_3D("arm", brick) << inertia_gen("q1", 0.1)
+    << inertia_gen("mass", 1.0) << base_gen("wall") << spring_gen("wall", "mass", 0.0, 1.0);
+  CHECK(check_chain(c).empty());
+  c << inertia_gen("q_1", 0.1) << joint_damping_gen("q_1", 1.0) << inertia_gen("alone", 0.1)
+    << prismatic_joint_3D("q1", "arm", "tool", axis::x);
+  CHECK(
+      check_chain(c) ==
+      std::vector<std::string>{
+          "'q1' moves 2 joints: revolute_joint_3D (coordinate 'q1', base 'ground', end 'arm'), prismatic_joint_3D "
+          "(coordinate 'q1', base 'arm', end 'tool')",
+          "inertia_gen (coordinate 'q_1') has a degree of freedom of its own, 'q_1', by which no joint moves, did you "
+          "mean 'q1'?",
+          "inertia_gen (coordinate 'alone') has a degree of freedom of its own, 'alone', by which no joint moves"});
+  CHECK(check_chain(::shared).empty());
+}
+
+TEST_CASE("edit distances", "[topology]") {
+  using detail::edit_distance;
+  CHECK((edit_distance("", "abc") == 3 && edit_distance("abc", "abc") == 0 && edit_distance("abc", "") == 3));
+  CHECK((edit_distance("elbwo", "elbow") == 1 && edit_distance("kitten", "sitting") == 3));
+  CHECK(edit_distance("ca", "abc") == 3);  // nothing is put in between two that are exchanged
+  CHECK(edit_distance(std::string(64, 'a'), std::string(64, 'a')) == 63);
+  const std::vector<std::string> names{"elbow", "shoulder", "x"};
+  CHECK((detail::nearest_name("shuolder", names) == 1 && detail::nearest_name("y", names) == 3));
+  CHECK(detail::list_of_names(std::vector<std::string>(10, "a")) ==
+        "there are 'a', 'a', 'a', 'a', 'a', 'a', 'a', 'a' and 2 more");
 }

@@ -55,8 +55,14 @@ struct check_wiring {
                 "kte: this element reads a name that only a later element writes: move it behind that element");
   static_assert(rule<Element, Name, P != problem::unknown>,
                 "kte: this element reads a name that no element of the chain writes: misspelt, or another base? "
-                "Declare a further base by kte::base_gen, base_2D or base_3D");
+                "Declare a further base by kte::base_2D or base_3D");
+  static_assert(rule<Element, Name, P != problem::moves_nothing>,
+                "kte: nothing moves by this coordinate of the element: misspelt? A joint or a mass must move by it, or "
+                "kte::base_gen declare it");
 };
+/// In errors: a key, and another one that may have been meant.
+template <class Written, class Meant>
+struct did_you_mean_key {};
 
 /// An element core whose forces depend on what an algorithm leaves out, unless it says that it needs it.
 template <class Core, bool Declared>

@@ -14,7 +14,8 @@ enum class problem : unsigned char {
                         ///< (Names of frames live apart from all others.)
   written_twice,        ///< another element has written this name before
   read_before_written,  ///< an element before has read it
-  unknown               ///< nothing before writes it, and it is no base or coordinate of the chain
+  unknown,              ///< nothing before writes it, and it is no base or coordinate of the chain
+  moves_nothing         ///< a coordinate that is acted upon or measured, and by which nothing moves
 };
 
 /// What is known of a name when a port is connected to it.
@@ -42,7 +43,7 @@ class wiring_rules {
     return problem::none;
   }
   /// Whether a use makes a coordinate a degree of freedom, unless an element writes it. One without such a use that
-  /// nothing declares is unknown.
+  /// nothing declares moves nothing.
   static constexpr bool moves(access how) { return how == access::in || how == access::angle; }
 
  private:

@@ -23,11 +23,14 @@
 #include <kte/elements/inertial_beam.hpp>
 #include <kte/elements/joint_backlash.hpp>
 #include <kte/elements/joint_backlash_mode.hpp>
+#include <kte/elements/joint_damping.hpp>
 #include <kte/elements/joint_elasto_plastic.hpp>
 #include <kte/elements/joint_friction.hpp>
 #include <kte/elements/joint_limit.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/joint_motor.hpp>
 #include <kte/elements/joint_stiction.hpp>
+#include <kte/elements/joint_stiffness.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/mimic.hpp>
 #include <kte/elements/pid_control.hpp>
@@ -136,6 +139,7 @@ KTE_ELEMENT(force_actuator<kind::frame_2D>);
 KTE_ELEMENT(force_actuator<kind::frame_3D>);
 KTE_ELEMENT(dc_motor_gen);
 KTE_ELEMENT(torque_speed_motor_gen);
+KTE_ELEMENT(joint_motor_gen);
 KTE_ELEMENT(constant_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
 KTE_ELEMENT(constant_force<kind::frame_3D, vec3<>, vec3<>>);
 KTE_ELEMENT(follower_force<kind::frame_2D, vec3<double, double, zero_t>, vec3<zero_t, zero_t, double>>);
@@ -145,6 +149,8 @@ KTE_ELEMENT(fluid_drag<kind::frame_3D, double, double, vec3<>>);
 KTE_ELEMENT(joint_lugre_gen);
 KTE_ELEMENT(joint_elasto_plastic_gen);
 KTE_ELEMENT(joint_friction_gen);
+KTE_ELEMENT(joint_damping_gen<double>);
+KTE_ELEMENT(joint_stiffness_gen<double, double>);
 KTE_ELEMENT(joint_backlash_gen<double>);
 KTE_ELEMENT(joint_backlash_mode_gen<double>);
 KTE_ELEMENT(joint_limit_gen);
@@ -214,8 +220,9 @@ using all_families =
              driving_actuator_family, dry_revolute_joint_family, dyad_family, external_force_family,
              flexible_beam_family, fluid_drag_family, force_actuator_family, four_bar_family, free_joint_family,
              inertia_family, inertial_beam_family, joint_backlash_family, joint_backlash_mode_family,
-             joint_elasto_plastic_family, joint_friction_family, joint_limit_family, joint_lugre_family,
-             joint_stiction_family, line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family,
+             joint_damping_family, joint_elasto_plastic_family, joint_friction_family, joint_limit_family,
+             joint_lugre_family, joint_motor_family, joint_stiction_family, joint_stiffness_family,
+             line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family,
              plane_point_mindist_family, position_control_family, position_measure_family, prismatic_joint_family,
              revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family, rotor_family,
              screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, table_spring_family,

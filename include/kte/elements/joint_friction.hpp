@@ -7,11 +7,11 @@ namespace kte {
 
 /// The parameters of smooth friction, of a force (N) along a length, or of a torque (Nm) about an angle.
 struct friction_parameters {
-  double viscous = 0;            ///< b, Ns/m or Nms/rad; not negative
-  double coulomb = 0;            ///< Fc, force of fast sliding, N or Nm; not negative
-  double stiction = 0;           ///< Fs, largest force at slow sliding, N or Nm; not below Fc, but 0: as coulomb
-  double stribeck_velocity = 1;  ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
-  double smoothing_velocity;     ///< v0, rate over which the force changes its sign, m/s or rad/s; positive
+  double viscous = 0;             ///< b, Ns/m or Nms/rad; not negative
+  double coulomb = 0;             ///< Fc, force of fast sliding, N or Nm; not negative
+  double stiction = 0;            ///< Fs, largest force at slow sliding, N or Nm; not below Fc, but 0: as coulomb
+  double stribeck_velocity = 1;   ///< vs, rate over which the force falls from Fs to Fc, m/s or rad/s; positive
+  double smoothing_velocity = 0;  ///< v0, rate over which dry friction changes its sign, m/s or rad/s; positive with it
 };
 
 namespace core {
@@ -40,7 +40,10 @@ struct joint_friction_gen {
     where.not_negative(p.stiction, "stiction must be finite and not negative");
     where.require(p.stiction == 0 || p.stiction >= p.coulomb, "stiction must be 0 or not below coulomb", p.stiction);
     where.positive(p.stribeck_velocity, "stribeck_velocity must be finite and positive");
-    where.positive(p.smoothing_velocity, "smoothing_velocity must be finite and positive");
+    if (is_dry())
+      where.positive(p.smoothing_velocity, "smoothing_velocity must be finite and positive with dry friction");
+    else
+      where.not_negative(p.smoothing_velocity, "smoothing_velocity must be finite and not negative");
   }
   template <class Self, class Visit>
   static constexpr void parameters(Self& self, Visit&& visit) {
@@ -49,6 +52,7 @@ struct joint_friction_gen {
   }
 
  private:
+  constexpr bool is_dry() const { return p.coulomb != 0 || p.stiction != 0; }
   template <class V>
   KTE_INLINE constexpr auto force(const V& v) const {
     using std::tanh;
@@ -56,6 +60,7 @@ struct joint_friction_gen {
       return zero;
     } else {
       using number = std::remove_cvref_t<decltype(v / p.smoothing_velocity)>;
+      if (!is_dry()) return number(-(p.viscous * v));
       const double stiction = p.stiction > 0 ? p.stiction : p.coulomb;
       const auto g = detail::stribeck_force(v, p.coulomb, stiction, p.stribeck_velocity);    // (1)
       return number(-(g * number(tanh(number(v / p.smoothing_velocity))) + p.viscous * v));  // (2)
@@ -69,6 +74,9 @@ struct joint_friction_gen {
 ///
 ///   joint_friction_gen(q, {.viscous = 0.1, .coulomb = 1.0, .stiction = 1.5, .stribeck_velocity = 0.01,
 ///                          .smoothing_velocity = 0.001})
+///   joint_friction_gen(q, {.viscous = 0.1})
+///
+/// A rate v0 is needed where there is dry friction.
 template <class Q>
 constexpr auto joint_friction_gen(const Q& coordinate, const friction_parameters& p) {
   return connect(core::joint_friction_gen{p}, coordinate);

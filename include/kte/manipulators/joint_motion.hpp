@@ -68,24 +68,43 @@ auto motion_between(const Arm& arm, const Q0& from, const Q1& to, const Make& pr
     limits.acceleration = (std::min)(limits.acceleration, arm.limits().acceleration[i] / length);
     limits.jerk = (std::min)(limits.jerk, arm.limits().jerk[i] / length);
   }
-  return joint_motion(arm, q0, d, profile(limits));
+  return joint_motion(arm, q0, d, profile(limits, d));
+}
+/// Of a motion by d: the first coordinate that moves has no limit of `what`, nor has another that does.
+template <class Arm, class D>
+[[noreturn]] void refuse_unlimited(const Arm& arm, const D& d, const std::string& motion, const std::string& what) {
+  Eigen::Index i = 0;
+  while (i < d.size() && d[i] == 0) ++i;
+  if (i == d.size()) raise<bad_argument>("kte: " + motion + ": from and to are the same, and nothing moves");
+  raise<bad_argument>("kte: " + motion + ": " + text_of_rate(layout(arm), static_cast<int>(i)) + " has no limit of " +
+                      what +
+                      ", nor has another that moves: give the manipulator one, as by "
+                      "limits.acceleration[" +
+                      std::to_string(i) + "] = 2, which files of robots do not have");
 }
 }  // namespace detail
 
 /// The fastest straight motion from rest to rest within limits of rates and accelerations (those of jerk it breaks at
-/// four instants). Throws `bad_argument` where there are no limits of acceleration, for ends beyond limits of
-/// positions, and where the ends are the same.
+/// four instants). Throws `bad_argument`, with the name of a coordinate, where no coordinate that moves has a limit of
+/// acceleration, for ends beyond limits of positions, and where the ends are the same.
 template <class Arm, indexable Q0, indexable Q1>
 auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
-  return detail::motion_between(arm, from, to, [](const auto& limits) { return trapezoidal_profile<double>(limits); });
+  return detail::motion_between(arm, from, to, [&arm](const auto& limits, const auto& d) {
+    if (limits.acceleration == limits.none) detail::refuse_unlimited(arm, d, "trapezoidal_motion", "acceleration");
+    return trapezoidal_profile<double>(limits);
+  });
 }
 /// The fastest straight motion by a polynomial of fifth degree from rest to rest within limits of rates, accelerations
 /// and jerks, or one that takes longer. Throws `bad_argument` for ends beyond limits of positions, and without a
 /// duration if there are no limits.
 template <class Arm, indexable Q0, indexable Q1>
 auto quintic_motion(const Arm& arm, const Q0& from, const Q1& to, double at_least = 0) {
-  return detail::motion_between(arm, from, to,
-                                [at_least](const auto& limits) { return quintic_profile<double>(limits, at_least); });
+  return detail::motion_between(arm, from, to, [&arm, at_least](const auto& limits, const auto& d) {
+    const bool unlimited =
+        limits.rate == limits.none && limits.acceleration == limits.none && limits.jerk == limits.none;
+    if (unlimited && at_least == 0) detail::refuse_unlimited(arm, d, "quintic_motion", "rate, acceleration or jerk");
+    return quintic_profile<double>(limits, at_least);
+  });
 }
 
 }  // namespace kte

@@ -2,6 +2,7 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/robots/to_robot.hpp>
+#include <kte/runtime_chain/check_chain.hpp>
 
 namespace kte {
 
@@ -10,7 +11,7 @@ namespace kte {
 /// move no mass, ranges of nothing, efforts and rates of 0, and a mass matrix that is nearly singular at one of twenty
 /// random configurations (always the same). No findings: an empty list.
 std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options = {});
-/// The same of a robot as it is, by its coordinates.
+/// The same of a robot as it is, by its coordinates, with what `check_chain` finds.
 std::vector<robot_note> check_robot(const robot& r);
 
 }  // namespace kte
@@ -34,6 +35,7 @@ KTE_FUNCTION std::vector<robot_note> check_robot(const robot_description& d, con
 
 KTE_FUNCTION std::vector<robot_note> check_robot(const robot& r) {
   auto found = r.warnings;
+  for (const auto& what : check_chain(r.chain)) found.push_back({0, what});
   for (const auto& e : layout(r.chain)) {
     if (e.nv != 1) continue;
     const auto i = static_cast<std::size_t>(e.v);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/elements/joint_motor.hpp>
 #include <kte/math/rigid_body.hpp>
 
 #include <limits>
@@ -103,12 +104,15 @@ inline bool has_one_coordinate(const robot_joint& j) {
   return j.is == revolute || j.is == prismatic || j.is == screw;
 }
 
-/// What drives a joint, as far as it is known: a name, the joint, the gear from one to the other.
+/// What drives a joint: the gear n from one to the other, and the law of the actuator, before the gear. With f its
+/// force, n f is that of the joint, and its position and rate are n times those of the joint.
 struct robot_actuator {
   std::string name;
   int line = 0;
   std::string joint;
   double gear = 1;
+  motor_law law{};             ///< of URDF with the gain 1/n: its commands are forces of joints
+  std::string not_modelled{};  ///< what of its law is not modelled, as "muscle"; else empty
 };
 
 /// A configuration that has a name, as a keyframe of MJCF: the numbers of q of joints, by their names.

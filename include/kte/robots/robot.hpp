@@ -16,6 +16,12 @@ struct robot {
     std::string frame;
     bool collision = false;
   };
+  /// A motor of the chain: its command is the input u of this name, in the order of the list; `v` is the place of its
+  /// joint in v.
+  struct motor {
+    std::string input, joint;
+    int v = 0;
+  };
   /// A configuration of the whole robot, by name.
   struct configuration {
     std::string name;
@@ -26,7 +32,8 @@ struct robot {
   joint_limits<> limits, soft_limits;
   std::vector<std::string> joints;
   std::vector<shape> shapes;
-  std::vector<robot_actuator> actuators;
+  std::vector<robot_actuator> actuators;  ///< as the file has them
+  std::vector<motor> motors;              ///< those in the chain (`add_motors`)
   std::vector<configuration> configurations;
   std::vector<robot_note> not_read;  ///< what the file holds and the chain does not, with lines
   std::vector<robot_note> warnings;  ///< first what moves differently from the file's robot, then what is odd

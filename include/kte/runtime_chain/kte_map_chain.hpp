@@ -112,8 +112,8 @@ class kte_map_chain : public kte_map {
         name, [](kind k) { return k == kind::internal; }, "internal state");
   }
 
-  /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if a force acts on a coordinate that
-  /// no element moves by, `bad_argument` if S is not double and elements have laws of their own.
+  /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if an element acts on a coordinate
+  /// by which nothing moves, `bad_argument` if S is not double and elements have laws of their own.
   template <class S = double>
   basic_runtime_state<S> make_state() const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/freedom.hpp>
+#include <kte/contract/nearest_name.hpp>
 #include <kte/contract/wiring_rules.hpp>
 #include <kte/detail/compiled.hpp>
 #include <kte/errors.hpp>
@@ -37,6 +38,7 @@ class topology {
   struct connection {
     const kte_element* element = nullptr;
     std::vector<int> index;       ///< of what each port is connected to
+    std::string_view type;        ///< of the element
     std::span<const port> ports;  ///< of the element
     bool stiff = false;           ///< whether it is a joint or a link
     bool spreads = false;         ///< whether it has a mass between several ports
@@ -70,8 +72,10 @@ class topology {
   extent size() const;
   /// Takes back what was connected since there was so much, also a half of an element. Allocates nothing.
   void cut(const extent& before) noexcept;
-  /// Throws `bad_wiring` where a coordinate is acted upon but moves nothing.
+  /// Throws `bad_wiring`, with the element, where a coordinate is acted upon but moves nothing.
   void check_complete() const;
+  /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
+  std::string describe(const connection& c) const;
   /// Things of a kind.
   int count(kind k) const { return static_cast<int>(names[static_cast<std::size_t>(k)].size()); }
   /// What a name is; throws `unknown_name`, also where it is that of a frame and of something else.
@@ -96,7 +100,8 @@ class topology {
   /// Index of a name; throws `unknown_name`.
   int find(std::string_view name, kind k) const {
     const auto it = things_.find(name);
-    if (it == things_.end()) throw unknown_name("kte: this chain has no " + text(k) + " '" + std::string(name) + "'");
+    if (it == things_.end())
+      throw unknown_name("kte: this chain has no " + text(k) + " '" + std::string(name) + "'" + instead(name, k));
     const auto& x = it->second[is_frame(k)] ? it->second[is_frame(k)] : it->second[!is_frame(k)];
     if (x.what != k)
       throw unknown_name("kte: '" + std::string(name) + "' is " + detail::text_with_article(x.what) + ", not " +
@@ -110,12 +115,19 @@ class topology {
   void check(std::string_view type, std::span<const port> ports, std::span<const std::string> to) const;
   int add(const port& x, const std::string& name);
   static std::string text(kind k) { return std::string(to_string(k)); }
+  /// What a name that is none may have meant (contract/nearest_name.hpp).
+  std::string instead(std::string_view name, kind k) const {
+    const auto& known = names[static_cast<std::size_t>(k)];
+    return detail::did_you_mean(name, known) + " (" + detail::list_of_names(known) + ")";
+  }
+  std::string did_you_mean(std::string_view name) const;
 
   /// What has a name: a frame at 1, something else at 0. These live apart, and one look-up finds both.
   using namesakes = std::array<thing, 2>;
   const namesakes& named(std::string_view name) const {
     const auto it = things_.find(name);
-    if (it == things_.end()) throw unknown_name("kte: this chain has nothing of the name '" + std::string(name) + "'");
+    if (it == things_.end())
+      throw unknown_name("kte: this chain has nothing of the name '" + std::string(name) + "'" + did_you_mean(name));
     return it->second;
   }
   struct hash_of_text {
@@ -133,7 +145,7 @@ KTE_FUNCTION void topology::connect(const kte_element* e, std::string_view type,
   check(type, ports, to);
   connection c;
   c.element = e;
-  c.ports = ports;
+  c.type = type, c.ports = ports;
   for (std::size_t p = 0; p < ports.size(); ++p) c.index.push_back(add(ports[p], to[p]));
   elements.push_back(std::move(c));
   layout = std::make_shared<char>();
@@ -171,16 +183,46 @@ KTE_FUNCTION void topology::cut(const extent& before) noexcept {
     }
 }
 KTE_FUNCTION void topology::check_complete() const {
-  for (std::size_t k = 0; k < kinds; ++k)
-    if (const auto what = static_cast<kind>(k); is_coordinate(what))
-      for (const auto& name : names[k])
-        if (!things_.find(name)->second[0].moves)
-          throw bad_wiring("kte: a force acts on " + std::string(to_string(what)) + " '" + name +
-                           "', which no element moves by: is it misspelt?");
+  for (const auto& c : elements)
+    for (std::size_t p = 0; p < c.ports.size(); ++p) {
+      if (!is_coordinate(c.ports[p].what)) continue;
+      const auto& known = names[static_cast<std::size_t>(c.ports[p].what)];
+      const auto& name = known[static_cast<std::size_t>(c.index[p])];
+      if (things_.find(name)->second[0].moves) continue;
+      std::vector<std::string> moving;
+      for (const auto& other : known)
+        if (things_.find(other)->second[0].moves) moving.push_back(other);
+      const auto meant = detail::did_you_mean(name, moving);
+      throw bad_wiring("kte: " + describe(c) + ": nothing moves by '" + name + "'" +
+                       (meant.empty() ? ": is it misspelt?" : meant));
+    }
+}
+KTE_FUNCTION std::string topology::describe(const connection& c) const {
+  std::vector<std::string_view> to;
+  for (std::size_t p = 0; p < c.ports.size(); ++p)
+    to.push_back(names[static_cast<std::size_t>(c.ports[p].what)][static_cast<std::size_t>(c.index[p])]);
+  return describe_element(c.type, c.ports, to);
+}
+KTE_FUNCTION std::string topology::did_you_mean(std::string_view name) const {
+  std::vector<std::string> all;
+  for (const auto& of_kind : names) all.insert(all.end(), of_kind.begin(), of_kind.end());
+  return detail::did_you_mean(name, all);
 }
 KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> ports,
                                   std::span<const std::string> to) const {
   const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
+  // Who reads what only this element writes is to blame.
+  const auto blame_reader = [&](const port& writes, const std::string& name) {
+    const auto it = things_.find(name);
+    const thing known = it == things_.end() ? thing{} : it->second[is_frame(writes.what)];
+    if (!writes.declares() || !known || known.declared || known.what != writes.what) return;
+    for (const auto& c : elements)
+      for (std::size_t q = 0; q < c.ports.size(); ++q)
+        if (c.ports[q].what == known.what && c.index[q] == known.index)
+          throw bad_wiring("kte: " + describe(c) + ": it reads '" + name + "' before it is written, by " +
+                           describe_element(type, ports, std::vector<std::string_view>(to.begin(), to.end())) +
+                           ": append it behind that");
+  };
   detail::wiring_rules rules(base_known_);
   for (std::size_t p = 0; p < ports.size(); ++p) {
     const port& x = ports[p];
@@ -195,6 +237,7 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
     const bool declared = known ? known.declared : ports[here].declares();
     switch (rules.broken_by(x.what, x.how, {used, k == x.what, used && declared})) {
       case detail::problem::none:
+      case detail::problem::moves_nothing:
         break;
       case detail::problem::same_text:
         refuse("'" + name + "' is " + detail::text_with_article(k) + ", not " + detail::text_with_article(x.what));
@@ -203,17 +246,21 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
         refuse("it writes '" + name + "', which is then written twice");
         break;
       case detail::problem::read_before_written:
+        blame_reader(x, name);
         refuse("it writes '" + name + "', which is read before it is written");
         break;
       case detail::problem::unknown:
         if (x.what == kind::internal)
           refuse("it reads the internal state '" + name + "', which no element before it keeps");
+        for (std::size_t q = p + 1; q < ports.size(); ++q) blame_reader(ports[q], to[q]);  // taken for the base
         if (of_name != things_.end())
           refuse("'" + name + "' is " + detail::text_with_article(of_name->second[0].what) + ", not " +
                  detail::text_with_article(x.what) + ", and no element before it writes a frame of this name");
-        refuse("it reads '" + name +
-               "', which no element before it writes: misspelt, written later, or another base? "
-               "(a further base is declared by base_2D or base_3D)");
+        const auto& frames = names[static_cast<std::size_t>(x.what)];
+        const auto meant = detail::did_you_mean(name, frames);
+        refuse("it reads '" + name + "', which no element before it writes" +
+               (meant.empty() ? ": misspelt, written later, or another base?" : meant) + " (" +
+               detail::list_of_names(frames) + "; a further base is declared by base_2D or base_3D)");
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <kte/contract/element.hpp>
 #include <kte/contract/freedom.hpp>
+#include <kte/contract/nearest_name.hpp>
 
 #include <array>
 #include <bit>
@@ -84,13 +85,19 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     const int before = name[p];
     const bool same = use[before].key == use[p].key && use[before].what == use[p].what;
     problem broken = rules.broken_by(use[p].what, use[p].how, {before < p, same, writer[before] >= 0});
+    int reader = before;
     if (broken == problem::unknown && written_later(p)) broken = problem::read_before_written;
-    if (broken != problem::none) report(broken == problem::read_before_written ? before : p, broken);
+    if (broken == problem::unknown)  // what was taken for the base may be what this element writes
+      for (int q = p + 1; q < first[static_cast<std::size_t>(element[p]) + 1]; ++q)
+        if (port::declares(use[q].how) && use[name[q]].what == use[q].what && name[q] < first[element[p]] &&
+            writer[name[q]] < 0)
+          reader = name[q], broken = problem::read_before_written;
+    if (broken != problem::none) report(broken == problem::read_before_written ? reader : p, broken);
     if (port::declares(use[p].how) && writer[before] < 0) writer[before] = p;
     moves[before] |= wiring_rules::moves(use[p].how);
   }
   for (int p = 0; p < n; ++p)
-    if (is_coordinate(use[p].what) && writer[name[p]] < 0 && !moves[name[p]]) report(p, problem::unknown);
+    if (is_coordinate(use[p].what) && writer[name[p]] < 0 && !moves[name[p]]) report(p, problem::moves_nothing);
   // slots: coordinates that are degrees of freedom first, the rest in order of appearance
   for (int round = 0; round < 2; ++round)
     for (int p = 0; p < n; ++p) {
@@ -232,8 +239,33 @@ struct problem_of {
 };
 template <class Wiring, class... E>
 struct problem_of<Wiring, true, E...> {
-  using element_type = std::tuple_element_t<Wiring::table.bad_element, std::tuple<E...>>;
-  using type = check_wiring<element_type, Wiring::table.error, key_of<element_type, Wiring::table.bad_port>>;
+  template <std::size_t I>
+  using element_type = std::tuple_element_t<I, std::tuple<E...>>;
+  static constexpr auto& table = Wiring::table;
+  using bad = element_type<table.bad_element>;
+  using key = key_of<bad, table.bad_port>;
+  /// Where else the chain has a key of this kind that may be meant, or `ports`.
+  static constexpr std::size_t meant = [] {
+    std::array<std::string_view, Wiring::ports> names{};
+    std::size_t p = 0;
+    const auto put = [&]<class Core, class... Keys>(const element<Core, Keys...>*) {
+      ((names[p++] = Keys::what == key::what && Keys::name != key::name ? Keys::name : std::string_view()), ...);
+    };
+    (put(static_cast<const E*>(nullptr)), ...);
+    constexpr bool asks = (table.error == problem::unknown || table.error == problem::moves_nothing) &&
+                          Wiring::ports < 200;  // beyond, clang gives up
+    return asks ? nearest_name(key::name, names) : names.size();
+  }();
+  template <std::size_t P, class Written>
+  struct name {
+    static constexpr auto e = static_cast<std::size_t>(table.element[P]);
+    using type = did_you_mean_key<Written, key_of<element_type<e>, P - static_cast<std::size_t>(Wiring::first[e])>>;
+  };
+  template <class Written>
+  struct name<Wiring::ports, Written> {
+    using type = Written;
+  };
+  using type = check_wiring<bad, table.error, typename name<meant, key>::type>;
 };
 template <class... E>
 using first_problem = typename problem_of<wiring<E...>, (wiring<E...>::table.error != problem::none), E...>::type;

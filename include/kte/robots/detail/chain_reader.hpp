@@ -106,25 +106,43 @@ class chain_reader {
     if (!rest_.contains(to(e, "anchor1"))) refuse(e, "its anchor1 is not at rest: links and joints cannot say that");
     return joint(e, to(e, "anchor2"));
   }
+  void motor(const element_record& e) {
+    const auto n = [&](const char* name) { return number(e, name); };
+    d_.actuators.push_back({to(e, "command"),
+                            0,
+                            joint(e, to(e, "coordinate")).name,
+                            1,
+                            {n("gain"), n("offset"), n("stiffness"), n("damping"), n("lower"), n("upper"),
+                             n("lower_command"), n("upper_command")}});
+  }
+  static void spring(const element_record& e, robot_joint& j, double rest) {
+    if (j.dynamics.stiffness != 0) refuse(e, "its joint has a spring already");
+    j.dynamics.stiffness = number(e, "stiffness"), j.dynamics.rest = rest;
+  }
   void force(const element_record& e) {
     if (e.type == "base_gen") {
       rest_.insert(to(e, "base"));
     } else if (e.type == "mimic_gen") {
       joint(e, to(e, "end")).mimic = {to(e, "base"), number(e, "ratio"), number(e, "offset")};
+    } else if (e.type == "joint_damping_gen") {
+      joint(e, to(e, "coordinate")).dynamics.damping += number(e, "damping");
     } else if (e.type == "damper_gen") {
       joint_from_rest(e).dynamics.damping += number(e, "damping");
+    } else if (e.type == "joint_stiffness_gen") {
+      spring(e, joint(e, to(e, "coordinate")), number(e, "rest"));
     } else if (e.type == "spring_gen") {
       if (number(e, "saturation") != 0) refuse(e, "it saturates: links and joints cannot say that");
-      auto& x = joint_from_rest(e).dynamics;
-      if (x.stiffness != 0) refuse(e, "its joint has a spring already");
-      x.stiffness = number(e, "stiffness"), x.rest = number(e, "rest_length");
+      spring(e, joint_from_rest(e), number(e, "rest_length"));
     } else if (e.type == "inertia_gen") {
       joint(e, to(e, "coordinate")).dynamics.armature += number(e, "mass");
+    } else if (e.type == "joint_motor_gen") {
+      motor(e);
     } else if (e.type == "joint_friction_gen") {
       if (number(e, "stiction") != 0) refuse(e, "it has stiction: links and joints cannot say that");
       auto& x = joint(e, to(e, "coordinate")).dynamics;
       x.damping += number(e, "viscous"), x.friction += number(e, "coulomb");
-      if (const double rate = number(e, "smoothing_velocity"); rate != robot_options{}.friction_smoothing)
+      const double rate = number(e, "smoothing_velocity");
+      if (number(e, "coulomb") != 0 && rate != robot_options{}.friction_smoothing)
         d_.not_read.push_back({0, "joint '" + to(e, "coordinate") +
                                       "': a description has no rate over which friction changes its sign, here " +
                                       detail::number(rate)});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/mjcf_actuator.hpp>
 #include <kte/robots/detail/mjcf_joint.hpp>
 #include <kte/robots/detail/mjcf_keyframe.hpp>
 #include <kte/robots/detail/mjcf_masses.hpp>
@@ -222,12 +223,15 @@ class mjcf_bodies {
   }
   void actuator(const xml_item& x, const mjcf_scope& in) {
     if (!in.prefix.empty() && x.has("joint") && !joints_.contains(in.named(x.text("joint")))) return;
-    const bool is_motor = unread_.actuator(x);
-    if (!x.has("joint")) return x.not_read("acts on no joint, and is not read");
-    const auto gear = x.has("gear") ? x.list("gear") : std::vector<double>{1};
-    d_.actuators.push_back({x.has("name") ? in.named(x.text("name")) : "", x.line(), in.named(x.text("joint")),
-                            gear.empty() ? 1 : gear[0]});
-    if (is_motor) x.only({}, {"name", "class", "joint", "gear", "gainprm", "gaintype", "biastype"});
+    auto a = read_mjcf_actuator(x, in);
+    const auto& law = a.law;
+    const bool pulls = law.offset != 0 || law.stiffness != 0 || law.damping != 0;
+    if (!a.not_modelled.empty() || (pulls && a.joint.empty()))
+      unread_.actuator(x);
+    else if (pulls)
+      unread_.servo(x);
+    if (a.joint.empty()) return x.not_read("acts on no joint, and is not read");
+    d_.actuators.push_back(std::move(a));
   }
 
   robot_description& d_;

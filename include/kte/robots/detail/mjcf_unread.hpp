@@ -63,19 +63,16 @@ class mjcf_unread {
     for (const auto* look : {"type", "size", "rgba", "material", "group", "user"})
       if (x.has(look) && looks_.insert(look).second && !site_) site_.emplace(x);
   }
-  /// Whether its force is its control.
-  bool actuator(const xml_item& x) {
-    if (x.name() == "motor" || gains_of_motor(x)) return true;
-    auto& [first, names, count] = actuators_[std::string(x.name())];
-    if (count++ == 0) first.emplace(x);
-    if (count <= 3) names += (count > 1 ? ", '" : "'") + excerpt(x.text_or("name", "")) + "'";
-    return false;
-  }
+  /// An actuator whose law is not modelled.
+  void actuator(const xml_item& x) { actuators_[std::string(x.name())].add(x); }
+  /// One that pulls without a command.
+  void servo(const xml_item& x) { servos_[std::string(x.name())].add(x); }
   /// What was gathered, as warnings.
   void finish() {
     for (const auto& [kind, a] : actuators_)
-      a.first->moves_differently("its law is not modelled, nor that of any <" + kind + ">: " + a.names +
-                                 (a.count > 3 ? " and " + std::to_string(a.count - 3) + " more" : ""));
+      a.first->moves_differently("its law is not modelled, as of others of <" + kind + ">: " + a.list());
+    for (const auto& [kind, a] : servos_)
+      a.first->warn("the chain has its force, and that of any <" + kind + ">, by kte::add_motors alone: " + a.list());
     if (site_) {
       std::string all;
       for (const auto& look : looks_) all += (all.empty() ? "" : ", ") + look;
@@ -91,13 +88,12 @@ class mjcf_unread {
     std::optional<xml_item> first;
     std::string names;
     std::size_t count = 0;
+    void add(const xml_item& x) {
+      if (count++ == 0) first.emplace(x);
+      if (count <= 3) names += (count > 1 ? ", '" : "'") + excerpt(x.text_or("name", "")) + "'";
+    }
+    std::string list() const { return names + (count > 3 ? " and " + std::to_string(count - 3) + " more" : ""); }
   };
-  /// Of <general>: whether its force is its control, times the gear.
-  static bool gains_of_motor(const xml_item& x) {
-    return x.name() == "general" && !x.has("biasprm") && !x.has("dyntype") &&
-           x.text_or("gaintype", "fixed") == "fixed" && x.text_or("biastype", "none") == "none" &&
-           x.text_or("gainprm", "1") == "1";
-  }
   void note_contact(const xml_item& x) {
     if (no_contact_) return;
     if (!contact_) contact_.emplace(x);
@@ -112,7 +108,7 @@ class mjcf_unread {
     x.moves_differently("its " + forces + (forces.find(',') == forces.npos ? " is" : " are") + " not modelled");
   }
 
-  std::map<std::string, group> actuators_;
+  std::map<std::string, group> actuators_, servos_;
   std::set<std::string> kinds_of_assets_, looks_;
   std::optional<xml_item> contact_, site_;
   std::size_t contacts_ = 0;

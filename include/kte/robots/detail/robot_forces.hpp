@@ -40,21 +40,16 @@ class robot_forces {
   std::vector<robot_note>& warnings_;
   const robot_description& d_;
   const robot_options& o_;
-  std::string rest_;  ///< a coordinate at rest, from which springs and dampers act
 };
 
-/// Damping by itself is a `damper_gen` from a coordinate at rest: linear, and cheaper than friction. With dry friction
-/// both are one `joint_friction_gen`.
+/// Damping by itself is a `joint_damping_gen`: linear, and cheaper than friction. With dry friction both are one
+/// `joint_friction_gen`.
 inline void robot_forces::append_spring(const robot_joint& j, const robot_joint_dynamics& x) {
-  if (rest_.empty() && (x.stiffness != 0 || (x.damping != 0 && x.friction == 0))) {
-    rest_ = to_.fresh("rest");
-    to_.append(base_gen(rest_));
-  }
   if (x.friction != 0)
     to_.append(joint_friction_gen(j.name, {x.damping, x.friction, 0, 1, o_.friction_smoothing}));
   else if (x.damping != 0)
-    to_.append(damper_gen(rest_, j.name, x.damping));
-  if (x.stiffness != 0) to_.append(spring_gen(rest_, j.name, x.rest, x.stiffness));
+    to_.append(joint_damping_gen(j.name, x.damping));
+  if (x.stiffness != 0) to_.append(joint_stiffness_gen(j.name, x.stiffness, x.rest));
 }
 
 inline void robot_forces::append_spring_dampers(const robot_tree& tree) {

@@ -58,24 +58,54 @@ class urdf_robot {
       return x.not_read("not read: another frame or a link has its name");
     d_.frames.push_back({name, x.line(), link, links_.pose(x)});
   }
-  /// Of it only what Drake's rotors say: as the joint feels it their inertia is that times the square of the ratio.
+  /// An actuator for each of its joints, and of Drake's rotors their inertia: as the joint feels it that times the
+  /// square of the ratio.
   void transmission(const xml_item& x) {
-    const auto actuators = x.children("actuator");
+    const auto joints = x.children("joint"), actuators = x.children("actuator");
     double inertia = 0;
     for (const auto& a : actuators)
       if (const auto rotor = a.child("drake:rotor_inertia")) {
-        const auto gear = a.child("drake:gear_ratio");
-        const double ratio = gear ? gear->number("value") : 1;
+        const double ratio = reduction(a);
         inertia += rotor->not_negative("value") * ratio * ratio;
       }
-    if (inertia == 0) return x.not_read("not read");
-    const auto name = x.needed_child("joint").text("name");
-    for (auto& j : d_.joints)
-      if (j.name == name && has_one_coordinate(j)) {
-        j.dynamics.armature = inertia;
-        return x.not_read("not read, but for the inertia of its rotor");
+    if (joints.empty()) return inertia == 0 ? x.not_read("not read") : x.fail("has no <joint>");
+    if (joints.size() > 1)
+      x.warn("couples " + std::to_string(joints.size()) + " joints: each has a motor of its own instead");
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const auto name = joints[i].text("name");
+      const auto j = std::find_if(d_.joints.begin(), d_.joints.end(),
+                                  [&](const auto& k) { return k.name == name && has_one_coordinate(k); });
+      if (j == d_.joints.end()) {
+        const auto why = "there is no joint '" + excerpt(name) + "' of one coordinate for it";
+        inertia == 0 ? x.warn(why) : x.moves_differently(why);
+        continue;
       }
-    x.moves_differently("there is no joint '" + excerpt(name) + "' of one coordinate for its rotor");
+      if (inertia > 0 && joints.size() == 1) j->dynamics.armature = inertia;
+      const bool has_own = i < actuators.size();
+      const double ratio = reduction(has_own && has_reduction(actuators[i]) ? actuators[i] : x);
+      d_.actuators.push_back(
+          {has_own ? actuators[i].text_or("name", "") : "", x.line(), name, ratio, {.gain = 1 / ratio}});
+      hardware(x, joints[i]);
+      if (has_own) hardware(x, actuators[i]);
+    }
+  }
+  static bool has_reduction(const xml_item& x) { return x.child("mechanicalReduction") || x.child("drake:gear_ratio"); }
+  /// 1 if nothing is said.
+  static double reduction(const xml_item& x) {
+    double ratio = 1;
+    if (const auto drake = x.child("drake:gear_ratio"))
+      ratio = drake->number("value");
+    else if (const auto own = x.child("mechanicalReduction"))
+      ratio = own->one(own->list_of(own->content(), "mechanicalReduction"), "mechanicalReduction");
+    if (ratio == 0) x.fail("a gear of ratio 0 moves nothing");
+    return ratio;
+  }
+  /// A command of position or velocity is followed by gains that URDF does not have.
+  static void hardware(const xml_item& x, const xml_item& of) {
+    for (const auto& h : of.children("hardwareInterface"))
+      if (h.content().find("Position") != std::string::npos || h.content().find("Velocity") != std::string::npos)
+        x.not_read("its " + excerpt(h.content()) +
+                   " has no gains in URDF: commands are forces, or positions by those of kte::motor_options");
   }
   static void gazebo(const xml_item& x) {
     x.not_read("not read");

@@ -168,16 +168,37 @@ class mjcf_writer {
         left_out_.list(a.line, title + ": left out: '" + a.joint + "' is not a joint of MJCF");
         continue;
       }
+      if (!a.not_modelled.empty()) {
+        left_out_.list(a.line, title + ": left out: " + a.not_modelled + " is not modelled");
+        continue;
+      }
       if (!any) out_.open("actuator");
       any = true;
-      out_.open("motor");
+      out_.open(a.law == motor_law{} ? "motor" : "general");
       if (!a.name.empty() && !names.insert(a.name).second)
         left_out_.list(a.line, title + ": its name comes a second time, and is left out");
       else if (!a.name.empty())
         out_.attribute("name", std::string_view(a.name));
-      out_.attribute("joint", std::string_view(a.joint)), out_.attribute("gear", a.gear), out_.close();
+      out_.attribute("joint", std::string_view(a.joint)), out_.attribute("gear", a.gear);
+      motor(a.law);
+      out_.close();
     }
     if (any) out_.close();
+  }
+  /// Of a law what differs from that of <motor>.
+  void motor(const motor_law& law) {
+    if (law.gain != 1) out_.attribute("gainprm", law.gain);
+    if (law.offset != 0 || law.stiffness != 0 || law.damping != 0) {
+      out_.attribute("biastype", std::string_view("affine"));
+      out_.attribute("biasprm", std::vector<double>{law.offset, 0.0 - law.stiffness, 0.0 - law.damping});
+    }
+    const auto range = [&](const char* limited, const char* of, double lower, double upper) {
+      if (lower == -motor_law::none && upper == motor_law::none) return;
+      out_.attribute(limited, std::string_view("true"));
+      out_.attribute(of, std::vector<double>{limit_in_file(lower), limit_in_file(upper)});
+    };
+    range("ctrllimited", "ctrlrange", law.lower_command, law.upper_command);
+    range("forcelimited", "forcerange", law.lower, law.upper);
   }
 
   const robot_description d_;

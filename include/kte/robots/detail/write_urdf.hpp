@@ -18,11 +18,11 @@ class urdf_writer {
     out_.open("robot"), out_.attribute("name", std::string_view(d_.name));
     for (const auto& l : d_.links) link(l);
     for (const auto& j : d_.joints) joint(j);
-    out_.close();
     if (d_.gravity && *d_.gravity != vec3<>{0, 0, -9.81})
       left_out_.list(0, "gravity " + numbers_to_text(std::vector<double>{d_.gravity->x, d_.gravity->y, d_.gravity->z}) +
                             " is left out");
-    for (const auto& a : d_.actuators) left_out_.list(a.line, "actuator '" + a.name + "' is left out");
+    for (const auto& a : d_.actuators) actuator(a);
+    out_.close();
     for (const auto& n : left_out_.notes()) out_.comment("not as in the robot: " + n.text);
     left_out_.hand_over();
     return out_.take();
@@ -30,6 +30,20 @@ class urdf_writer {
 
  private:
   using kind = robot_joint::kind;
+
+  /// Of those whose command is the force of their joint.
+  void actuator(const robot_actuator& a) {
+    const auto is = [&](const auto& j) { return j.name == a.joint && has_one_coordinate(j); };
+    if (!a.not_modelled.empty() || a.law != motor_law{.gain = 1 / a.gear} ||
+        std::none_of(d_.joints.begin(), d_.joints.end(), is))
+      return left_out_.list(a.line, "actuator '" + a.name + "' is left out");
+    out_.open("transmission"), out_.attribute("name", std::string_view(a.joint + "_transmission"));
+    out_.text("type", "transmission_interface/SimpleTransmission");
+    out_.leaf("joint", "name", std::string_view(a.joint));
+    out_.open("actuator"), out_.attribute("name", std::string_view(a.name));
+    out_.text("mechanicalReduction", numbers_to_text(std::vector<double>{a.gear}));
+    out_.close(), out_.close();
+  }
 
   void link(const robot_link& l) {
     out_.open("link"), out_.attribute("name", std::string_view(l.name));

@@ -66,6 +66,12 @@ class xml_writer {
   void leaf(std::string_view name, std::string_view key, const Value& value) {
     open(name), attribute(key, value), close();
   }
+  /// An element of a word or numbers alone, without characters that XML has for itself.
+  void text(std::string_view name, std::string_view word) {
+    start(name);
+    text_.append(">").append(word).append("</").append(name).append(">\n");
+    is_open_ = false;
+  }
   /// In front of all elements.
   void comment(std::string_view text) {
     check_for_xml(text);

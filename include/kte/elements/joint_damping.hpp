@@ -1,0 +1,44 @@
+#pragma once
+
+#include <kte/elements/damper.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// Viscous damping c of a coordinate:
+///
+///   f -= c q_dot          (1)
+template <class Damping>
+struct joint_damping_gen : damper_parameters<Damping> {
+  static constexpr type_name type{"joint_damping", kind::gen};
+  static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
+
+  template <class C>
+  KTE_INLINE constexpr auto doForce(const C& c) const {
+    return make_loads(-(this->damping * c.q_dot));  // (1)
+  }
+};
+
+}  // namespace core
+
+/// Viscous damping of a coordinate, N s/m or Nm s/rad: of a bearing, a joint. (`damper_gen` is between two.)
+template <class Q, entry Damping>
+constexpr auto joint_damping_gen(const Q& coordinate, const Damping& damping) {
+  return connect(core::joint_damping_gen<decltype(real(damping))>{{real(damping)}}, coordinate);
+}
+
+KTE_CALL(joint_damping_gen, "(coordinate, damping)")
+
+namespace detail {
+/// How model files make them.
+struct joint_damping_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("joint_damping_gen",
+        [](const auto& x) { return joint_damping_gen(x.name("coordinate"), x.number("damping")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

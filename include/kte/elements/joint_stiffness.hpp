@@ -1,0 +1,63 @@
+#pragma once
+
+#include <kte/elements/spring.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// A linear spring of stiffness k on a coordinate, at rest at q_0:
+///
+///   f -= k (q - q_0)          (1)
+template <class Stiffness, class Rest>
+struct joint_stiffness_gen {
+  static constexpr type_name type{"joint_stiffness", kind::gen};
+  static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
+
+  Stiffness stiffness;
+  Rest rest;
+
+  template <class C>
+  KTE_INLINE constexpr auto doForce(const C& c) const {
+    return make_loads(-(stiffness * (c.q - rest)));  // (1)
+  }
+  /// J
+  template <class C>
+  KTE_INLINE constexpr auto potential_energy(const C& c) const {
+    return detail::elastic_energy(c.q - rest, stiffness, zero);
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.not_negative(stiffness, "stiffness must be finite and not negative");
+    where.finite(rest, "rest must be finite");
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("stiffness", self.stiffness), visit("rest", self.rest);
+  }
+};
+
+}  // namespace core
+
+/// A spring on a coordinate: stiffness (N/m, Nm/rad), and where it is at rest (m, rad). (`spring_gen` is between two.)
+template <class Q, entry Stiffness, entry Rest = zero_t>
+constexpr auto joint_stiffness_gen(const Q& coordinate, const Stiffness& stiffness, const Rest& rest = {}) {
+  return connect(
+      core::joint_stiffness_gen<decltype(real(stiffness)), decltype(real(rest))>{real(stiffness), real(rest)},
+      coordinate);
+}
+
+KTE_CALL(joint_stiffness_gen, "(coordinate, stiffness[, rest])")
+
+namespace detail {
+/// How model files make them.
+struct joint_stiffness_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("joint_stiffness_gen", [](const auto& x) {
+      return joint_stiffness_gen(x.name("coordinate"), x.number("stiffness"), x.number("rest"));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte
