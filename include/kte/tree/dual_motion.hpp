@@ -102,21 +102,6 @@ void place_bases_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory
     place_in_duals(m.world[b].rotation, d.seats[b].turned, d.world[b]);
   }
 }
-/// How far the derivatives of a rotation R turn it, in the world: R' = [turned]x R.
-template <class S, int N>
-vec3<dual<S, N>> turned_by(const mat3<vec3<dual<S, N>>>& rotation) {
-  vec3<dual<S, N>> turned{};
-  for (std::size_t lane = 0; lane < static_cast<std::size_t>(N); ++lane) {
-    const auto rate = [lane](const vec3<dual<S, N>>& v) {
-      return vec3<S>{v.x.derivative[lane], v.y.derivative[lane], v.z.derivative[lane]};
-    };
-    const auto value = [](const vec3<dual<S, N>>& v) { return vec3<S>{v.x.value, v.y.value, v.z.value}; };
-    turned.x.derivative[lane] = dot(rate(rotation.z), value(rotation.y));
-    turned.y.derivative[lane] = dot(rate(rotation.x), value(rotation.z));
-    turned.z.derivative[lane] = dot(rate(rotation.y), value(rotation.x));
-  }
-  return turned;
-}
 /// The motions of all bodies from those of axes, by (2), (3) of tree/newton_euler.hpp, and what they need for them:
 /// after `place_in_world` in plain numbers, and with bases in place.
 template <class P, class S, class D>

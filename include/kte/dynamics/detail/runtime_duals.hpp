@@ -69,34 +69,21 @@ void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
     each_axis<vector_of::a>(d, r, [&w](const D& x, std::size_t k) { w.acceleration[k] = x; });
   }
 }
-/// Bases as the state of numbers has them; with derivatives those that elements move.
-template <std::same_as<double> S, class D>
-void place_bases(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
-  const auto& t = s.tree();
-  tree::place_bases_in_duals(t.forest, s.work, d.work);
-  for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
-    const auto [k, index] = t.plan.bases[i];
-    if (c.wiring().writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(index)] < 0) continue;
-    const auto slot = static_cast<std::size_t>(t.slot_of_base[i]);
-    with_frame(d, k, index, [&](auto& x) {
-      const auto m = spatial(x);
-      d.work.bodies[slot] = {as<D>(m.velocity), as<D>(m.ang_velocity), as<D>(m.acceleration),
-                             as<D>(m.ang_acceleration)};
-      d.work.world[slot].position = as<D>(m.position);
-      d.work.world[slot].rotation = as<D>(matrix(m.rotation));
-      d.work.seats[slot].turned = tree::turned_by(d.work.world[slot].rotation);
-    });
-  }
+/// Coordinates to q, v, a of the state with derivatives.
+template <class D>
+void put_numbers(basic_derivative_state<D>& d) {
+  for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
+    put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
+  });
 }
-/// Inverse dynamics at q, v, a of the state with derivatives: what must be applied, into its `forces`.
+/// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
+/// `forces`.
 template <std::same_as<double> S, class D>
 void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
                             const directions& moving) {
   const runtime_elements elements{c};
   const auto& t = s.tree();
-  for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
-    put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
-  });
+  put_numbers(d);
   bring_up_to_date(elements, d);
   take_shifts(d, moving);
   clear_coordinates(d);
@@ -104,7 +91,6 @@ void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>
     auto& x = d.template get<kind::gen>(coordinate);
     x.f -= mass * x.q_ddot;
   }
-  place_bases(c, s, d);
   tree::move_in_duals(t.forest, s.work, d.work);
   if (!t.on_frames.empty() || !t.late.empty()) {
     place_touched_frames(d, true);
@@ -138,6 +124,7 @@ void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
+  tree::place_bases_in_duals(s.tree().forest, s.work, d.work);
   derive_by_duals(
       s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), rubs,
       [&](const directions& moving) -> const auto& {

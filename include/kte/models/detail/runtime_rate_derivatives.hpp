@@ -35,6 +35,40 @@ void seed_direction(const kte_map_chain& c, basic_derivative_state<D>& d, int j,
   }
 }
 
+/// How far the derivatives of a rotation R turn it, in the world: R' = [turned]x R.
+template <class S, int N>
+vec3<dual<S, N>> turned_by(const mat3<vec3<dual<S, N>>>& rotation) {
+  vec3<dual<S, N>> turned{};
+  for (std::size_t lane = 0; lane < static_cast<std::size_t>(N); ++lane) {
+    const auto rate = [lane](const vec3<dual<S, N>>& v) {
+      return vec3<S>{v.x.derivative[lane], v.y.derivative[lane], v.z.derivative[lane]};
+    };
+    const auto value = [](const vec3<dual<S, N>>& v) { return vec3<S>{v.x.value, v.y.value, v.z.value}; };
+    turned.x.derivative[lane] = dot(rate(rotation.z), value(rotation.y));
+    turned.y.derivative[lane] = dot(rate(rotation.x), value(rotation.z));
+    turned.z.derivative[lane] = dot(rate(rotation.y), value(rotation.x));
+  }
+  return turned;
+}
+/// Bases, with derivatives where elements move them.
+template <std::same_as<double> S, class D>
+void place_bases(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
+  const auto& t = s.tree();
+  tree::place_bases_in_duals(t.forest, s.work, d.work);
+  for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
+    const auto [k, index] = t.plan.bases[i];
+    if (c.wiring().writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(index)] < 0) continue;
+    const auto slot = static_cast<std::size_t>(t.slot_of_base[i]);
+    with_frame(d, k, index, [&](auto& x) {
+      const auto m = spatial(x);
+      d.work.bodies[slot] = {as<D>(m.velocity), as<D>(m.ang_velocity), as<D>(m.acceleration),
+                             as<D>(m.ang_acceleration)};
+      d.work.world[slot].position = as<D>(m.position);
+      d.work.world[slot].rotation = as<D>(matrix(m.rotation));
+      d.work.seats[slot].turned = turned_by(d.work.world[slot].rotation);
+    });
+  }
+}
 /// doMotion with derivatives of the elements that keep internal states, and of what these depend on, after inverse
 /// dynamics.
 template <class D>
@@ -81,6 +115,9 @@ void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, r
     take_given(s, d);
     for (int k = first; k < last; ++k) seed_direction<S>(c, d, k, static_cast<std::size_t>(k - first), along(k));
     place_in_world(s);
+    put_numbers(d);
+    bring_up_to_date(runtime_elements{c}, d);
+    place_bases(c, s, d);
     // Shifts of rotations go with their directions, numbers with themselves.
     needed_forces_in_duals(c, s, d, directions{vector_of::q, first});
   };
