@@ -7,6 +7,8 @@
 #endif
 #define KTE_COMPILED_HERE
 
+#include <kte/control/discretize.hpp>
+#include <kte/control/lqr.hpp>
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>

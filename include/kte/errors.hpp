@@ -33,7 +33,7 @@ struct bad_argument : error {
 struct singular_mass_matrix : error {
   using error::error;
 };
-/// Equations that have no solution, or not a single one: joints that jam.
+/// Equations that have no solution, or not a single one: joints that jam; Riccati equations of what inputs cannot hold.
 struct no_solution : error {
   using error::error;
 };

@@ -121,9 +121,9 @@ class integrator : public moving_state<F, X> {
   /// The same into x, without a new vector.
   void interpolate(const S& t, X& x) const {
     if (!in_last_step(t)) [[unlikely]]
-      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(static_cast<double>(t)) +
-                                  ": the last step goes from " + detail::number(static_cast<double>(previous_time_)) +
-                                  " to " + detail::number(static_cast<double>(time_)));
+      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(detail::as_double(t)) +
+                                  ": the last step goes from " + detail::number(detail::as_double(previous_time_)) +
+                                  " to " + detail::number(detail::as_double(time_)));
     if (t == time_) {
       x = x_;
     } else if (t == previous_time_) {
@@ -193,7 +193,7 @@ class integrator : public moving_state<F, X> {
   }
   /// Where the reason is that numbers are not finite, the text goes on with why, if that is known.
   [[noreturn, gnu::cold, gnu::noinline]] void fail(const std::string& why, failure_reason reason) const {
-    const auto t = static_cast<double>(time_);
+    const double t = detail::as_double(time_);
     const bool not_finite = reason == failure_reason::not_finite;
     long long component = -1;
     for (Eigen::Index i = next_.size(); not_finite && i-- > 0;)

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/events/events.hpp>
+#include <kte/models/detail/runtime_momenta.hpp>
+#include <kte/models/detail/runtime_rate_derivatives.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
@@ -85,6 +88,15 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return j;
   }
 
+  /// As of a static chain, also where there are internal states. Throws `bad_argument` where passes alone know a joint.
+  template <std::same_as<double> T>
+  jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
+    setJointStates(t, x, s_);
+    jacobian_matrix j;
+    detail::derive_rates_by_inputs(chain(), s_, j);
+    return j;
+  }
+
   using base::input;
   /// The value of an input; throws `unknown_name`, `bad_argument` where an element writes it, or time does.
   double& input(std::string_view name) { return u_[place_of_input(name, kind::input)]; }
@@ -156,6 +168,12 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     state after = x;
     switch_over(t, after, which);
     return detail::mend_internals(after, x, nq() + dofs(), x.size());
+  }
+
+  /// As of a static chain.
+  Eigen::VectorXd forces_at(const state& x, double t = 0) const {
+    setJointStates(t, x, s_);
+    return -nonlinear_effects(chain(), s_);
   }
 
   // ---- of elements that may hold a coordinate: models/modes.hpp

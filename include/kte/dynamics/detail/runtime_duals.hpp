@@ -69,15 +69,21 @@ void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
     each_axis<vector_of::a>(d, r, [&w](const D& x, std::size_t k) { w.acceleration[k] = x; });
   }
 }
-/// Inverse dynamics at q, v, a of the state with derivatives: what must be applied, into its `forces`.
+/// Coordinates to q, v, a of the state with derivatives.
+template <class D>
+void put_numbers(basic_derivative_state<D>& d) {
+  for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
+    put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
+  });
+}
+/// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
+/// `forces`.
 template <std::same_as<double> S, class D>
 void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
                             const directions& moving) {
   const runtime_elements elements{c};
   const auto& t = s.tree();
-  for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
-    put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
-  });
+  put_numbers(d);
   bring_up_to_date(elements, d);
   take_shifts(d, moving);
   clear_coordinates(d);
@@ -118,6 +124,7 @@ void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
+  tree::place_bases_in_duals(s.tree().forest, s.work, d.work);
   derive_by_duals(
       s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), rubs,
       [&](const directions& moving) -> const auto& {
