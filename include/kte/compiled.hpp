@@ -21,3 +21,4 @@
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_writer.hpp>
+#include <kte/statics.hpp>
