@@ -158,7 +158,7 @@ TEST_CASE("derivatives by colours are those by one direction after the other", "
   auto s = c.make_state();
   const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(c.nq(), -1, 1), none = Eigen::VectorXd::Zero(c.dofs());
   detail::static_problem f(c, s, {{"12", {1, 2, 3}, {4, 5, 6}}}, "");
-  CHECK(f.pattern().colours == 8);
+  CHECK(f.pattern().colours == 7);
   auto loaded = c;
   loaded << follower_force_3D("12", vec3{1.0, 2.0, 3.0}, vec3{4.0, 5.0, 6.0});
   auto t = loaded.make_state();
@@ -194,7 +194,8 @@ TEST_CASE("a shallow truss snaps through", "[statics]") {
   for (const auto& x : path) {
     CHECK(1.5 * limit * x.parameter == within(push_at(x.q[0]), 1e-9));
     CHECK((x.stability.unstable == 1) == (std::abs(x.q[0]) < y_of_limit));
-    most = (std::max)(most, x.parameter), least = (std::min)(least, x.parameter);
+    if (x.q[0] > 0) most = (std::max)(most, x.parameter);
+    least = (std::min)(least, x.parameter);
   }
   CHECK(path.front().q[0] == within(3, 1e-10));
   CHECK(path.back().parameter == 1);
@@ -221,6 +222,16 @@ TEST_CASE("a shallow truss snaps through", "[statics]") {
                        says("no equilibrium was found under all loads, but at load factor 0.66"));
 }
 
+TEST_CASE("a path follows a bend that a step could cut", "[statics]") {
+  // A column with a small push aside bends out at a twelfth of its load; straight on there is another, unstable path.
+  auto c = cantilever(8, 1, planar_beam_section{.EA = 1e4, .EI = 1});
+  c << constant_force_2D("8", vec2{-30.0, 0.02});
+  auto s = c.make_state();
+  const auto path = equilibrium_path(c, s, straight(c, 8, 1));
+  for (const auto& x : path) CHECK(x.stability.stable());
+  CHECK(path.back().q.tail(2)[0] > 0.5);
+}
+
 TEST_CASE("what loads alone hold finds its place", "[statics]") {
   kte_map_chain c;
   c.gravity(along_z(-9.81));
@@ -236,7 +247,7 @@ TEST_CASE("what loads alone hold finds its place", "[statics]") {
   const auto pulled = static_equilibrium(c, s, std::array{pi / 2, 0.0}, {.loads = {{"tool", {0, 0, 2}}}});
   CHECK(std::abs(inverse_dynamics(c, s, pulled.q, std::array{0.0, 0.0}, std::array{0.0, 0.0},
                                   {{"tool", {0, 0, 2}}})[0]) < 1e-8);
-  CHECK(pulled.stability.asymmetry > 0.01);
+  CHECK(pulled.stability.asymmetry > 0.005);
 }
 
 TEST_CASE("static_equilibrium refuses by name", "[statics]") {

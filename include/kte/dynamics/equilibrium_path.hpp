@@ -68,15 +68,12 @@ class path_follower {
     const Eigen::Index n = squares_.size();
     return {direction_.head(n).cwiseProduct(squares_), direction_[n] / (span_ * span_)};
   }
-  void add_point() {
-    at_.stability = stability_of(f_.tangent(at_.q, at_.parameter));
-    points_.push_back(at_);
-  }
   void start() {
     const auto n = static_cast<Eigen::Index>(f_.size());
     direction_ = Eigen::VectorXd::Unit(n + 1, n) * span_;
     if (!newton_.solve(at_.q, at_.parameter, false) || !turn_direction(at_)) fail("has no start");
-    add_point();
+    at_.stability = stability_of(f_.tangent(at_.q, at_.parameter));
+    points_.push_back(at_);
   }
   /// Along the path at a point, as before.
   bool turn_direction(const equilibrium_point& x) {
@@ -103,12 +100,16 @@ class path_follower {
       }
       const bool found = turn_direction(next);
       const double turn = found ? product(direction_, before) : 0;
-      if (turn < 0.9) {
+      if (turn >= 0.9) next.stability = stability_of(f_.tangent(next.q, next.parameter));
+      // An eigenvalue changes its sign where the parameter turns. Elsewhere a path branches off, or a sharp bend to it
+      // was cut.
+      const bool jumped = next.stability.unstable != at_.stability.unstable && direction_[n] * before[n] > 0;
+      if (turn < 0.9 || (jumped && length > 1e-3 * options_.step)) {
         direction_ = before;
         return 0;
       }
       at_ = next;
-      add_point();
+      points_.push_back(at_);
       return turn;
     } catch (const bad_argument&) {  // no forces are known there
       direction_ = before;

@@ -48,7 +48,7 @@ inline void put_loads_on(static_newton& newton, equilibrium& at) {
       continue;
     }
     at.load = wanted, ++at.load_steps;
-    if (newton.iterations() - iterations <= 9) part *= 2;
+    if (newton.iterations() - iterations <= 8) part *= 2;
   }
 }
 [[noreturn, gnu::cold]] inline void raise_no_equilibrium(static_problem& f, const equilibrium& at) {

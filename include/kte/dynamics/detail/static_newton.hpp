@@ -136,7 +136,7 @@ class static_newton {
 
  private:
   static constexpr double longest = 0.7;  ///< step, rad
-  static constexpr int longest_way = 15;
+  static constexpr int longest_way = 20;  ///< in steps
 
   bool move_damped(const Eigen::VectorXd& q, double p, const Eigen::VectorXd& step, double size, Eigen::VectorXd& tau) {
     for (double part = (std::min)(1.0, longest / size); part > 1e-6; part /= 2)
