@@ -27,3 +27,4 @@
 #include <kte/robots/motors.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_writer.hpp>
+#include <kte/statics.hpp>
