@@ -37,6 +37,11 @@ struct singular_mass_matrix : error {
 struct no_solution : error {
   using error::error;
 };
+/// A linkage at a dead point: what follows its crank does not follow from there. Integrators stop: no shorter step
+/// helps.
+struct dead_point : error {
+  using error::error;
+};
 /// A file that cannot be read; what() says where.
 struct bad_file : error {
   using error::error;

@@ -22,6 +22,8 @@ class kte_map_adapter final : public kte_element {
         on(s).motion(inputs{});
       } catch (const bad_argument& e) {
         detail::raise_named(*this, e);
+      } catch (const dead_point& e) {
+        detail::raise_named(*this, e);
       }
     } else {
       on(s).motion(inputs{});
