@@ -76,12 +76,12 @@ inline void solve_damped(const undamped_modes& modes, const Eigen::MatrixXd& k, 
                          std::vector<std::complex<double>>& roots, std::vector<Eigen::VectorXcd>& shapes) {
   const Eigen::MatrixXd by_rate = modes.shape.transpose() * c * modes.shape;
   Eigen::MatrixXd stiff = modes.shape.transpose() * k * modes.shape;
-  const double small = 1e-12 * (std::max)(by_rate.cwiseAbs().maxCoeff(), 1e-300);
+  const double tiny = 1e-12 * (std::max)(by_rate.cwiseAbs().maxCoeff(), 1e-300);
   const double small_stiff = 1e-10 * (std::max)(stiff.cwiseAbs().maxCoeff(), 1e-300);
   std::vector<Eigen::Index> coupled;
   for (Eigen::Index i = 0; i < modes.square.size(); ++i) {
     stiff(i, i) = 0;
-    const bool alone = by_rate.row(i).cwiseAbs().maxCoeff() <= small && by_rate.col(i).cwiseAbs().maxCoeff() <= small &&
+    const bool alone = by_rate.row(i).cwiseAbs().maxCoeff() <= tiny && by_rate.col(i).cwiseAbs().maxCoeff() <= tiny &&
                        stiff.row(i).cwiseAbs().maxCoeff() <= small_stiff &&
                        stiff.col(i).cwiseAbs().maxCoeff() <= small_stiff;
     if (!alone) {

@@ -77,8 +77,8 @@ matrix_of<S> derive_by_differences(int rows, int count, const Size& size, const 
   matrix_of<S> j(rows, count);
   for (int k = 0; k < count; ++k) {
     const S h = pow(std::numeric_limits<S>::epsilon(), S(1) / S(5)) * size(k);
-    const column<S> near = f(k, h) - f(k, S(-h)), far = f(k, S(2 * h)) - f(k, S(-2 * h));
-    j.col(k) = (S(8) * near - far) / (S(12) * h);  // (1)
+    const column<S> inner = f(k, h) - f(k, S(-h)), outer = f(k, S(2 * h)) - f(k, S(-2 * h));
+    j.col(k) = (S(8) * inner - outer) / (S(12) * h);  // (1)
   }
   return j;
 }

@@ -177,9 +177,9 @@ inline Eigen::MatrixXd solve_continuous(const riccati_problem& p) {
   Eigen::MatrixXd h(2 * n, 2 * n);
   h << p.A, -p.G, -p.Q, -p.A.transpose();
   const std::string axis = "the Hamiltonian matrix has, up to rounding, an eigenvalue on the imaginary axis";
-  const double norm = h.norm(), near = 8 * std::sqrt(std::numeric_limits<double>::epsilon()) * norm;
+  const double norm = h.norm(), close = 8 * std::sqrt(std::numeric_limits<double>::epsilon()) * norm;
   for (const std::complex<double>& z : eigenvalues_of(h))
-    if (std::abs(z.real()) <= near &&
+    if (std::abs(z.real()) <= close &&
         smallest_pivot(h, -z.imag() * Eigen::MatrixXd::Identity(2 * n, 2 * n)) <= rounding_of(2 * n, norm))
       p.fail(stays, axis + ", " + text_of({0, z.imag()}));
   auto x = by_cayley_doubling(p.A, p.G, p.Q);
@@ -212,11 +212,11 @@ inline Eigen::MatrixXd solve_discrete(const riccati_problem& p) {
   Eigen::MatrixXd m(2 * n, 2 * n), l(2 * n, 2 * n);
   m << p.A, Eigen::MatrixXd::Zero(n, n), -p.Q, one;
   l << one, p.G, Eigen::MatrixXd::Zero(n, n), p.A.transpose();
-  const double norm = m.norm() + l.norm(), near = 8 * std::sqrt(std::numeric_limits<double>::epsilon()) * norm;
+  const double norm = m.norm() + l.norm(), close = 8 * std::sqrt(std::numeric_limits<double>::epsilon()) * norm;
   for (const std::complex<double>& z :
        eigenvalues_of(Eigen::PartialPivLU<Eigen::MatrixXd>(one + p.G * *x).solve(p.A))) {
     const double size = std::abs(z);
-    if (size < 0.5 || size < 1 - near) continue;
+    if (size < 0.5 || size < 1 - close) continue;
     const std::complex<double> at = z / size;
     if (!(size < 1) || smallest_pivot(m - at.real() * l, -at.imag() * l) <= rounding_of(2 * n, norm))
       p.fail(stays, circle + ", " + text_of(at));

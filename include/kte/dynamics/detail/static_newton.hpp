@@ -111,17 +111,17 @@ class static_newton {
 
   /// From q and p, which then are the solution, or as they were. `near`: by full steps, which must be short and few;
   /// else damped.
-  bool solve(Eigen::VectorXd& q, double& p, bool near, const path_plane* plane = nullptr) {
+  bool solve(Eigen::VectorXd& q, double& p, bool close, const path_plane* plane = nullptr) {
     Eigen::VectorXd at = q, tau = f_.forces(q, p);
     double at_p = p, before = std::numeric_limits<double>::infinity();
-    for (const int end = near ? iterations_ + longest_way : most_; iterations_ < (std::min)(end, most_);) {
+    for (const int end = close ? iterations_ + longest_way : most_; iterations_ < (std::min)(end, most_);) {
       ++iterations_;
       if (!factors_.factor(f_, at, at_p, plane)) return false;
       const Eigen::VectorXd step = factors_.step(tau);
       const double size = size_of(step);
-      if (!(size <= (std::numeric_limits<double>::max)()) || (near && size > longest)) return false;
+      if (!(size <= (std::numeric_limits<double>::max)()) || (close && size > longest)) return false;
       const bool done = size <= tolerance_ || (before < 1e-7 && size > before / 4);
-      if (near || done) {
+      if (close || done) {
         if (!move(at, at_p, step, tau)) return false;
       } else if (!move_damped(at, at_p, step, size, tau)) {
         return false;
@@ -167,14 +167,14 @@ class static_newton {
 inline std::string coordinate_not_held(static_problem& f, const Eigen::VectorXd& q, double p) {
   sparse_matrix k = f.tangent(q, p);
   const double most = largest_number(k);
-  const double small = most > 0 ? 1e-14 * most : 1.0;
-  for (int j = 0; j < f.size(); ++j) k.coeffRef(j, j) += small;
+  const double tiny = most > 0 ? 1e-14 * most : 1.0;
+  for (int j = 0; j < f.size(); ++j) k.coeffRef(j, j) += tiny;
   Eigen::SparseLU<sparse_matrix, Eigen::COLAMDOrdering<int>> lu(k);
   Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(f.size(), 1, 2);
   for (int i = 0; i < 3 && lu.info() == Eigen::Success; ++i) x = lu.solve(x).normalized();
   Eigen::Index row = 0;
   x.cwiseAbs().maxCoeff(&row);
-  if (lu.info() == Eigen::Success && (k * x).norm() > 1e-12 * most + 2 * small) return {};
+  if (lu.info() == Eigen::Success && (k * x).norm() > 1e-12 * most + 2 * tiny) return {};
   return std::string(name_of_row(layout_of_state(f.state()), static_cast<int>(row)));
 }
 

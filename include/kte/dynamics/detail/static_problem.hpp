@@ -88,7 +88,7 @@ class static_problem {
         if (frame.slot < 0) continue;
         const auto& body = state_.work.world[static_cast<std::size_t>(frame.slot)];
         const vec3<> x = body.position + body.rotation * frame.at.position;
-        low = low.min(Eigen::Array3d(x.x, x.y, x.z)), high = high.max(Eigen::Array3d(x.x, x.y, x.z));
+        low = (low.min)(Eigen::Array3d(x.x, x.y, x.z)), high = (high.max)(Eigen::Array3d(x.x, x.y, x.z));
       }
     const double size = (high - low).maxCoeff();
     return size > 0 ? size : 1;

@@ -119,7 +119,7 @@ void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, r
     bring_up_to_date(runtime_elements{c}, d);
     place_bases(c, s, d);
     // Shifts of rotations go with their directions, numbers with themselves.
-    needed_forces_in_duals(c, s, d, directions{vector_of::q, first});
+    needed_forces_in_duals(runtime_elements{c}, s, d, directions{vector_of::q, first});
   };
   const auto each_group = [&](int begin, const auto& visit) {
     for (int first = begin; first < columns; first += lanes) visit(first, (std::min)(first + lanes, columns));
