@@ -42,7 +42,7 @@ T worse(const T& a, const T& b) {
   return a != a || b <= a ? a : b;
 }
 
-/// Matches an error whose text contains `part`: `CHECK_THROWS_MATCHES(f(x), bad_argument, says("no finite number"))`.
+/// Matches an error whose text contains `part`: `CHECK_THROWS_MATCHES(f(x), bad_argument, says("is not finite"))`.
 inline auto says(const std::string& part) {
   return Catch::Matchers::Predicate<std::exception>(
       [part](const std::exception& e) { return std::string_view(e.what()).find(part) != std::string_view::npos; },

@@ -34,7 +34,7 @@ inline void make_private_folder(const std::filesystem::path& folder) {
   struct stat found {};
   if (lstat(folder.c_str(), &found) != 0) kte::detail::raise_file("use", folder, errno);
   const char* const why = S_ISLNK(found.st_mode)                       ? "is a link"
-                          : !S_ISDIR(found.st_mode)                    ? "is no folder"
+                          : !S_ISDIR(found.st_mode)                    ? "is not a folder"
                           : found.st_uid != geteuid()                  ? "belongs to another user"
                           : (found.st_mode & (S_IWGRP | S_IWOTH)) != 0 ? "may be written by others"
                                                                        : nullptr;

@@ -13,7 +13,7 @@ namespace evaluate {
 inline void check_frames(const kte::kte_map_chain& chain, const std::vector<std::string>& frames) {
   for (const auto& name : frames)
     if (chain.frame(name).what() != kte::kind::frame_3D)
-      throw kte::bad_argument("kte: the frame '" + name + "' is one of the plane, of which no Jacobian is printed");
+      throw kte::bad_argument("kte: the frame '" + name + "' is a frame in the plane: its Jacobian is not printed");
 }
 
 /// A runtime chain as rows want it (rows.hpp), in numbers S.

@@ -7,12 +7,17 @@
 #endif
 #define KTE_COMPILED_HERE
 
+#include <kte/control/discretize.hpp>
+#include <kte/control/lqr.hpp>
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/runtime_regressor.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
+#include <kte/io/recording.hpp>
+#include <kte/io/table_writer.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>
@@ -22,3 +27,4 @@
 #include <kte/robots/motors.hpp>
 #include <kte/robots/to_robot.hpp>
 #include <kte/robots/urdf_writer.hpp>
+#include <kte/statics.hpp>

@@ -33,8 +33,13 @@ struct bad_argument : error {
 struct singular_mass_matrix : error {
   using error::error;
 };
-/// Equations that have no solution, or not a single one: joints that jam.
+/// Equations that have no solution, or not a single one: joints that jam; Riccati equations of what inputs cannot hold.
 struct no_solution : error {
+  using error::error;
+};
+/// A linkage at a dead point: what follows its crank does not follow from there. Integrators stop: no shorter step
+/// helps.
+struct dead_point : error {
   using error::error;
 };
 /// A file that cannot be read; what() says where.
@@ -43,13 +48,13 @@ struct bad_file : error {
 };
 /// Why an integration could not go on.
 enum class failure_reason {
-  not_finite,       ///< f, a state or a Jacobian is no finite number, or cannot be computed; or a reset's state
+  not_finite,       ///< f, a state or a Jacobian is not finite, or cannot be computed; or a reset's state
   step_too_short,   ///< the tolerances need steps that are lost in the rounding of time, or below the smallest one
   too_many_steps,   ///< `max_steps`
   no_convergence,   ///< of an iteration
   singular_matrix,  ///< of Newton's iterations, or of a Rosenbrock method
   out_of_reach,     ///< the tolerances are below what arithmetic can reach
-  event_function,   ///< the function of an event is no finite number
+  event_function,   ///< the function of an event is not finite
   other             ///< of other libraries; the text says
 };
 /// An integration that could not go on, also as data.
@@ -60,7 +65,7 @@ struct integration_failure : error {
   double time;  ///< s, as in the text
   failure_reason reason;
   std::string cause;    ///< what the right-hand side said, with the coordinate or element; or the name of the event
-  long long component;  ///< of the state, the first that is no finite number, where that is known; else -1
+  long long component;  ///< of the state, the first that is not finite, where that is known; else -1
 };
 
 namespace detail {

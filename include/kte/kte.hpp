@@ -10,7 +10,9 @@
 ///
 ///   kte/dynamics.hpp                   all algorithms: also derivatives, M^-1, hybrid dynamics, momenta, the regressor
 ///   kte/dynamics/batch.hpp             many states at once, in packs; of runtime chains: runtime_batch.hpp
+///   kte/statics.hpp                    equilibria under loads, their paths, natural modes
 ///   kte/simulation.hpp                 chains as systems x' = f(t, x), all integrators, events
+///   kte/control.hpp                    linear systems of models, LQR, Riccati equations
 ///   kte/io.hpp                         files: models, tables, recorders, progress
 ///   kte/robots.hpp                     robots from URDF, MJCF, SDF, and to them
 ///   kte/manipulators.hpp               arms with limits: inverse kinematics, motions

@@ -44,11 +44,11 @@ TEST_CASE("SUNDIALS: a blow-up in finite time stops with the last good state") {
 TEST_CASE("SUNDIALS: a right-hand side that is not a number stops the integration before it") {
   const auto f = [](double t, const scalar_state&) { return scalar_state(t < 0.5 ? 1.0 : nan); };
   with_each(f, [](auto& solver) {
-    CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.49999") && contains_text("no finite number"));
+    CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.49999") && contains_text("f is not finite"));
     CHECK(solver.state()[0] == within(1 + solver.time(), hundred_roundings));
     CHECK(solver.statistics().rejected < 100);
     solver.restart(0.7, scalar_state(3.0));
-    CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.69999") && contains_text("no finite number"));
+    CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.69999") && contains_text("f is not finite"));
     CHECK(solver.state()[0] == 3.0);
     solver.restart(0, scalar_state(3.0));
     solver.integrate(0.25);
@@ -59,7 +59,7 @@ TEST_CASE("SUNDIALS: a right-hand side that is not a number stops the integratio
 TEST_CASE("SUNDIALS: infinity at the first step") {
   const auto f = [](double t, const scalar_state&) { return scalar_state(t == 0.0 ? 1.0 : inf); };
   with_each(f, [](auto& solver) {
-    CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0:") && contains_text("no finite number"));
+    CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0:") && contains_text("f is not finite"));
     CHECK(solver.state()[0] == 1.0);
   });
 }
@@ -156,7 +156,7 @@ TEST_CASE("SUNDIALS: Jacobians that throw or are not numbers") {
   for (bool throws : {true, false}) {
     kte::sundials::bdf bdf(bad_jacobian{throws}, 0.0, scalar_state(1.0));
     kte::sundials::implicit_runge_kutta kvaerno(bad_jacobian{throws}, 0.0, scalar_state(1.0));
-    const auto message = contains_text(throws ? "no Jacobian" : "no finite number");
+    const auto message = contains_text(throws ? "no Jacobian" : "f is not finite");
     CHECK_THROWS_WITH(bdf.integrate(1), message);
     CHECK_THROWS_WITH(kvaerno.integrate(1), message);
     CHECK(bdf.time() == 0);

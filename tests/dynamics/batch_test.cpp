@@ -237,7 +237,7 @@ TEST_CASE("bad states do not spoil the others", "[batch]") {
         std::vector<T> tau(s.q.size(), T(-1));
         CHECK_THAT(complaint([&] { batch::inverse_dynamics<W>(arm, s.q, s.v, s.a, tau, executor); }),
                    kte::test::contains_text("kte: state " + std::to_string(first) +
-                                            ": a force is no finite number: q[1] of 'q2' is nan"));
+                                            ": a force is not finite: q[1] of 'q2' is nan"));
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < tau.size(); ++i) {
           const bool of_bad = std::find(bad.begin(), bad.end(), i / n) != bad.end();

@@ -126,7 +126,7 @@ TEST_CASE("quaternions of any length are taken, of length 0 and NaN refused", "[
     CHECK((integrate(model, scaled, v, 0.1) - integrate(model, q, v, 0.1)).cwiseAbs().maxCoeff() < 20 * eps);
     CHECK((difference(model, scaled, p) - difference(model, q, p)).cwiseAbs().maxCoeff() < 100 * eps);
   }
-  const std::string what = "kte: a quaternion of length 0, or one that is not finite, is no rotation";
+  const std::string what = "kte: a quaternion of length 0, or one that is not finite, is not a rotation";
   const auto check = [&](const auto& c) {
     for (const int first : {4, 8}) {
       auto bad = q;

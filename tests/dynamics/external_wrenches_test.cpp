@@ -51,6 +51,9 @@ TEST_CASE("a call with loads that throws leaves the state as it was", "[external
   const double tau = inverse_dynamics(c, s, q, v, x, load)[0];
   CHECK(tau == within(3.0 - 9.81 * std::cos(1.0) - 5, 1e-14));
   CHECK(forward_dynamics(c, s, q, v, std::array{tau}, load)[0] == within(3.0, 1e-14));
+  // vectors with typed zeros, as static chains take them
+  CHECK(inverse_dynamics(c, s, q, v, x, {{"tip", along_z(-5.0)}})[0] == tau);
+  CHECK(external_forces(c, s, q, {{"tip", {}, along_y(2.0)}, {"tip", along_z(-5)}})[0] == within(7, 1e-14));
 }
 
 TEST_CASE("loads whose moment is no finite number", "[external_wrenches]") {
@@ -60,7 +63,7 @@ TEST_CASE("loads whose moment is no finite number", "[external_wrenches]") {
   const external_wrench large{"tip", {0, 0, 1.7e308}};
   CHECK_THROWS_AS(external_forces(c, s, q, {large, large}), bad_argument);
   CHECK_THROWS_WITH(external_forces(c, s, q, {{"tip", {0, 0, HUGE_VAL}}}),
-                    "kte: a force or torque from outside on 'tip' is no finite number");
+                    "kte: a force or torque from outside on 'tip' is not finite");
   const auto long_arm = arm(1e155);
   auto t = long_arm.make_state();
   CHECK_THROWS_AS(external_forces(long_arm, t, q, {{"tip", {0, 0, 1e200}}}), bad_argument);

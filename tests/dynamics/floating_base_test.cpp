@@ -122,8 +122,7 @@ TEST_CASE("NaN and quaternions of length 0 are errors, floating", "[floating]") 
   const auto& c = pair_of_bodies;
   const auto good = random_configuration(c, random);
   const auto v = random_vector<double, 10>(random, 1);
-  const std::string no_number = "kte: a coordinate is no finite number: q[",
-                    no_force = "kte: a force is no finite number: ";
+  const std::string no_number = "kte: a coordinate is not finite: q[", no_force = "kte: a force is not finite: ";
   using kte::test::contains_text;
   const auto check_configuration = [&](const joint_vector<double, 12>& q, const std::string& what,
                                        const std::string& of_forces) {
@@ -158,13 +157,13 @@ TEST_CASE("NaN and quaternions of length 0 are errors, floating", "[floating]") 
     CHECK_THROWS_WITH(inverse_dynamics(c, good, v, bad), contains_text(no_force + "a[" + std::to_string(i)));
     CHECK_THROWS_WITH(inverse_dynamics(c, good, bad, v), contains_text(no_force + "v[" + std::to_string(i)));
     CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, v, bad),
-                      contains_text("kte: an acceleration is no finite number: a[" + std::to_string(i)));
+                      contains_text("kte: an acceleration is not finite: a[" + std::to_string(i)));
     CHECK_THROWS_WITH(inverse_dynamics(runtime, r, good, bad, v),
-                      contains_text("kte: a velocity is no finite number: v[" + std::to_string(i)));
-    CHECK_THROWS_MATCHES(forward_dynamics(c, good, bad, v), bad_argument, kte::test::says("no finite number"));
-    CHECK_THROWS_MATCHES(forward_dynamics(c, good, v, bad), bad_argument, kte::test::says("no finite number"));
-    CHECK_THROWS_MATCHES(forward_dynamics(runtime, r, good, bad, v), bad_argument, kte::test::says("no finite number"));
-    CHECK_THROWS_MATCHES(forward_dynamics(runtime, r, good, v, bad), bad_argument, kte::test::says("no finite number"));
+                      contains_text("kte: a velocity is not finite: v[" + std::to_string(i)));
+    CHECK_THROWS_MATCHES(forward_dynamics(c, good, bad, v), bad_argument, kte::test::says("not finite"));
+    CHECK_THROWS_MATCHES(forward_dynamics(c, good, v, bad), bad_argument, kte::test::says("not finite"));
+    CHECK_THROWS_MATCHES(forward_dynamics(runtime, r, good, bad, v), bad_argument, kte::test::says("not finite"));
+    CHECK_THROWS_MATCHES(forward_dynamics(runtime, r, good, v, bad), bad_argument, kte::test::says("not finite"));
   }
   // Sizes.
   const Eigen::VectorXd twelve = good, ten = v;

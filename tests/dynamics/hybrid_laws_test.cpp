@@ -126,7 +126,7 @@ TEST_CASE("hybrid dynamics of what is no number, and of other sizes", "[hybrid]"
       x[i] = bad;
       CHECK_THROWS_AS(solve(x, v, v), bad_argument);
       CHECK_THROWS_WITH(solve(x, v, v),
-                        kte::test::contains_text("kte: a coordinate is no finite number: q[" + std::to_string(i)));
+                        kte::test::contains_text("kte: a coordinate is not finite: q[" + std::to_string(i)));
     }
     for (std::size_t i = 0; i < 6; ++i) {
       CAPTURE(i);

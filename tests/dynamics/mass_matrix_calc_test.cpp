@@ -84,7 +84,7 @@ TEST_CASE("mass matrix by Jacobians of bad arguments") {
   CHECK_THROWS_AS(calc << inertia_on("dsc"), unknown_name);
   CHECK_THROWS_AS(calc << moved_by("q3"), unknown_name);
   CHECK_THROWS_MATCHES(calc << inertia_on("rail"), bad_argument, says("no mass on 'rail'"));
-  CHECK_THROWS_MATCHES(calc << moved_by("disc"), bad_argument, says("'disc' is no degree of freedom"));
+  CHECK_THROWS_MATCHES(calc << moved_by("disc"), bad_argument, says("'disc' is not a degree of freedom"));
   calc << inertia_on("disc") << moved_by("q1");
   CHECK_THROWS_MATCHES(calc << inertia_on("disc"), bad_argument, says("twice"));
   CHECK_THROWS_MATCHES(calc << moved_by("q1"), bad_argument, says("twice"));

@@ -84,7 +84,7 @@ TEST_CASE("the inverse of the mass matrix of what is no number", "[mass_matrix_i
     set_positions(state, q);
     CHECK_THROWS_WITH(mass_matrix_inverse(chain_, state), kte::test::contains_text(what));
   };
-  const std::string no_number = "kte: a coordinate is no finite number: q[";
+  const std::string no_number = "kte: a coordinate is not finite: q[";
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -HUGE_VAL}) {
     for (std::size_t i = 0; i < good.size(); ++i) {
@@ -97,7 +97,7 @@ TEST_CASE("the inverse of the mass matrix of what is no number", "[mass_matrix_i
     // what is given
     set_positions(s, good);
     s[drive].q = bad;
-    CHECK_THROWS_MATCHES(mass_matrix_inverse(c, s), bad_argument, kte::test::says("no finite number"));
+    CHECK_THROWS_MATCHES(mass_matrix_inverse(c, s), bad_argument, kte::test::says("not finite"));
     s[drive].q = 0;
   }
   rejected(c, s, std::array{0.25, 0.0, 0.0, 0.0, 0.0, 0.5}, "kte: quaternion 'ball' has length 0");

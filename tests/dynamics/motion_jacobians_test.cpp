@@ -113,5 +113,5 @@ TEST_CASE("motion Jacobians of names of another kind") {
   CHECK_THROWS_AS(motion_jacobian_of<jacobian_gen_2D<>>(model, s, q, v, "q1", "tip"), unknown_name);
   CHECK_THROWS_AS(motion_jacobian_of<jacobian_3D_3D<>>(model, s, q, v, "q1", "tip"), unknown_name);
   CHECK_THROWS_MATCHES(motion_jacobian_of<jacobian_gen_3D<>>(model, s, q, v, "f1", "tip"), bad_argument,
-                       says("'f1' is no degree of freedom"));
+                       says("'f1' is not a degree of freedom"));
 }

@@ -83,7 +83,7 @@ TEST_CASE("a bad state of a batch does not spoil the others", "[batch][runtime][
   batch::inverse_dynamics<4>(c, x.q, x.v, x.a, good);
   x.v[nv * 6 + 1] = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, tau),
-                    test::contains_text("state 6: a velocity is no finite number: v[1] of 'turn' is inf"));
+                    test::contains_text("state 6: a velocity is not finite: v[1] of 'turn' is inf"));
   for (std::size_t k = 0; k < 11; ++k)
     for (std::size_t i = 0; i < nv; ++i)
       CHECK((k == 6 ? std::isnan(tau[k * nv + i]) : tau[k * nv + i] == good[k * nv + i]));

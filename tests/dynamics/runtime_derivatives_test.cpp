@@ -166,7 +166,7 @@ TEST_CASE("what runtime chains cannot do is said", "[derivatives][hybrid][runtim
     return hybrid_dynamics(springs, s, positions(s), velocities(s), accelerations(s), {name});
   };
   CHECK_THROWS_AS(hybrid("q77"), unknown_name);
-  CHECK_THROWS_WITH(hybrid("wall"), contains_text("'wall' is no degree of freedom"));
+  CHECK_THROWS_WITH(hybrid("wall"), contains_text("'wall' is not a degree of freedom"));
 
   kte_map_chain massless;
   massless << revolute_joint_2D("q", "base", "end");

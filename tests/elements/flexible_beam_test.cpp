@@ -65,8 +65,9 @@ void check_laws() {
                          load_difference(x.template at<1>(), y.template at<1>()));
           }) <= 8 * rounding<S>);
   };
-  check(flexible_beam_2D("a", "b", 1.5, flat));
+  check(flexible_beam_2D("a", "b", 1.5, flat, 0.3));
   check(flexible_beam_3D("a", "b", 1.5, solid));
+  check(flexible_beam_3D("a", "b", 1.5, {.EA = 7, .EI_y = 2, .EI_z = 3, .GJ = 1.5, .GA_y = 20}, vec3{0.3, 0.2, -0.4}));
   const auto flat_beam = flexible_beam_2D("a", "b", 1.5, flat);
   CHECK(worst_of_open<S>(flat_beam, [](auto& x) {
           auto y = trial_of<S>(flexible_beam_3D("a", "b", 1.5, solid), 1);
@@ -189,6 +190,21 @@ TEST_CASE("a beam under a force at its end is the elastica", "[elements][flexibl
   }
 }
 
+namespace {
+/// The error of the tip by the number of beams, at 4 and 8, and the order at which it falls.
+struct convergence {
+  double at4, at8, order;
+};
+template <class Error>
+convergence convergence_of(const Error& error) {
+  const double at4 = error(4), at8 = error(8);
+  return {at4, at8, std::log2(at4 / at8)};
+}
+double distance(const Eigen::VectorXd& q, const vec3<>& exact) {
+  return (q.tail(7).head(3) - Eigen::Vector3d(exact.x, exact.y, exact.z)).norm();
+}
+}  // namespace
+
 TEST_CASE("the Princeton beam, in both planes with torsion", "[elements][flexible_beam]") {
   // A blade of 508 mm with a weight of 13.345 N at 30 degrees: reference by shooting of the exact equations.
   const double h = 12.3777e-3, w = 3.2024e-3, E = 71.7e9, G = E / 2.62, L = 0.508, P = 13.345;
@@ -199,34 +215,56 @@ TEST_CASE("the Princeton beam, in both planes with torsion", "[elements][flexibl
                            .GJ = 0.198 * G * (I_y + I_z),
                            .GA_y = G * h * w,
                            .GA_z = G * h * w};
-  const auto c = cantilever(8, L, blade);
-  const auto q = balanced(c, straight(c, 8, L), 10, [&](double share) {
-    return constant_force_3D("8", share * P * vec3{0.0, -std::cos(pi / 6), std::sin(pi / 6)});
+  const auto found = convergence_of([&](int n) {
+    const auto c = cantilever(n, L, blade);
+    const auto load = [&](double share) {
+      return constant_force_3D(std::to_string(n), share * P * vec3{0.0, -std::cos(pi / 6), std::sin(pi / 6)});
+    };
+    return distance(balanced(c, straight(c, n, L), 8, load),
+                    {0.490741077741663147, -0.016989798932700564, 0.118179534218106});
   });
-  CHECK(near_tip(q.tail(7), {0.490741077741663, -0.016989798932701, 0.118179534218106}, 1e-4));
+  CHECK(found.at8 < 1e-6 * 0.6);
+  CHECK(found.order == within(4, 0.1));
 }
 
 TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi", "[elements][flexible_beam]") {
-  // An arc of radius 100 as eight straight beams, 600 at its tip across its plane; reference by shooting.
-  constexpr int n = 8;
-  const double a = pi / 4 / n, chord = 2 * 100 * std::sin(a / 2), EI = 1e7 / 12, GA = 1e7 / 2.4;
-  kte_map_chain c;
-  for (int i = 0; i < n; ++i) {
-    const auto before = std::to_string(i), node = std::to_string(i + 1);
-    const vec3 here{0.0, 0.0, 0.0};
-    c << free_joint_3D("at " + node, "0", node)
-      << rigid_link_3D(before, "from " + node, here, matrix(rotation_by(a / 2)))
-      << rigid_link_3D(node, "to " + node, here, matrix(rotation_by(-a / 2)))
-      << flexible_beam_3D("from " + node, "to " + node, chord, {1e7, EI, EI, EI, GA, GA});
-  }
-  Eigen::VectorXd q = neutral_configuration(c);
-  for (int i = 0; i < n; ++i) {
-    const double b = a * (i + 1);
-    q.segment(7 * i, 4) << 100 * std::sin(b), 100 * (1 - std::cos(b)), 0, std::cos(b / 2);
-    q[7 * i + 6] = std::sin(b / 2);
-  }
-  q = balanced(c, q, 10, [](double share) { return constant_force_3D(std::to_string(n), along_z(share * 300)); });
-  CHECK(near_tip(q.tail(7), {58.7788973299748, 22.2446794266758, 40.1923923322953}, 0.05));
+  // An arc of radius 100, 300 at its tip across its plane; reference by shooting.
+  const double EI = 1e7 / 12, GA = 1e7 / 2.4;
+  const auto found = convergence_of([&](int n) {
+    kte_map_chain c;
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(7 * n);
+    const double a = pi / 4 / n;
+    for (int i = 0; i < n; ++i) {
+      const auto before = std::to_string(i), node = std::to_string(i + 1);
+      c << free_joint_3D("at " + node, "0", node)
+        << flexible_beam_3D(before, node, 100 * a, {1e7, EI, EI, EI, GA, GA}, along_z(a));
+      const double b = a * (i + 1);
+      q.segment(7 * i, 4) << 100 * std::sin(b), 100 * (1 - std::cos(b)), 0, std::cos(b / 2);
+      q[7 * i + 6] = std::sin(b / 2);
+    }
+    q = balanced(c, q, 8, [&](double share) { return constant_force_3D(std::to_string(n), along_z(share * 300)); });
+    return distance(q, {58.7788973299747683, 22.2446794266757960, 40.1923923322952523});
+  });
+  CHECK(found.at4 < 6e-3);
+  CHECK(found.at8 < 4e-4);
+  CHECK(found.order == within(4, 0.1));
+}
+
+TEST_CASE("a beam in space that is an arc or a helix rests", "[elements][flexible_beam]") {
+  // p' = R x, R' = R [r_0]x / L
+  const auto loads = [](const vec3<>& r_0, double L) {
+    auto x = trial_of(flexible_beam_3D("a", "b", L, solid, r_0), 1);
+    vec3<> end{};
+    for (int i = 0; i < 1000; ++i) end = end + L / 1000 * (matrix((i + 0.5) / 1000 * r_0) * vec3{1.0, 0.0, 0.0});
+    x.at<0>() = {}, x.at<1>() = {.position = end, .rotation = matrix(r_0)};
+    x.doForce();
+    const auto f = x.at<1>().force, t = x.at<1>().torque;
+    return std::sqrt(dot(f, f)) + std::sqrt(dot(t, t));
+  };
+  const vec3 turn{0.2, 0.15, -0.25};
+  const double whole = loads(turn, 2), half = loads(0.5 * turn, 1);
+  CHECK(whole < 1e-3);
+  CHECK(std::log2(whole / half) > 2.8);  // strains of fourth order, of what bends to both sides third: 12 EI/L^2
 }
 
 TEST_CASE("a pushed beam buckles at Euler's load", "[elements][flexible_beam]") {
@@ -297,14 +335,16 @@ TEST_CASE("a beam turned round", "[elements][flexible_beam]") {
 
 TEST_CASE("flexible beams are saved and loaded, and reject what makes no sense", "[elements][flexible_beam]") {
   kte_map_chain c;
-  c << base_2D("a") << base_2D("b") << flexible_beam_2D("a", "b", 1.5, flat) << base_3D("c") << base_3D("d")
-    << flexible_beam_3D("c", "d", 1.5, solid);
+  c << base_2D("a") << base_2D("b") << flexible_beam_2D("a", "b", 1.5, flat, 0.1) << base_3D("c") << base_3D("d")
+    << flexible_beam_3D("c", "d", 1.5, solid, vec3{0.1, 0.2, 0.3});
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
   const std::string where = "kte: flexible_beam_2D (anchor1 'a', anchor2 'b'): ";
   const auto what = [](double length, const planar_beam_section& section) {
     return complaint([&] { flexible_beam_2D("a", "b", length, section); });
   };
   CHECK(what(0, flat) == where + "rest length must be finite and positive, got 0");
+  CHECK(complaint([&] { flexible_beam_2D("a", "b", 1, flat, infinity); }) ==
+        where + "rest turn must be finite, got inf");
   CHECK(what(1, {.EA = 1, .EI = -2}) == where + "stiffnesses of the section must be finite and not negative, got -2");
 }
 

@@ -1,5 +1,6 @@
 #include <kte/dynamics.hpp>
 #include <kte/elements/differential.hpp>
+#include <kte/elements/external_force.hpp>
 #include <kte/elements/law_follower.hpp>
 #include <kte/elements/law_signal.hpp>
 #include <kte/elements/mimic.hpp>
@@ -36,6 +37,13 @@ void check_laws() {
       },
       "a", "b", "c"));
 }
+// clang-format off
+constexpr struct y_      final : coord_key<"y">         {} key_y;
+constexpr struct F_      final : vector_key<"F">        {} key_F;
+constexpr struct T_      final : vector_key<"T">        {} key_T;
+constexpr struct ground_ final : frame_3D_key<"ground"> {} key_ground;
+constexpr struct tip_    final : frame_3D_key<"tip">    {} key_tip;
+// clang-format on
 /// The text of the singular_mass_matrix that a chain throws; "" if it throws none.
 std::string singular(const kte_map_chain& c) {
   auto s = c.make_state();
@@ -94,6 +102,35 @@ TEST_CASE("a motion given by signals, and measured", "[elements][mimic]") {
   CHECK(s.input("y seen") == within(0.25, 0));
   CHECK(s.frame_3D("tip").acceleration.x == within(-2.5, 0));
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
+}
+
+TEST_CASE("laws that give three numbers drive frames and loads, in both kinds of chain", "[elements][mimic]") {
+  // A table that is shaken by three laws, and a load by one, with typed zeros.
+  const auto way = [](const auto& t) { return along_x(0.5 * t * t); };
+  const auto speed = [](const auto& t) { return vec3{1.0 * t, 0 * t, 0 * t}; };
+  const auto grows = [](const auto&) { return along_x(1.0); };
+  const auto push = [](const auto& t) { return vec3{zero, 3.0 * t, zero}; };
+  const auto none = [](const auto&) { return zero3{}; };
+  kte_map_chain c;
+  c << law_signal(way, "time", "p") << law_signal(speed, "time", "v") << law_signal(grows, "time", "a")
+    << law_signal(push, "time", "F") << law_signal(none, "time", "T")
+    << position_control_3D("p", "v", "a", "ground", "table") << prismatic_joint_3D("x", "table", "cart", axis::x)
+    << prismatic_joint_3D("y", "cart", "tip", axis::y) << inertia_3D("tip", point_mass(2.0))
+    << external_force_3D("tip", "F", "T");
+  auto s = c.make_state();
+  s.input("time") = 4;
+  const Eigen::VectorXd none_of_two = Eigen::VectorXd::Zero(2);
+  const Eigen::VectorXd a = forward_dynamics(c, s, none_of_two, none_of_two, none_of_two);
+  CHECK(a[0] == within(-1, 1e-15));
+  CHECK(a[1] == within(6, 1e-15));
+  c.doMotion(s);
+  CHECK(s.frame_3D("tip").position.x == 8);
+  const auto fixed = chain(law_signal(push, chain_time, key_F), law_signal(none, chain_time, key_T),
+                           prismatic_joint_3D(key_y, key_ground, key_tip, axis::y),
+                           inertia_3D(key_tip, point_mass(2.0)), external_force_3D(key_tip, key_F, key_T));
+  auto t = make_state(fixed);
+  t[chain_time] = 4;
+  CHECK(forward_dynamics(fixed, t)[0] == within(6, 1e-15));
 }
 
 TEST_CASE("ratios are numbers, and no file holds functions", "[elements][mimic]") {

@@ -18,7 +18,7 @@ template <fixed_string Text> struct solid final : frame_3D_key<Text> {};
 /// The same mechanism in the plane and in space about z: a cart on an oblique rail with two links.
 constexpr auto in_plane =
     chain(prismatic_joint_2D(slide, flat<"base">{}, flat<"cart">{}, vec2{0.6, 0.8}),
-          inertia_2D(flat<"cart">{}, planar_body(2.0, 0.3, vec3{0.1, -0.2, zero})),
+          inertia_2D(flat<"cart">{}, planar_body(2.0, 0.3, vec2{0.1, -0.2})),
           rigid_link_2D(flat<"cart">{}, flat<"seat">{}, vec2{0.3, -0.1}, rotation_2D{0.28, 0.96}),
           revolute_joint_2D(turn, flat<"seat">{}, flat<"arm">{}),
           inertia_2D(flat<"arm">{}, planar_body(1.5, 0.05, along_x(0.25))),

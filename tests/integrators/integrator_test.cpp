@@ -1,6 +1,8 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/euler.hpp>
+#include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/solution.hpp>
+#include <kte/math/dual.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -229,3 +231,17 @@ TEST_CASE("Dynamic states, and sizes that do not fit") {
 }
 
 }  // namespace
+
+TEST_CASE("States of dual numbers carry derivatives through steps, and messages have their values") {
+  using number = dual<double, 1>;
+  using state = Eigen::Matrix<number, 1, 1>;
+  const number rate = seeded<1>(-2.0, 0);  // x = exp(rate t), dx/drate = t exp(rate t)
+  runge_kutta4 solver([&](const number&, const state& x) { return state(rate * x[0]); }, number(0), state(number(1)),
+                      number(1e-3));
+  solver.integrate(0.5);
+  CHECK(solver.statistics().steps == 500);
+  CHECK(solver.state()[0].value == within(std::exp(-1), 1e-12));
+  CHECK(solver.state()[0].derivative[0] == within(0.5 * std::exp(-1), 1e-12));
+  CHECK_THROWS_WITH(solver.integrate(std::nan("")), contains_text("end time must be finite, got nan"));
+  CHECK_THROWS_WITH(solver.interpolate(7.0), contains_text("cannot interpolate at t = 7"));
+}

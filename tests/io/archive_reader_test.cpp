@@ -69,7 +69,7 @@ TEST_CASE("what an archive must not be") {
         ":2:1: root 1: the root has none of chain, thing, state, mass_matrix_calc, numbers");
   CHECK(fault(json_roots(R"({"name":"r","numbers":[]},{"name":"r","numbers":[]})")).ends_with("root 2: a second 'r'"));
   CHECK(fault(json_root(R"("mass_matrix_calc":{"chain":"r"})")) ==
-        ":2:1: root 'r' is of the chain 'r', which is no root of the archive");
+        ":2:1: root 'r' is of the chain 'r', which is not a root of the archive");
   CHECK(fault(json_root(R"("thing":{"type":"coord","name":"q","values":{}})")) ==
         ":2:29: root 1: there is no thing of type 'coord'");
   const std::string q = R"({"type":"coordinate","name":"q","values":{}})",
@@ -118,8 +118,8 @@ TEST_CASE("bytes: what counts claim is not believed") {
   CHECK(bad(std::string("\1\4\0", 3)) == ", byte 9: 'the name of a field': there is no such text before it");
   CHECK(bad("\1\4\5") == ", byte 9: 'the name of a field': there is no such text before it");
   CHECK(bad("\1\3\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x01").ends_with("the file ends in the middle of the model"));
-  CHECK(bad("\1\3\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x02").ends_with("a count that is no number of 64 bits"));
-  CHECK(bad("\1\3\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x01").ends_with("a count that is no number of 64 bits"));
+  CHECK(bad("\1\3\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x02").ends_with("a count that does not fit in 64 bits"));
+  CHECK(bad("\1\3\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x01").ends_with("a count that does not fit in 64 bits"));
   CHECK(bad("\1\3\1\xC0") == ", byte 9: this is not UTF-8");
   CHECK(bad("\1" + begin + text_of("gravity") + "\5\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x3F")
             .ends_with("the file ends in the middle of the model"));
@@ -127,7 +127,7 @@ TEST_CASE("bytes: what counts claim is not believed") {
   CHECK(bad("\1" + begin + text_of("elements") + "\1").ends_with("'elements' must be a list"));
   CHECK(bad("\1" + begin + text_of("version") + "\5\1").ends_with("'version' is not a text"));
   CHECK(bad("\1" + begin + text_of("note")).find("unknown field 'note'") != std::string::npos);
-  CHECK(fault("\x89kte\n\x1a\n", model_format::binary) == ", byte 0: this is no binary model file");
+  CHECK(fault("\x89kte\n\x1a\n", model_format::binary) == ", byte 0: this is not a binary model file");
   const auto good = kte::to_binary(kte::model_record{});
   CHECK(fault(good, model_format::binary).empty());
   CHECK(fault(good + "x", model_format::binary).ends_with("something follows the end of the model"));

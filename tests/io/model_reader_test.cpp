@@ -108,8 +108,8 @@ TEST_CASE("numbers may be texts, numbers, or lists of numbers") {
   CHECK(bad(".5").starts_with("4:5: 'p' is neither"));
   CHECK(bad("1.").starts_with("4:5: 'p' is neither"));
   CHECK(bad("1e").starts_with("4:5: 'p' is neither"));
-  CHECK(bad("01") == "4:5: 'p': '01' is no number of JSON");
-  CHECK(bad("[0, 0x1F]") == "4:9: 'p': '0x1F' is no number of JSON");
+  CHECK(bad("01") == "4:5: 'p': '01' is not a JSON number");
+  CHECK(bad("[0, 0x1F]") == "4:9: 'p': '0x1F' is not a JSON number");
   CHECK(bad("1 2") == "4:7: ',' or '}' is due here");
   CHECK(bad("[1 2]") == "4:8: ',' or ']' is due here");
   CHECK(bad("[1,]") == "4:8: something is due behind the comma");
@@ -176,7 +176,7 @@ TEST_CASE("fields are known, once each, and none is missing: XML") {
 TEST_CASE("versions are whole numbers, gravity is finite") {
   const std::string rest = json_gravity + "\"elements\":[]";
   const auto version = [&](const std::string& v) { return json(json_model(rest, "\"version\":" + v + ",")); };
-  CHECK(version("0x1").ends_with("'version': '0x1' is no number of JSON"));
+  CHECK(version("0x1").ends_with("'version': '0x1' is not a JSON number"));
   CHECK(version("\"1\"").empty());
   CHECK(version("2").empty());
   CHECK(version("3") == "1:25: version 3 of the format; this library reads versions 1 and 2");
@@ -215,8 +215,8 @@ TEST_CASE("texts: escapes, blanks, remarks") {
   CHECK(in_json("\\udc00\\ud800") == "3:9: this escape stands for no character");
   CHECK(in_json("\\ud800\\ue000") == "3:9: this escape stands for no character");
   CHECK(in_json("\\ud800\\u0041") == "3:9: this escape stands for no character");
-  CHECK(in_json("\\x41") == "3:9: this is no escape for a text");
-  CHECK(in_json("\\b") == "3:9: this is no escape for a text");
+  CHECK(in_json("\\x41") == "3:9: this is not an escape of a text");
+  CHECK(in_json("\\b") == "3:9: this is not an escape of a text");
   CHECK(in_json("\\u12g4") == "3:9: \\u is due four hexadecimal digits");
   CHECK(in_json("a\nb") == "3:10: a line end or tab within quotes");
   CHECK(in_json("a\\nb") == "3:8: element 1: 'type' has a control character");

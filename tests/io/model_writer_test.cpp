@@ -54,5 +54,5 @@ TEST_CASE("what could not be read again is not written") {
   m = spring();
   m.elements[0].connections[0].role = "the first";
   CHECK(kte::from_json(kte::to_json(m)) == m);
-  CHECK_THROWS_WITH(kte::to_xml(m), contains_text("'the first' is a port, but no name for a tag of XML"));
+  CHECK_THROWS_WITH(kte::to_xml(m), contains_text("'the first' is a port, but not a name for an XML tag"));
 }

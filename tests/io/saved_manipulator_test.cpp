@@ -32,7 +32,7 @@ TEST_CASE("manipulators come back from files with their tools and limits") {
     CHECK(two.tools() == runtime.tools());
     CHECK(two.limits() == limits);
     CHECK(kte::from_record(arm, b.model("static")).limits() == arm.limits());
-    CHECK_THROWS_WITH(kte::from_record(arm, b.model("runtime")), contains_text("the first is 'tool'"));
+    CHECK_THROWS_WITH(kte::from_record(arm, b.model("runtime")), contains_text("whose first is 'tool'"));
   });
   const scratch file(".xml");
   kte::save_model(file.path, arm);
@@ -86,7 +86,7 @@ TEST_CASE("models of manipulators: tools, limits and inputs") {
   };
   const auto chain = record_of(c);
   CHECK(bad({chain.gravity, chain.elements, {}, {{"elbow", {}}}}) ==
-        "kte: limits of 'elbow', which is no degree of freedom of the chain");
+        "kte: limits of 'elbow', which is not a degree of freedom of the chain");
   CHECK(bad({chain.gravity, chain.elements, {}, {{"q", {{"upper", {1, 2}}}}}}) ==
         "kte: limits of 'q': upper must have 1 numbers, got 2");
   CHECK(bad({chain.gravity, chain.elements, {}, {{"q", {{"upper", {-1}}, {"lower", {1}}}}}}) ==

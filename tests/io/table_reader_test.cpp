@@ -46,10 +46,10 @@ TEST_CASE("Commas and tabs separate cells one by one, with blanks around them") 
 
   CHECK(message("a,b\n1 2\n", ".csv") == "line 2, column 1: '1 2' is not a number");
   CHECK(message("a,b\n1,,2\n", ".csv") == "line 2, column 2: '' is not a number");
-  CHECK(message("a,,b\n", ".csv") == "line 1, column 2: '' is no name");
+  CHECK(message("a,,b\n", ".csv") == "line 1, column 2: '' is not a name");
   CHECK(message("a,b\n1,\n", ".csv") == "line 2, column 2: '' is not a number");
   CHECK(message("a,b\n1,2,\n", ".csv") == "line 2, column 3: '' is one too many");
-  CHECK(message("a,b,\n1,2,\n", ".csv") == "line 1, column 3: '' is no name");
+  CHECK(message("a,b,\n1,2,\n", ".csv") == "line 1, column 3: '' is not a name");
   CHECK(message("a\tb\n1,2\n", ".tsv") == "line 2, column 1: '1,2' is not a number");
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("Cells may be in quotes, and a byte order mark may come first") {
   CHECK(message("t,\"a\n1,2\n", ".csv") == "line 1, column 2: 'a' does not end at its closing quote");
   CHECK(message("t,\"a\"b,c\n", ".csv") == "line 1, column 2: 'a' does not end at its closing quote");
   CHECK(message("t,\"a\"\"\n", ".csv") == "line 1, column 2: 'a\"' does not end at its closing quote");
-  CHECK(message("t,\"\"\n", ".csv") == "line 1, column 2: '' is no name");
+  CHECK(message("t,\"\"\n", ".csv") == "line 1, column 2: '' is not a name");
   CHECK(message("t,\"a\",\"a\"\n", ".csv") == "line 1, column 3: 'a' is there twice");
   CHECK(message("\"a,b\"\n1,2\n", ".csv") == "line 2, column 2: '2' is one too many");
   CHECK(message("a b\n1 \"2 3\"\n") == "line 2, column 2: '2 3' is not a number");

@@ -181,7 +181,7 @@ TEST_CASE("Accelerations of tools, and joints that give them within limits") {
   auto lost = aim;
   lost[0] = NAN;
   CHECK_THROWS_MATCHES(accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, lost), bad_argument,
-                       test::says("a wanted acceleration is no finite number"));
+                       test::says("a wanted acceleration is not finite"));
 
   three_rates at(0, 0, 0.5), rate = three_rates::Zero();
   random_numbers random(4);
@@ -215,7 +215,7 @@ TEST_CASE("Arguments that are none are refused") {
   t[0] = 1e308;
   CHECK_THROWS_AS(rates_towards(arm, q, v, t, 0.1), bad_argument);
   CHECK_THROWS_MATCHES(rates_towards(arm, q, three_rates(0, NAN, 0), t, 0.1), bad_argument,
-                       says("a rate is no finite number: v_now[1] of 'q2' is nan"));
+                       says("a rate is not finite: v_now[1] of 'q2' is nan"));
   t[3] = std::nan("");
   CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.1), bad_argument,
                        says("a twist is not finite: twist[3] of tool 'tip' is nan"));

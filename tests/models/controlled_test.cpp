@@ -160,7 +160,7 @@ TEST_CASE("Inputs that are no finite numbers are named") {
                          test::says("an input of 'motor' must be finite, got nan"));
     CHECK(model.input()[0] == 0);
     motor_of() = HUGE_VAL;
-    CHECK_THROWS_MATCHES(model(0, x), bad_argument, test::says("is no finite number: input 'motor' is inf"));
+    CHECK_THROWS_MATCHES(model(0, x), bad_argument, test::says("is not finite: input 'motor' is inf"));
     motor_of() = 0;
     controlled sick(model, [&](double t, const auto&) { return std::array{t > 0.5 ? nan : 0}; });
     dormand_prince45 solver(std::ref(sick), 0.0, sick.make_x(q0, v0));

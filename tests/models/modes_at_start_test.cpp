@@ -96,7 +96,7 @@ TEST_CASE("a brake that is pulled apart is open, and a mode that is none counts 
 TEST_CASE("what holds a coordinate that another moves is named when the model is made", "[modes]") {
   kte_map_chain c;
   c << inertia_gen("x", 1.0) << mimic_gen("x", "y", 2.0) << joint_stiction_gen("y", "mode", {1.0, 1.0});
-  const std::string text = "joint_stiction_gen (coordinate 'y', mode 'mode') holds a coordinate that is no degree";
+  const std::string text = "joint_stiction_gen (coordinate 'y', mode 'mode') holds a coordinate that is not a degree";
   CHECK_THROWS_MATCHES(manipulator_dynamics_model(c), bad_wiring, test::says(text));
   auto s = c.make_state();
   CHECK_THROWS_MATCHES(mass_matrix(c, s, std::array{0.0}), bad_argument, test::says(text));

@@ -1,5 +1,7 @@
+#include <kte/elements/joint_lugre.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/runge_kutta5.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/models/variational.hpp>
 
 #include <cmath>
@@ -145,6 +147,26 @@ TEST_CASE("Variational integrators go backward, restart, and say where a step is
   CHECK(error_of<double_pendulum_from_horizontal>(solver.state(), 0) < 1e-5);
   auto long_steps = start<variational2, dzhanibekov>(0.5);
   CHECK_THROWS_WITH(long_steps.integrate(10), contains_text("a step of 0.5 does not converge: it is too long"));
+}
+
+TEST_CASE("Variational integrators of runtime chains step as those of static ones") {
+  // A free body and its arm; and what of internal states is refused, by name.
+  const auto free = floating_with_springs.gravity(zero3{});
+  const manipulator_dynamics_model model(free);
+  const manipulator_dynamics_model runtime(models::element_by_element(free));
+  random_numbers random(2);
+  const random_motion_of<double, std::remove_const_t<decltype(free)>> m(free, random);
+  variational4 solver(std::cref(model), 0.0, model.make_x(m.q, m.v), 0.01);
+  variational4 same(std::cref(runtime), 0.0, runtime.make_x(m.q, m.v), 0.01);
+  solver.integrate(0.1), same.integrate(0.1);
+  CHECK((same.state() - solver.state()).norm() < 1e-12 * solver.state().norm());
+  CHECK((same.interpolate(0.095) - solver.interpolate(0.095)).norm() < 1e-12 * solver.state().norm());
+  kte_map_chain rubs;
+  rubs << inertia_gen("x", 1.0)
+       << joint_lugre_gen("x", "bristles", {.sigma0 = 1, .coulomb = 1, .stiction = 1, .stribeck_velocity = 1});
+  const manipulator_dynamics_model kept(rubs);
+  CHECK_THROWS_MATCHES(variational2(std::cref(kept), 0.0, kept.make_x(std::array{0.0}, std::array{0.0}), 0.1),
+                       bad_argument, says("know no internal states of elements, as that of joint_lugre_gen"));
 }
 
 TEST_CASE("Variational integrators name the coordinate that moves no mass, and when") {

@@ -32,10 +32,10 @@ gives 1 'cut.JSON:1:1: ' "$evaluate" cut.JSON states.csv
 gives 1 'pendulum.kte is a model file' "$evaluate" --check pendulum.kte
 
 # What is odd is said once, before the table, and what is not read by --check.
-gives 0 'evaluate: arm.urdf:3: link '"'arm': no matter has such an inertia" "$evaluate" arm.urdf states.csv
+gives 0 'evaluate: arm.urdf:3: link '"'arm': no body can have such an inertia" "$evaluate" arm.urdf states.csv
 if [ "$(wc -l <errors)" -ne 1 ]; then wrong 'more than one warning'; fi
 gives 0 '' "$evaluate" --check arm.urdf
-prints "arm.urdf:3: link 'arm': no matter has such an inertia"
+prints "arm.urdf:3: link 'arm': no body can have such an inertia"
 prints 'not read (2):'
 prints "  line 8: joint 'q': <calibration>: not read"
 prints "  line 8: joint 'q': <safety_controller>: its k_velocity is not read"
@@ -117,7 +117,7 @@ works='echo table; printf ! >&3'
 
 # What no program can have is said before it is compiled.
 gives 1 "'nowhere'" "$evaluate" arm.urdf states.csv --static --frame nowhere
-gives 1 "'joint' is one of the plane" "$evaluate" pendulum.json states.csv --static --frame joint
+gives 1 "'joint' is a frame in the plane" "$evaluate" pendulum.json states.csv --static --frame joint
 compiled 0
 
 # Compilers that fail leave nothing.
@@ -136,7 +136,7 @@ unsafe 'as it may be written by others'
 mkdir planted && ln -s "$folder/planted" "$kept"
 unsafe 'as it is a link'
 echo >"$kept"
-unsafe 'as it is no folder'
+unsafe 'as it is not a folder'
 if [ "$(id -u)" -eq 0 ]; then
   mkdir -m 700 "$kept" && chown 12345 "$kept"
   unsafe 'as it belongs to another user'

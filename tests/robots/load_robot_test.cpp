@@ -48,13 +48,13 @@ TEST_CASE("files that are no robots") {
     CHECK_THROWS_MATCHES(describe_robot(text, "a.urdf"), bad_file, says(why));
   };
   refused("", "kte: a.urdf:1:1: the file is empty");
-  refused("no robot", "kte: a.urdf:1: this is no good XML: parsing text");
-  refused("<robot>\n<link>\n</robot>", "kte: a.urdf:2: this is no good XML: mismatched element");
+  refused("no robot", "kte: a.urdf:1: this is not valid XML: parsing text");
+  refused("<robot>\n<link>\n</robot>", "kte: a.urdf:2: this is not valid XML: mismatched element");
   refused("<model/>", "kte: a.urdf:1: <model> begins no format of robots");
   refused("<robot/>\n<robot/>", "kte: a.urdf:2: an element comes after the end of the first");
   refused("<robot>\n<xacro:macro name='leg'/></robot>", "kte: a.urdf:2: <xacro:macro>: this is a file for xacro");
   refused("<robot>\xff</robot>", "this is not UTF-8");
   std::string deep;
   for (int i = 0; i < 2000; ++i) deep += "<link>";
-  refused("<robot>" + deep, "this is no good XML: element depth exceeded");
+  refused("<robot>" + deep, "this is not valid XML: element depth exceeded");
 }

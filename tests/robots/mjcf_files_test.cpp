@@ -60,7 +60,7 @@ TEST_CASE("includes that cannot be read are refused by file and line") {
   f.write("b.xml", "<mujoco>\n\n<include file='a.xml'/></mujoco>");
   refused(mjcf("<include file='a.xml'/>"), "b.xml:3: <include>: the file 'a.xml' is included already");
   f.write("bad.xml", "<mujoco>\n<worldbody></mujoco>");
-  refused(mjcf("<include file='bad.xml'/>"), "bad.xml:2: this is no good XML");
+  refused(mjcf("<include file='bad.xml'/>"), "bad.xml:2: this is not valid XML");
   f.write("wrong.xml", "<mujoco>\n<worldbody><body><joint axis='0 0 0'/></body></worldbody></mujoco>");
   refused(mjcf("<include file='wrong.xml'/>"), "wrong.xml:2: <joint>: the axis has length 0");
 }

@@ -99,6 +99,35 @@ TEST_CASE("time constants make springs and dampers of the inertia that they move
   };
   CHECK(torque(0, 1) - torque(0, 0) == within(4.051983602, 1e-9));  // ten digits are given
   CHECK(torque(1, 0) - torque(0, 0) == within(8.269354289, 1e-9));
+
+  // on and beside joints of several axes: against M^-1 itself
+  const std::string spring = "springdamper='2 1' armature='0.1'";
+  const auto on_ball =
+      robot_of(mjcf("<body><freejoint/>" + box + "<body pos='1 0 0'><joint type='ball' pos='0 .3 0'/>" + box +
+                    "<body pos='0 1 0'><joint axis='1 2 2' " + spring + "/><joint type='slide' axis='0 3 4' " + spring +
+                    "/>" + box + "<body><joint axis='1 0 0'/>" + box + "</body></body></body></body><body><joint " +
+                    spring + "/>" + box + "</body>"));
+  auto u = on_ball.chain.make_state();
+  const auto at = neutral_configuration(on_ball.chain);
+  const auto n = on_ball.chain.dofs();
+  REQUIRE(n == 13);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
+  for (const int i : {9, 10, 12}) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, i);
+    const double yields = forward_dynamics(on_ball.chain, u, at, zero, unit)[i],
+                 falls = forward_dynamics(on_ball.chain, u, at, zero, zero)[i],
+                 rubs = inverse_dynamics(on_ball.chain, u, at, unit, zero)[i],
+                 rests = inverse_dynamics(on_ball.chain, u, at, zero, zero)[i];
+    CHECK((rubs - rests) * (yields - falls) == within_relative(2.0 / 2, 1e-13));  // d/I = 2/T
+  }
+  // and of many: M^-1 as a whole would take 200 MB, and minutes
+  std::string many;
+  for (int i = 0; i < 5000; ++i) many += "<body><joint springdamper='0.5 0.7'/>" + box + "</body>";
+  const auto alike = robot_of(mjcf(many));
+  auto v = alike.chain.make_state();
+  const std::vector<double> q(5000, 0.0), one(5000, 1.0);
+  const auto damping = inverse_dynamics(alike.chain, v, q, one, q);
+  CHECK(damping[4999] == within_relative(2 / 0.5 * 2 * 0.04 / 6, 1e-14));  // of a cube m a^2/6
 }
 
 TEST_CASE("balls and free bodies are damped, balls have springs, and weight is borne") {
@@ -227,7 +256,7 @@ TEST_CASE("what moves differently is warned of first, or refused") {
         "body 'b': <geom>: contact is not modelled: friction, solref and the like of 1 element\n"
         "position 'p1': the chain has its force, and that of any <position>, by kte::add_motors alone: 'p1', 'p2', "
         "'p3' and 1 more\n"
-        "link 'b': no matter has such an inertia: its principal moment 3 is above 1 + 1 by 1 kg m^2; it is taken as "
+        "link 'b': no body can have such an inertia: its principal moment 3 is above 1 + 1 by 1 kg m^2; it is taken as "
         "published\n");
   CHECK((r.warnings[0].changes_motion && !r.warnings.back().changes_motion));
   CHECK_THROWS_MATCHES(robot_of(text, strict), bad_file,

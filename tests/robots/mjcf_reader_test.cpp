@@ -12,6 +12,11 @@ namespace {
 constexpr double pi = 3.141592653589793;
 
 std::string mjcf(const std::string& inside) { return "<mujoco>\n<worldbody>\n" + inside + "</worldbody></mujoco>"; }
+std::string listed(const std::vector<robot_note>& notes) {
+  std::string all;
+  for (const auto& n : notes) all += std::to_string(n.line) + (n.changes_motion ? "! " : " ") + n.text + "\n";
+  return all;
+}
 }  // namespace
 
 TEST_CASE("what a file in MJCF says") {
@@ -54,12 +59,10 @@ TEST_CASE("what a file in MJCF says") {
   CHECK((d.links[1].collisions.empty() && d.links[0].collisions.size() == 1));
   REQUIRE(d.actuators.size() == 2);
   CHECK((d.actuators[0].joint == "shoulder" && d.actuators[0].gear == 100 && d.actuators[1].gear == 1));
-  std::string all;
-  for (const auto& n : d.not_read) all += std::to_string(n.line) + " " + n.text + "\n";
-  CHECK(all ==
+  CHECK(listed(d.not_read) ==
         "42 <sensor>: not read\n"
         "15 <light>: not read\n"
-        "34 freejoint 'drone': the pose of its body is where it starts, which is no part of a chain\n"
+        "34 freejoint 'drone': the pose of its body is where it starts, which is not part of a chain\n"
         "4 <option>: its timestep is not read\n");
 }
 
@@ -118,4 +121,80 @@ TEST_CASE("errors in MJCF name file, line and element") {
   refused("<body name='b'><geom type='box' size='1'/></body>", "3: body 'b': <geom>: its size must have 3 numbers");
   refused("<body name='b'><body name='c'><freejoint/></body></body>",
           "3: body 'c': <freejoint>: a free joint must be the only one of a body in the world");
+}
+
+TEST_CASE("what is not read of elements of MJCF is listed, and of defaults once, where they are written") {
+  const auto d = from_mjcf(
+      "<mujoco><compiler convexhull='false'/><default>\n"
+      "<site group='2' looks='odd'/><geom fluidshape='ellipsoid'/><joint armature='1' kind='x'/>\n"
+      "<mesh refpos='1 0 0' maxhullvert='8'/></default>\n"
+      "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 0 0 1' smoothnormal='true'><plugin/></mesh>\n"
+      "<mesh name='n' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/>\n"
+      "<material name='red'/><texture/><material name='blue'/></asset>\n"
+      "<worldbody><body name='b' user='1'><joint name='j' frictionloss='1' solimpfriction='1' solreflimit='1'/>\n"
+      "<site name='s' rgba='1 0 0 1' odd='3'/><site name='t' size='1'/><site/>\n"
+      "<geom size='1'/><geom size='1'/><geom type='mesh' mesh='m'/><geom type='mesh' mesh='m' hfield='h'/>\n"
+      "</body><body><freejoint name='f' user='2'/></body></worldbody>\n"
+      "<equality><weld name='w' body1='b' active='false'/></equality></mujoco>");
+  CHECK(listed(d.not_read) ==
+        "1 <compiler>: its convexhull is not read\n"
+        "7 body 'b': its user is not read\n"
+        "7 joint 'j': its solimpfriction is not read\n"
+        "7 joint 'j': its solreflimit is not read\n"
+        "2 <joint>: its kind is not read\n"
+        "8 site 's': its odd is not read\n"
+        "2 <site>: its looks is not read\n"
+        "8 body 'b': <site>: not read, as it has no name\n"
+        "2 <geom>: its fluidshape is not read\n"
+        "9 body 'b': <geom>: its hfield is not read\n"
+        "10 freejoint 'f': its user is not read\n"
+        "11 weld 'w': not read, as it is switched off\n"
+        "4 mesh 'm': <plugin>: not read\n"
+        "4 mesh 'm': its smoothnormal is not read\n"
+        "6 material 'red': no <material> is read\n"
+        "6 <texture>: no <texture> is read\n"
+        "8 site 's': what sites look like is not read: group, rgba, size\n");
+  CHECK(listed(d.warnings) ==
+        "7! joint 'j': how soft its dry friction is (solreffriction, solimpfriction) is not modelled\n"
+        "4! mesh 'm': its maxhullvert is not read: its mass is that of the whole hull\n");
+  CHECK(listed(from_mjcf(mjcf("<body><freejoint name='f' align='true'/></body>")).warnings) ==
+        "3 freejoint 'f': align is not read: the coordinates of its body are those of the body's own axes\n");
+}
+
+TEST_CASE("defaults hold until the class that wrote them ends") {
+  const auto d = from_mjcf(
+      "<mujoco><default><joint damping='1' armature='1'/><default class='a'><joint damping='2' damping2='0'/>"
+      "<joint damping='3' stiffness='1'/><default class='b'><joint armature='' stiffness='5'/></default><default "
+      "class='c'/></default><default class='d'><joint frictionloss='7'/></default></default><worldbody>"
+      "<body><joint class='b'/></body><body><joint class='c'/></body><body><joint class='d'/></body><body><joint/>"
+      "</body><body childclass='a'><joint/></body></worldbody><default><joint armature='9'/></default></mujoco>");
+  CHECK(d.joints[0].dynamics == robot_joint_dynamics{3, 0, 5, 0, 0});  // an empty one is as none
+  CHECK(d.joints[1].dynamics == robot_joint_dynamics{3, 0, 1, 0, 1});
+  CHECK(d.joints[2].dynamics == robot_joint_dynamics{1, 7, 0, 0, 1});
+  CHECK(d.joints[3].dynamics == robot_joint_dynamics{1, 0, 0, 0, 9});
+  CHECK(d.joints[4].dynamics == robot_joint_dynamics{3, 0, 1, 0, 1});
+  // Elements share what their class gives them: copies of these defaults would have 12 GB.
+  std::string many =
+      "<mujoco><default><geom user='" + std::string(std::size_t{1} << 22, '1') + "'/></default><worldbody>";
+  for (int i = 0; i < 3000; ++i) many += "<geom size='1'/>";
+  CHECK(from_mjcf(many + "</worldbody></mujoco>").not_read.size() == 1);
+}
+
+TEST_CASE("an element of MJCF has one orientation and no more numbers than it may") {
+  const auto refused = [](const std::string& inside, const std::string& why) {
+    CHECK_THROWS_MATCHES(from_mjcf(mjcf(inside), "a.xml"), bad_file, says("kte: a.xml:3: " + why));
+  };
+  const std::string only = ": only one may give its orientation";
+  refused("<body name='b' quat='1 0 0 0' euler='0 0 0'/>", "body 'b': has both quat and euler" + only);
+  refused("<body name='b'><site zaxis='0 0 1' xyaxes='1 0 0 0 1 0'/></body>",
+          "body 'b': <site>: has both xyaxes and zaxis" + only);
+  refused("<camera axisangle='0 0 1 0' zaxis='0 0 1'/>", "<camera>: has both axisangle and zaxis" + only);
+  refused("<body name='b'><inertial pos='0 0 0' mass='1' quat='1 0 0 0' fullinertia='1 1 1 0 0 0'/></body>",
+          "body 'b': <inertial>: has both quat and fullinertia" + only);
+  refused("<geom size='1 2 3 4'/>", "<geom>: its size must have at most 3 numbers, got 4");
+  refused("<geom size='1' rgba='1 1 1 1 1'/>", "<geom>: rgba must have at most 4 numbers, got 5");
+  CHECK_THROWS_MATCHES(
+      from_mjcf("<mujoco>\n<default>\n<geom quat='1 0 0 0' zaxis='0 0 1'/></default></mujoco>", "a.xml"), bad_file,
+      says("kte: a.xml:3: <geom>: has both quat and zaxis"));
+  CHECK_NOTHROW(from_mjcf(mjcf("<body quat='' euler='0 0 90'/>")));
 }

@@ -142,7 +142,7 @@ TEST_CASE("includes that cannot be had are refused by name") {
   f.write("empty/x.txt", "");
   refused(include("empty"), "'empty' is not found");
   f.write("urdf/model.sdf", "<robot/>");
-  refused(include("urdf"), "'urdf' is no file in SDF: it begins with <robot>");
+  refused(include("urdf"), "'urdf' is not a file in SDF: it begins with <robot>");
   f.write("two/model.sdf", sdf("<model name='a'/><model name='b'/>"));
   refused(include("two"), "has several models: a file to include has one");
   f.write("none/model.sdf", sdf("<world name='a'/>"));

@@ -45,7 +45,7 @@ TEST_CASE("a joint of every type becomes an element") {
   REQUIRE(r.warnings.size() == 3);
   CHECK(r.warnings[2].line == 33);
   CHECK(r.warnings[2].text ==
-        "link 'elbow': no matter has such an inertia: its principal moment 3 is above 1 + 1 by 1 "
+        "link 'elbow': no body can have such an inertia: its principal moment 3 is above 1 + 1 by 1 "
         "kg m^2; it is taken as published");
 
   auto s = r.chain.make_state();
@@ -201,8 +201,8 @@ TEST_CASE("links and joints that make no tree") {
   refused("", " the robot has no links");
   refused(a + a, "3: link 'a' comes a second time, after line 2");
   refused(a + b, "3: link 'b' is a root beside link 'a' (line 2)");
-  refused(a + joint_text("j", "fixed", "a", "b"), "3: joint 'j': its child 'b' is no link");
-  refused(a + joint_text("j", "fixed", "b", "a"), "3: joint 'j': its parent 'b' is no link");
+  refused(a + joint_text("j", "fixed", "a", "b"), "3: joint 'j': its child 'b' is not a link");
+  refused(a + joint_text("j", "fixed", "b", "a"), "3: joint 'j': its parent 'b' is not a link");
   refused(a + joint_text("j", "fixed", "a", "a"), "3: joint 'j': its parent and its child are the same link 'a'");
   refused(a + b + c + joint_text("j", "fixed", "a", "b") + joint_text("j", "fixed", "b", "c"),
           "6: joint 'j': it comes a second time, after line 5");

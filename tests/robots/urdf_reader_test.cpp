@@ -165,7 +165,7 @@ TEST_CASE("a second inertial is not taken, and the world is ground") {
   CHECK(d.links[0].inertial->mass == 1);
   CHECK(d.warnings.size() == 2);
   CHECK(to_robot(d).chain.dofs() == 1);
-  CHECK(d.warnings[1].text == "joint 'j': its parent 'world' is no link of the file: it is the ground");
+  CHECK(d.warnings[1].text == "joint 'j': its parent 'world' is not a link of the file: it is the ground");
 }
 
 TEST_CASE("joints of URDFs that are not as the format has them") {

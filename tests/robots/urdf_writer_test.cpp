@@ -101,7 +101,7 @@ TEST_CASE("limits, shapes and children that URDF has no words for") {
   const auto text = to_urdf(r, {.not_written = &notes, .mesh_path = path});
   std::vector<std::string> texts;
   for (const auto& n : notes) texts.push_back(n.text);
-  CHECK(texts == std::vector<std::string>{"a shape is in frame 'nowhere', which is no link",
+  CHECK(texts == std::vector<std::string>{"a shape is in frame 'nowhere', which is not a link",
                                           "link 'arm': its shape is a capsule, and written as a cylinder and two balls",
                                           "link 'arm': its shape 'logo' is left out: it is a plane",
                                           "link 'arm': its shape 'nothing' is left out: its mesh '' has no file",
@@ -156,7 +156,7 @@ TEST_CASE("what URDF cannot say is refused by name") {
   };
   refused(spherical_joint_3D("ball", "b", "c"), "kte: joint 'ball': it is spherical, which URDF cannot say");
   refused(screw_joint_3D("s", "b", "c", axis::z, 0.1), "kte: joint 's': it is a screw, which URDF cannot say");
-  refused(spring_3D("a", "b", 0.1, 1.0), "kte: spring_3D (anchor1 'a', anchor2 'b'): it is no link");
+  refused(spring_3D("a", "b", 0.1, 1.0), "kte: spring_3D (anchor1 'a', anchor2 'b'): it is not a link");
   refused(revolute_joint_3D("q", "b", "c"), "its coordinate 'q' moves another joint too");
   kte_map_chain c;
   c << base_gen("rest") << revolute_joint_3D("q", "a", "b") << spring_gen("rest", "q", 0.0, 2.0);

@@ -33,8 +33,8 @@ struct scalar_among<First, Rest...>
 ///
 /// Its ports are the coordinates, then the one that it writes.
 ///
-/// Where there is no value, as of a loop that cannot be closed, `value` raises `bad_argument`; in runtime chains that
-/// then names the element.
+/// Where there is no value, as of a loop that cannot be closed, `value` raises `bad_argument`, and `dead_point` where
+/// there are no derivatives; in runtime chains they then name the element.
 template <class Core>
 struct coordinate_follower {
   static constexpr bool may_have_no_value = true;

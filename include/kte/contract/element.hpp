@@ -17,7 +17,7 @@ struct seat {
   template <class... Place>
   static constexpr auto of(const Core&, const Place&...) {
     static_assert(rule<Core, void, fit<Core>>,
-                  "kte: .at(position[, rotation]) places the seat of a joint in its base; this element is no joint");
+                  "kte: .at(position[, rotation]) places the seat of a joint in its base; this element is not a joint");
     return refused{};
   }
 };

@@ -13,7 +13,7 @@
 /// The gravity of a chain, m/s^2 in the axes of its bases. Zero is none.
 namespace kte::detail {
 
-/// Refuses what is no finite number.
+/// Refuses what is not finite.
 template <class X, class Y, class Z>
 constexpr void check_gravity(const vec3<X, Y, Z>& gravity) {
   const vec3<> g = as<double>(gravity);

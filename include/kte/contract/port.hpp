@@ -56,6 +56,14 @@ template <class Core>
 requires requires { Core::spreads_mass; }
 inline constexpr bool spreads_mass<Core> = Core::spreads_mass;
 
+/// Whether it is a load from outside, constant or given by signals, that `static_equilibrium` puts on in parts: what it
+/// acts on comes first among its ports.
+template <class Core>
+inline constexpr bool is_load = false;
+template <class Core>
+requires requires { Core::is_load; }
+inline constexpr bool is_load<Core> = Core::is_load;
+
 /// Whether it is a joint whose friction depends on what the joint carries: `friction(coordinate, wrench of the end)`,
 /// a load on the coordinate.
 template <class Core>

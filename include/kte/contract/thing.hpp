@@ -22,7 +22,7 @@ using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
 /// The kind of a thing by its type, of any scalar.
 template <class T>
 inline constexpr kind kind_of_thing = [] {
-  static_assert(!std::is_same_v<T, T>, "kte: this is no coordinate, frame, input or internal state");
+  static_assert(!std::is_same_v<T, T>, "kte: this is not a coordinate, frame, input or internal state");
   return kind{};
 }();
 template <std::floating_point S>

@@ -15,18 +15,6 @@
 /// `driving_actuator_3D` and `external_force_3D`, which cost less where there are many.
 namespace kte {
 
-/// A load from outside on a frame of a runtime chain: `{"tool", {0, 0, -5}}`. The text or handle must live as long.
-struct external_wrench {
-  name_or_handle frame;
-  vec3<> force{};   ///< N
-  vec3<> torque{};  ///< Nm
-};
-/// The same of a static chain, made by `wrench_on(tool, force, torque)`.
-template <key_type Frame>
-struct wrench_on_frame {
-  vec3<> force{};
-  vec3<> torque{};
-};
 namespace detail {
 /// An argument that may be any vector, `kte::along_x(1.0)` too, or its numbers in braces.
 struct any_vector {
@@ -37,6 +25,23 @@ struct any_vector {
   constexpr any_vector(const vec3<X, Y, Z>& v) : numbers(as<double>(v)) {}
 };
 }  // namespace detail
+
+/// A load from outside on a frame of a runtime chain: `{"tool", {0, 0, -5}}`, `{"tool", kte::along_z(-5.0)}`. The text
+/// or handle must live as long.
+struct external_wrench {
+  name_or_handle frame;
+  vec3<> force{};   ///< N
+  vec3<> torque{};  ///< Nm
+
+  external_wrench(const name_or_handle& on, const detail::any_vector& f = {}, const detail::any_vector& t = {})
+      : frame(on), force(f.numbers), torque(t.numbers) {}
+};
+/// The same of a static chain, made by `wrench_on(tool, force, torque)`.
+template <key_type Frame>
+struct wrench_on_frame {
+  vec3<> force{};
+  vec3<> torque{};
+};
 
 template <key_type Frame>
 constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vector& force,
@@ -50,7 +55,7 @@ template <class S, class W>
 Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   const double all[]{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
   if (!all_finite(all, 6)) [[unlikely]]
-    raise<bad_argument>("kte: a force or torque from outside on '" + std::string(frame) + "' is no finite number");
+    raise<bad_argument>("kte: a force or torque from outside on '" + std::string(frame) + "' is not finite");
   Eigen::Matrix<S, 6, 1> x;
   for (int i = 0; i < 6; ++i) x[i] = S(all[i]);
   return x;

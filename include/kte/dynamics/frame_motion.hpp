@@ -40,7 +40,7 @@ class frame_poses {
 };
 
 namespace detail {
-/// Rejects velocities or accelerations of the wrong size, and those that are no finite numbers.
+/// Rejects velocities or accelerations of the wrong size, and those that are not finite.
 template <class Chain, class V>
 KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
   check_size<Chain::dofs>(v, name);

@@ -53,7 +53,7 @@ class mass_matrix_calc<kte_map_chain> {
         add_coordinate(f), moved_by_.push_back(x.name);
         return *this;
       }
-    throw bad_argument("kte: mass_matrix_calc: '" + x.name + "' is no degree of freedom");
+    throw bad_argument("kte: mass_matrix_calc: '" + x.name + "' is not a degree of freedom");
   }
 
   mass_matrix_calc& operator<<(all_inertias_t) {

@@ -57,7 +57,7 @@ auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const 
   static_assert(is_coordinate(Coordinate::what) && slot >= 0, "kte: this chain has no coordinate of this name");
   constexpr freedom at = wiring::freedom_of(Coordinate::what, slot < 0 ? 0 : slot);
   static_assert(slot < 0 || at.what == Coordinate::what,
-                "kte: this coordinate is no degree of freedom: its motion is given already");
+                "kte: this coordinate is not a degree of freedom: its motion is given already");
   using result = motion_jacobian<Coordinate::what, Moved::what, S>;
   if constexpr (Moved::what == kind::gen) {
     constexpr int of = wiring::template find<Moved>();
@@ -80,7 +80,7 @@ inline int place_in_v(const kte_map_chain& c, const name_or_handle& coordinate, 
   for (const freedom& f : c.wiring().free)
     if (f.what == k && f.slot == slot) return f.v;
   throw bad_argument("kte: '" + c.wiring().names[static_cast<std::size_t>(k)][static_cast<std::size_t>(slot)] +
-                     "' is no degree of freedom: its motion is given already");
+                     "' is not a degree of freedom: its motion is given already");
 }
 /// How generalized coordinate i moves by the rates of all degrees of freedom. At positions and rates that are good.
 template <class S>

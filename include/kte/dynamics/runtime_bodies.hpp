@@ -120,31 +120,35 @@ basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_s
 // The same at q, or q and v, which are put into the state.
 template <class S, indexable Q>
 const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  return detail::take(c, s, q).call([&]() -> const auto& { return static_forces(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return static_forces(c, s); });
 }
 template <class S, indexable Q>
 const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  return detail::take(c, s, q).call([&]() -> const auto& { return gravity_forces(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return gravity_forces(c, s); });
 }
 template <class S, indexable Q, indexable V>
 const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  return detail::take(c, s, q, v).call([&]() -> const auto& { return nonlinear_effects(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
+    return nonlinear_effects(c, s);
+  });
 }
 template <class S, indexable Q, indexable V>
 const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  return detail::take(c, s, q, v).call([&]() -> const auto& { return coriolis_forces(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
+    return coriolis_forces(c, s);
+  });
 }
 template <class S, indexable Q, indexable V>
 S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  return detail::take(c, s, q, v).call([&] { return kinetic_energy(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return kinetic_energy(c, s); });
 }
 template <class S, indexable Q>
 S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  return detail::take(c, s, q).call([&] { return potential_energy(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&] { return potential_energy(c, s); });
 }
 template <class S, indexable Q, indexable V>
 energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  return detail::take(c, s, q, v).call([&] { return energy(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return energy(c, s); });
 }
 template <class S, indexable Q>
 mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {

@@ -88,7 +88,9 @@ template <class S, indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
   detail::check_regular(c, s);
-  return detail::take(c, s, q, v, a).call([&]() -> const auto& { return detail::forces_derived(c, s); });
+  return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
+    return detail::forces_derived(c, s);
+  });
 }
 
 namespace detail {
@@ -162,7 +164,7 @@ hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c
     const auto at = std::find_if(s.freedoms().begin(), s.freedoms().end(),
                                  [&](const freedom& f) { return f.what == k && f.slot == slot; });
     if (at == s.freedoms().end())
-      throw bad_argument("kte: '" + std::string(name) + "' is no degree of freedom of this chain");
+      throw bad_argument("kte: '" + std::string(name) + "' is not a degree of freedom of this chain");
     for (int i = 0; i < nv_of(k); ++i) is_known[static_cast<std::size_t>(at->v + i)] = 1;
   }
   runtime_vector<S> given = runtime_vector<S>::Zero(s.dofs()), force = given;

@@ -19,7 +19,7 @@ template <class S>
 void check_state_velocities(const basic_runtime_state<S>& s) {
   check_positions(s);
   check_state(
-      s, [](const auto& c, const auto& f) { visit_v(c, f); }, "kte: a velocity is no finite number");
+      s, [](const auto& c, const auto& f) { visit_v(c, f); }, "kte: a velocity is not finite");
 }
 
 template <class S>
@@ -96,7 +96,7 @@ linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
   detail::check_state(
-      s, [](const auto& y, const auto& f) { visit_a(y, f); }, "kte: an acceleration is no finite number");
+      s, [](const auto& y, const auto& f) { visit_a(y, f); }, "kte: an acceleration is not finite");
   return detail::acceleration_of(c, s, x);
 }
 template <class S, indexable Q, indexable V, indexable A>

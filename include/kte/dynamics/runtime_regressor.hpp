@@ -51,7 +51,9 @@ runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s
 }  // namespace detail
 
 /// As on static chains.
-inline Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
+Eigen::VectorXd inertial_parameters(const kte_map_chain& c);
+#ifdef KTE_FUNCTION
+KTE_FUNCTION Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
   using namespace detail;
   Eigen::VectorXd pi(for_each_parametric(c, [](auto&&...) {}));
   for_each_parametric(c, [&pi](const topology::connection&, const element_numbers<double>& n, int first, int count) {
@@ -61,6 +63,7 @@ inline Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
   });
   return pi;
 }
+#endif
 
 /// The regressor at the positions, rates and accelerations of a state, with its moving bases. As `torque_regressor` on
 /// a static chain. Throws `bad_argument` for a joint or link that is more than its `relative`, and for masses between
@@ -78,5 +81,13 @@ runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return detail::regressor_of(c, s); });
 }
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template runtime_matrix<double> detail::regressor_of(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template runtime_matrix<double> torque_regressor(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template runtime_matrix<double> torque_regressor(const kte_map_chain&, runtime_state&,
+                                                            const Eigen::VectorXd&, const Eigen::VectorXd&,
+                                                            const Eigen::VectorXd&);
+#endif
 
 }  // namespace kte

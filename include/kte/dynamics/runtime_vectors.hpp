@@ -36,7 +36,7 @@ std::vector<layout_entry<>> layout_of_state(const basic_runtime_state<S>& s) {
                       f.q, nq_of(f.what), f.v, nv_of(f.what)});
   return layout;
 }
-/// Throws `bad_argument` that names a signal from outside that is no finite number, if one is.
+/// Throws `bad_argument` that names a signal from outside that is not finite, if one is.
 template <class S>
 [[gnu::cold]] void blame_signals(const char* what, const basic_runtime_state<S>& s) {
   for (const auto& signal : s.made_for()->signals) {

@@ -112,7 +112,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
         ++f;
       return f;
     }();
-    static_assert(at < wiring::freedoms, "kte: mass_matrix_calc: this is no degree of freedom of this chain");
+    static_assert(at < wiring::freedoms, "kte: mass_matrix_calc: this is not a degree of freedom of this chain");
     return with(bodies{}, detail::inserted<by_coordinate, at>(coordinates{}));
   }
   constexpr auto operator<<(all_inertias_t) const {

@@ -37,6 +37,7 @@ struct constant_force : load_parameters<Dim, Force, Torque> {
   static constexpr type_name type{"constant_force", Dim};
   static constexpr std::array<port, 1> ports{{{Dim, access::on, "frame"}}};
   static constexpr bool reads_positions = true;
+  static constexpr bool is_load = true;
 
   template <class Frame>
   KTE_INLINE constexpr auto doForce(const Frame& x) const {
@@ -55,6 +56,7 @@ template <kind Dim, class Force, class Torque>
 struct follower_force : load_parameters<Dim, Force, Torque> {
   static constexpr type_name type{"follower_force", Dim};
   static constexpr std::array<port, 1> ports{{{Dim, access::on, "frame"}}};
+  static constexpr bool is_load = true;
 
   template <class Frame>
   KTE_INLINE constexpr auto doForce(const Frame&) const {

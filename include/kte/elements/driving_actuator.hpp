@@ -25,6 +25,7 @@ struct driving_actuator_gen : no_parameters {
   static constexpr type_name type{"driving_actuator", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::input, access::in, "input"}}};
+  static constexpr bool is_load = true;
 
   template <class C, class U>
   KTE_INLINE constexpr auto doForce(const C&, const U& u) const {
@@ -39,6 +40,7 @@ struct driving_actuator : no_parameters {
   static constexpr std::array<port, 3> ports{{{Dim, access::on, "frame"},
                                               {kind::vector, access::in, "force"},
                                               {detail::kind_of_torque(Dim), access::in, "torque"}}};
+  static constexpr bool is_load = true;
 
   template <class Frame, class U, class T>
   KTE_INLINE constexpr auto doForce(const Frame&, const U& u, const T& t) const {

@@ -39,17 +39,17 @@ struct dyad_parameters {
   }
 
  protected:
-  /// From the end of the first crank to the joint of the bars, and to the end of the second crank; their angles are
-  /// given by cosine and sine.
+  /// From the end of the first crank to the joint of the bars, and to the end of the second crank; the cranks point to
+  /// `first` and `second`, at the angles q1 and q2.
   template <class S>
-  constexpr std::pair<vec2<S>, vec2<S>> joint(const vec2<S>& first, const vec2<S>& second) const {
+  constexpr std::pair<vec2<S>, vec2<S>> joint(const vec2<S>& first, const vec2<S>& second, const S& q1,
+                                              const S& q2) const {
     const auto& [pivot, crank1, bar1, bar2, crank2, side] = lengths;
     const vec2<S> r{S(pivot.x) + S(crank2) * second.x - S(crank1) * first.x,
                     S(pivot.y) + S(crank2) * second.y - S(crank1) * first.y};
-    return {
-        detail::dyad(r, S(bar1), S(bar2), S(side),
-                     [] { return "kte: a dyad_2D of these lengths cannot be closed at these angles of its cranks"; }),
-        r};
+    return {detail::dyad(r, S(bar1), S(bar2), S(side), {"dyad_2D", "crank angles", "its bars are in line"},
+                         [&] { return detail::text_of_angle(q1) + ", " + detail::text_of_angle(q2); }),
+            r};
   }
   template <class S>
   static constexpr vec2<S> direction(const S& q) {
@@ -57,7 +57,6 @@ struct dyad_parameters {
     using std::sin;
     return {S(cos(q)), S(sin(q))};
   }
-  /// The angle of w in a body that turns as e.
 };
 
 /// The angle of the first bar in the first crank.
@@ -71,7 +70,7 @@ struct dyad_bar1 : coordinate_follower<dyad_bar1>, dyad_parameters {
   template <class S>
   constexpr S value(const S& q1, const S& q2) const {
     const auto e = direction(q1);
-    return detail::angle_from(e, joint(e, direction(q2)).first);
+    return detail::angle_from(e, joint(e, direction(q2), q1, q2).first);
   }
 };
 /// The angle of the second bar in the second crank.
@@ -85,7 +84,7 @@ struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
   template <class S>
   constexpr S value(const S& q1, const S& q2) const {
     const auto e = direction(q2);
-    const auto [w, r] = joint(direction(q1), e);
+    const auto [w, r] = joint(direction(q1), e, q1, q2);
     return detail::angle_from(e, vec2<S>{w.x - r.x, w.y - r.y});
   }
 };

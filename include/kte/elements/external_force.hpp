@@ -14,6 +14,7 @@ struct external_force : no_parameters {
   static constexpr type_name type{"external_force", Dim};
   static constexpr auto ports = driving_actuator<Dim>::ports;
   static constexpr bool reads_positions = true;
+  static constexpr bool is_load = true;
 
   template <class Frame, class U, class T>
   KTE_INLINE constexpr auto doForce(const Frame& x, const U& u, const T& t) const {

@@ -46,10 +46,8 @@ struct four_bar_parameters {
     const auto& [pivot, crank, coupler, rocker, side] = lengths;
     const vec2<S> r{S(pivot.x) - S(crank) * c, S(pivot.y) - S(crank) * s};
     return {detail::dyad(r, S(coupler), S(rocker), S(side),
-                         [&q] {
-                           return "kte: a four_bar_2D of these lengths cannot be closed at this angle of its crank" +
-                                  detail::text_of_angle(q);
-                         }),
+                         {"four_bar_2D", "crank angle", "coupler and rocker are in line"},
+                         [&q] { return detail::text_of_angle(q); }),
             r};
   }
 };

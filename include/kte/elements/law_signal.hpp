@@ -2,13 +2,22 @@
 
 #include <kte/contract/transmission.hpp>
 
+#include <type_traits>
+
 namespace kte {
 
 namespace core {
 
-/// A signal that is a function of others, given by the user: y = f(u_1, u_2, ...).
+/// A signal that is a function of others, given by the user: y = f(u_1, u_2, ...), a number or three.
 template <class Law, std::size_t N>
 struct law_signal {
+  /// Of what f gives for numbers.
+  static constexpr kind gives = []<std::size_t... I>(std::index_sequence<I...>) {
+    using result = std::invoke_result_t<const Law&, std::enable_if_t<(I < N), double>...>;
+    return requires(const result& y) { y.x, y.y, y.z; }
+    ? kind::vector : kind::input;
+  }
+  (std::make_index_sequence<N>{});
   static constexpr std::string_view type = "law_signal";
   static constexpr bool holds_code = true;
   static constexpr std::array<port, N + 1> ports = [] {
@@ -16,7 +25,7 @@ struct law_signal {
     static_assert(N >= 1 && N <= std::size(roles), "kte: a law takes one to six signals");
     std::array<port, N + 1> p{};
     for (std::size_t i = 0; i < N; ++i) p[i] = {kind::input, access::in, roles[i]};
-    p[N] = {kind::input, access::out, "output"};
+    p[N] = {gives, access::out, "output"};
     return p;
   }();
 
@@ -37,7 +46,12 @@ struct law_signal {
 ///
 ///   kte::law_signal([](const auto& t) { using std::sin; return 2.0 * sin(t); }, kte::chain_time, drive)
 ///
-/// The function takes numbers of any kind, which may carry derivatives. No file can hold it.
+/// The function takes numbers of any kind, which may carry derivatives. Where it gives a `vec3`, the signal has three
+/// numbers (a `vector_key`), as `position_control_3D` and `external_force_3D` take them:
+///
+///   kte::law_signal([](const auto& t) { using std::sin; return kte::along_z(5.0 * sin(t)); }, kte::chain_time, push)
+///
+/// No file can hold it.
 template <class Law, class... U>
 constexpr auto law_signal(const Law& law, const U&... inputs_and_output) {
   return connect(core::law_signal<Law, sizeof...(U) - 1>{law}, inputs_and_output...);

@@ -45,9 +45,8 @@ struct slider_crank_parameters {
   constexpr vec2<S> along_rod(const S& q, const S& s) const {
     using std::sqrt;
     const S b(lengths.rod), across = S(lengths.offset) - S(lengths.crank) * s, k = (b - across) * (b + across);
-    if (!all(k >= S(0))) [[unlikely]]
-      detail::raise<bad_argument>("kte: the rod of a slider_crank_2D is too short for this angle of its crank" +
-                                  detail::text_of_angle(q));
+    detail::require_transmission(k, S(b * b), {"slider_crank_2D", "crank angle", "the rod is across the slider's line"},
+                                 [&q] { return detail::text_of_angle(q); });
     return {S(lengths.side) * S(sqrt(k)), across};  // (1)
   }
 };

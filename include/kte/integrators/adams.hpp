@@ -126,7 +126,7 @@ class adams : public integrator<adams<F, X>, F, X> {
     const S reach = h_ * (past_.g(order_) - past_.g(order_ - 1)) * S(detail::rounding_of_difference(order_));
     const S level = this->level_of_rounding(
         floor_, sqrt(error), reach, [&] { return norm(past_.newest()); },
-        [&] { return norm(this->rate_a_rounding_away() - past_.newest()); });
+        [&](int i, int j) { return norm(this->rounding_of_rate(i, j, past_.newest())); });
     return level * level;
   }
   /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.

@@ -94,7 +94,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     const auto norm = [&](const auto& r) { return detail::error_norm(tolerances_, r, sizes, sizes); };
     const S level = this->level_of_rounding(
         floor_, error, h * S(share_of_rounding), [&] { return norm(k_.front()); },
-        [&] { return norm(this->rate_a_rounding_away() - k_.front()); });
+        [&](int i, int j) { return norm(this->rounding_of_rate(i, j, k_.front())); });
     return {error / level};
   }
   /// sum_i |a_si - b_i|: how much (3) is off where all slopes are, each by less than 1 / h.

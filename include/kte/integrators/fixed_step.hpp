@@ -50,7 +50,7 @@ class fixed_step : public integrator<Method, F, X> {
   void iterate(const S& h, const Step& step) const {
     if (detail::iterate<S>(step) == detail::iteration::too_long) [[unlikely]]
       this->fail(
-          "the iteration of a step of " + detail::number(static_cast<double>(h)) + " does not converge: it is too long",
+          "the iteration of a step of " + detail::number(detail::as_double(h)) + " does not converge: it is too long",
           failure_reason::no_convergence);
   }
 

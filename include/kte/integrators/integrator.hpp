@@ -121,9 +121,9 @@ class integrator : public moving_state<F, X> {
   /// The same into x, without a new vector.
   void interpolate(const S& t, X& x) const {
     if (!in_last_step(t)) [[unlikely]]
-      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(static_cast<double>(t)) +
-                                  ": the last step goes from " + detail::number(static_cast<double>(previous_time_)) +
-                                  " to " + detail::number(static_cast<double>(time_)));
+      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(detail::as_double(t)) +
+                                  ": the last step goes from " + detail::number(detail::as_double(previous_time_)) +
+                                  " to " + detail::number(detail::as_double(time_)));
     if (t == time_) {
       x = x_;
     } else if (t == previous_time_) {
@@ -191,16 +191,17 @@ class integrator : public moving_state<F, X> {
     }
     ++statistics_.steps;
   }
-  /// Where the reason is that numbers are not finite, the text goes on with why, if that is known.
+  /// The text goes on with why f could not be computed in the last tries, if it could not.
   [[noreturn, gnu::cold, gnu::noinline]] void fail(const std::string& why, failure_reason reason) const {
-    const auto t = static_cast<double>(time_);
+    const double t = detail::as_double(time_);
     const bool not_finite = reason == failure_reason::not_finite;
     long long component = -1;
     for (Eigen::Index i = next_.size(); not_finite && i-- > 0;)
       if (!detail::is_finite(S(next_[i]))) component = i;
     detail::raise<integration_failure>(
-        "kte: integration stopped at t = " + detail::number(t) + ": " + why + (not_finite ? this->reason() : ""), t,
-        reason, not_finite ? this->cause() : "", component);
+        "kte: integration stopped at t = " + detail::number(t) + ": " + why +
+            (not_finite || this->cause().empty() ? this->reason() : "; beyond, f cannot be computed" + this->reason()),
+        t, reason, this->cause(), component);
   }
   /// Throws where f is not a number at the present time and state.
   void check_finite_slope(const rate& slope) const {
@@ -219,10 +220,12 @@ class integrator : public moving_state<F, X> {
     using std::abs;
     return floor.level(error, abs(reach), statistics_.steps + statistics_.rejected, slope, rounding);
   }
-  /// The rate a rounding away from the present time and state; no number where f cannot be computed.
-  rate rate_a_rounding_away() const {
+  /// The rate n roundings away from the present time and state, `here` being the one there; no number where f cannot be
+  /// computed.
+  rate rate_roundings_away(int n, const rate& here) const {
+    if (n == 0) return here;
     using std::abs;
-    const S eps = std::numeric_limits<S>::epsilon();
+    const S eps = S(n) * std::numeric_limits<S>::epsilon();
     rate r = eps * this->magnitudes(x_);
     for (Eigen::Index i = 0; i < r.size(); i += 2) r[i] = -r[i];
     X x = x_;
@@ -233,6 +236,10 @@ class integrator : public moving_state<F, X> {
     }
     this->evaluate_if_possible(S(time_ + eps * abs(time_)), x, r);
     return r;
+  }
+  /// How much f differs between i and j roundings away from the present time and state, where it is `here`.
+  rate rounding_of_rate(int i, int j, const rate& here) const {
+    return rate_roundings_away(j, here) - rate_roundings_away(i, here);
   }
   /// For those who choose steps.
   auto failing() const {

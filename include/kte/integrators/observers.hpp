@@ -45,9 +45,8 @@ class time_list {
       const S now = S(times_[i]);
       const bool follows = t < t_end ? last <= now && now <= t_end : last >= now && now >= t_end;
       if (!follows) [[unlikely]]
-        raise<bad_argument>(std::string("kte: ") + name + " " + std::to_string(i) + " is " +
-                            number(static_cast<double>(now)) + ", not between " + number(static_cast<double>(last)) +
-                            " and " + number(static_cast<double>(t_end)) +
+        raise<bad_argument>(std::string("kte: ") + name + " " + std::to_string(i) + " is " + number(as_double(now)) +
+                            ", not between " + number(as_double(last)) + " and " + number(as_double(t_end)) +
                             ": they go in order from the present time to the end time");
       last = now;
     }

@@ -60,9 +60,9 @@ class solution {
   /// The same into x, without a new vector.
   void at(const S& t, X& x) const {
     if (!(is_forward() ? begin_ <= t && t <= end_ : end_ <= t && t <= begin_)) [[unlikely]]
-      detail::raise<bad_argument>("kte: this solution goes from t = " + detail::number(static_cast<double>(begin_)) +
-                                  " to " + detail::number(static_cast<double>(end_)) + ", not to " +
-                                  detail::number(static_cast<double>(t)));
+      detail::raise<bad_argument>("kte: this solution goes from t = " + detail::number(detail::as_double(begin_)) +
+                                  " to " + detail::number(detail::as_double(end_)) + ", not to " +
+                                  detail::number(detail::as_double(t)));
     if (t == end_) return void(x = last_);
     const bool forward = is_forward();
     const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), t, [&](const S& now, const piece& p) {
@@ -75,8 +75,8 @@ class solution {
   template <class Solver>
   bool start(const Solver& solver) {
     if (solver.time() != end_)
-      detail::raise<bad_argument>("kte: this solution goes on at t = " + detail::number(static_cast<double>(end_)) +
-                                  ", where it has ended, not at " + detail::number(static_cast<double>(solver.time())));
+      detail::raise<bad_argument>("kte: this solution goes on at t = " + detail::number(detail::as_double(end_)) +
+                                  ", where it has ended, not at " + detail::number(detail::as_double(solver.time())));
     last_ = solver.state();
     return true;
   }

@@ -2,6 +2,7 @@
 
 #include <kte/errors.hpp>
 #include <kte/integrators/detail/packet_sum.hpp>
+#include <kte/math/plain_scalar.hpp>
 
 #include <Eigen/Core>
 
@@ -40,19 +41,17 @@ bool all_finite(const Eigen::MatrixBase<M>& x) {
 template <class S>
 void check_finite(const S& x, const char* name) {
   if (!is_finite(x)) [[unlikely]]
-    raise<bad_argument>(std::string("kte: ") + name + " must be finite, got " + number(static_cast<double>(x)));
+    raise<bad_argument>(std::string("kte: ") + name + " must be finite, got " + number(as_double(x)));
 }
 template <class S>
 void check_positive(const S& x, const char* name) {
   if (!(x > S(0) && is_finite(x))) [[unlikely]]
-    raise<bad_argument>(std::string("kte: ") + name + " must be finite and positive, got " +
-                        number(static_cast<double>(x)));
+    raise<bad_argument>(std::string("kte: ") + name + " must be finite and positive, got " + number(as_double(x)));
 }
 template <class S>
 void check_not_negative(const S& x, const char* name) {
   if (!(x >= S(0) && is_finite(x))) [[unlikely]]
-    raise<bad_argument>(std::string("kte: ") + name + " must be finite and not negative, got " +
-                        number(static_cast<double>(x)));
+    raise<bad_argument>(std::string("kte: ") + name + " must be finite and not negative, got " + number(as_double(x)));
 }
 
 }  // namespace detail
@@ -78,12 +77,12 @@ class time_grid {
     step_ = t_end < t_start ? S(-spacing) : spacing;
     const S slack =
         4 * std::numeric_limits<S>::epsilon() * (abs(t_start) < abs(t_end) ? abs(t_end) : abs(t_start));  // (3)
-    const S count = ceil(S((abs(S(t_end - t_start)) - slack) / spacing));                                 // (2)
-    if (spacing <= slack || !(count < S(1e15))) [[unlikely]]
-      detail::raise<bad_argument>(std::string("kte: ") + name + " " + detail::number(static_cast<double>(spacing)) +
-                                  " is too small to go from " + detail::number(static_cast<double>(t_start)) + " to " +
-                                  detail::number(static_cast<double>(t_end)));
-    intervals_ = count < S(1) ? 1 : static_cast<long long>(count);
+    const auto count = ceil(detail::value_part(S((abs(S(t_end - t_start)) - slack) / spacing)));          // (2)
+    if (spacing <= slack || !(count < 1e15)) [[unlikely]]
+      detail::raise<bad_argument>(std::string("kte: ") + name + " " + detail::number(detail::as_double(spacing)) +
+                                  " is too small to go from " + detail::number(detail::as_double(t_start)) + " to " +
+                                  detail::number(detail::as_double(t_end)));
+    intervals_ = count < 1 ? 1 : static_cast<long long>(count);
   }
 
   /// n of (2); 0 where the end is the start.

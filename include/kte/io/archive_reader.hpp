@@ -90,7 +90,7 @@ class archive_reader {
     for (const auto& r : all.roots)
       if (const auto* c = std::get_if<calculator_record>(&r.content); c && !chains.contains(c->chain))
         raise<bad_file>("kte: " + to_string(r.place) + "root '" + r.name + "' is of the chain '" + c->chain +
-                        "', which is no root of the archive");
+                        "', which is not a root of the archive");
   }
 
   void thing(thing_record& x) {

@@ -20,7 +20,7 @@ class binary_scanner final : public field_scanner {
 
   std::size_t at() const override { return at_; }
   void open_document() override {
-    if (!bytes_.starts_with(binary_magic)) fail_at(0, "this is no binary model file");
+    if (!bytes_.starts_with(binary_magic)) fail_at(0, "this is not a binary model file");
     i_ = binary_magic.size();
     open_group("the model");
   }
@@ -89,7 +89,7 @@ class binary_scanner final : public field_scanner {
     std::uint64_t n = 0;
     for (int shift = 0;; shift += 7) {
       const std::uint64_t byte = next_byte(), bits = byte & 0x7F;
-      if (shift > 63 || (bits << shift) >> shift != bits) fail_at(at_, "a count that is no number of 64 bits");
+      if (shift > 63 || (bits << shift) >> shift != bits) fail_at(at_, "a count that does not fit in 64 bits");
       n |= bits << shift;
       if ((byte & 0x80) == 0) return n;
     }

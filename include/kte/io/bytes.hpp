@@ -46,7 +46,7 @@ class byte_reader {
   }
   /// n bytes, which are `what` for the message if there are fewer.
   std::string_view take(std::uint64_t n, const char* what) {
-    if (n > rest_.size()) bad(std::string(what) + " is cut off");
+    if (n > rest_.size()) bad(std::string(what).append(" is cut off"));
     const auto bytes = rest_.substr(0, static_cast<std::size_t>(n));
     rest_.remove_prefix(bytes.size());
     offset_ += bytes.size();

@@ -116,7 +116,7 @@ class json_scanner final : public field_scanner {
       return source_.append(out, c, from);
     }
     const auto known = names.find(current());
-    if (known == names.npos) source_.fail(from, "this is no escape for a text");
+    if (known == names.npos) source_.fail(from, "this is not an escape of a text");
     out += stand_for[known];
   }
   char32_t four_digits(std::size_t from) {
@@ -151,7 +151,7 @@ class json_scanner final : public field_scanner {
     }
     if (is_of_number(current())) {  // 01, 0x1, 1.5.2
       while (is_of_number(current())) ++i_;
-      fail("'" + name + "': '" + excerpt(text_.substr(at_, i_ - at_)) + "' is no number of JSON");
+      fail("'" + name + "': '" + excerpt(text_.substr(at_, i_ - at_)) + "' is not a JSON number");
     }
     return std::string(text_.substr(at_, i_ - at_));
   }

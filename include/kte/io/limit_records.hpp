@@ -44,7 +44,7 @@ auto limits_of(const Chain& c, const model_record& m) {
     const auto e = std::find_if(table.begin(), table.end(), [&r](const auto& x) { return x.name == r.coordinate; });
     if (e == table.end())
       detail::raise<unknown_name>("kte: " + to_string(r.place) + "limits of '" + r.coordinate +
-                                  "', which is no degree of freedom of the chain");
+                                  "', which is not a degree of freedom of the chain");
     detail::visit_limits(limits, [&](const char* name, auto& list, double) {
       for (const auto& p : r.limits) {
         if (p.name != name) continue;

@@ -163,7 +163,7 @@ class record_writer {
   void field(const std::string& what, const std::string& x, std::set<std::string_view>& known) const {
     check_name(what, x);
     if (out_.has_tags() && tag_name_length(x) != x.size())
-      fail("'" + x + "' is a " + what + ", but no name for a tag of XML");
+      fail("'" + x + "' is a " + what + ", but not a name for an XML tag");
     if (!known.insert(x).second) fail("it has two " + what + "s '" + x + "'");
   }
   void once(const std::string& x, std::set<std::string_view>& known) const {

@@ -37,12 +37,7 @@ named_slots slots_of(const static_chain<Gravity, E...>&) {
   (void)done;
   return r;
 }
-inline named_slots slots_of(const topology& t) {
-  named_slots r;
-  for (std::size_t k = 0; k < kinds; ++k)
-    for (const auto& name : t.names[k]) r[k].push_back({name, static_cast<int>(r[k].size())});
-  return r;
-}
+named_slots slots_of(const topology& t);
 template <class Chain>
 requires requires(const Chain& c) { c.wiring().names; }
 named_slots slots_of(const Chain& c) { return slots_of(c.wiring()); }
@@ -56,13 +51,31 @@ struct recorded {
 };
 
 /// What to record, and under which names of columns.
-class recording {
- public:
+struct recording {
   std::vector<recorded> cells;
   std::vector<std::string> columns{"t"};
 
   /// Without names: see `recorder`.
-  recording(named_slots all, const std::vector<std::string>& names) : all_(std::move(all)) {
+  recording(const named_slots& all, const std::vector<std::string>& names);
+};
+
+}  // namespace kte::detail
+
+#ifdef KTE_FUNCTION
+namespace kte::detail {
+
+KTE_FUNCTION named_slots slots_of(const topology& t) {
+  named_slots r;
+  for (std::size_t k = 0; k < kinds; ++k)
+    for (const auto& name : t.names[k]) r[k].push_back({name, static_cast<int>(r[k].size())});
+  return r;
+}
+
+/// Finds what names mean.
+class recording_by_names {
+ public:
+  recording_by_names(recording& found, const named_slots& all, const std::vector<std::string>& names)
+      : all_(all), cells_(found.cells), columns_(found.columns) {
     tell_apart();
     for (const auto& n : names) add(n);
     if (!names.empty()) return;
@@ -154,9 +167,9 @@ class recording {
   }
   template <kind K>
   bool add_cell(const named_slot& p, std::size_t quantity, std::size_t first, std::size_t count) {
-    cells.push_back({K, p.slot, quantity, first, count});
+    cells_.push_back({K, p.slot, quantity, first, count});
     for (std::size_t c = first; c < first + count; ++c)
-      columns.push_back(name_of(p, quantities<K, double>[quantity], c));
+      columns_.push_back(name_of(p, quantities<K, double>[quantity], c));
     return true;
   }
   template <class Thing>
@@ -185,6 +198,13 @@ class recording {
   }
 
   named_slots all_;
+  std::vector<recorded>& cells_;
+  std::vector<std::string>& columns_;
 };
 
+KTE_FUNCTION recording::recording(const named_slots& all, const std::vector<std::string>& names) {
+  recording_by_names(*this, all, names);
+}
+
 }  // namespace kte::detail
+#endif

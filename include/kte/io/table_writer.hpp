@@ -30,96 +30,37 @@ class table_writer {
   table_writer(const std::filesystem::path& path, const std::vector<std::string>& names)
       : table_writer(path, names, format_of(path)) {}
   /// In a format that the path does not say.
-  table_writer(const std::filesystem::path& path, const std::vector<std::string>& names, table_format format)
-      : path_(path),
-        row_(detail::check_column_names(names).size(), ": '" + path.string() + "'"),
-        medium_(medium_of(format)),
-        file_(detail::open_file(path, "wb")) {
-    std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-    buffer_.reserve(2 * capacity);
-    std::visit([&](auto& m) { m.head(names, buffer_); }, medium_);
-  }
+  table_writer(const std::filesystem::path& path, const std::vector<std::string>& names, table_format format);
   table_writer(const table_writer&) = delete;
   table_writer& operator=(const table_writer&) = delete;
-  ~table_writer() { finish(); }
+  ~table_writer();
 
   /// A row of numbers and vectors of numbers, as many as there are columns; else throws `bad_argument`.
   template <class... T>
   void row(const T&... values) {
-    const auto numbers = row_.gather(values...);
-    check_open();
-    const std::size_t before = buffer_.size();
-    try {
-      std::visit([&](auto& m) { m.row(numbers, buffer_); }, medium_);
-    } catch (...) {
-      buffer_.resize(before);  // no half of a row
-      throw;
-    }
-    ++rows_;
-    if (++waiting_ == most_waiting_ || buffer_.size() > capacity) flush();
+    add(row_.gather(values...));
   }
   /// Hands the rows so far to the operating system, so that they outlive the program.
-  void flush() {
-    check_open();
-    if (const int code = write_buffer()) fail("write", code);
-  }
+  void flush();
   /// Flushes by itself after every so many rows; 0, as at the start, when the buffer is full.
   void flush_every(std::size_t rows) { most_waiting_ = rows; }
   /// Writes what is left and closes the file. Does nothing the second time.
-  void close() {
-    const auto [action, code] = finish();
-    if (code != 0) fail(action, code);
-  }
+  void close();
 
  private:
   using media = std::variant<detail::text_table, detail::npy_table, detail::mcap_table>;
   static constexpr std::size_t capacity = 1 << 16;
 
-  static media medium_of(table_format f) {
-    switch (f) {
-      case table_format::npy:
-        return detail::npy_table();
-      case table_format::mcap:
-        return detail::mcap_table();
-      default:
-        return detail::text_table(detail::separator_of(f));
-    }
-  }
-  void check_open() const {
-    if (!file_) [[unlikely]]
-      detail::raise<bad_file>("kte: cannot write '" + path_.string() + "': it is closed");
-  }
-  [[noreturn]] void fail(const char* action, int code) {
-    file_.reset();
-    detail::raise_file(action, path_, code);
-  }
+  static media medium_of(table_format f);
+  void add(std::span<const double> numbers);
+  void check_open() const;
+  [[noreturn]] void fail(const char* action, int code);
 
   // These give the error, or 0.
-  int write(const char* bytes, std::size_t n) {
-    errno = 0;
-    if (std::fwrite(bytes, 1, n, file_.get()) == n) return 0;
-    return errno != 0 ? errno : EIO;
-  }
-  int write_buffer() {
-    if (const int code = write(buffer_.data(), buffer_.size())) return code;
-    buffer_.clear();
-    waiting_ = 0;
-    const auto* const npy = std::get_if<detail::npy_table>(&medium_);
-    return npy == nullptr ? 0 : count_rows(*npy);
-  }
-  /// After the rows themselves: whenever the program ends, the header counts rows that are there.
-  int count_rows(const detail::npy_table& npy) {
-    const auto shape = npy.shape(rows_);
-    if (std::fseek(file_.get(), static_cast<long>(npy.shape_at()), SEEK_SET) != 0) return errno;
-    if (const int code = write(shape.data(), shape.size())) return code;
-    return std::fseek(file_.get(), 0, SEEK_END) == 0 ? 0 : errno;
-  }
-  std::pair<const char*, int> finish() {
-    if (!file_) return {"", 0};
-    std::visit([&](auto& m) { m.tail(buffer_); }, medium_);
-    if (const int code = write_buffer()) return {"write", code};
-    return {"close", std::fclose(file_.release()) == 0 ? 0 : errno};
-  }
+  int write(const char* bytes, std::size_t n);
+  int write_buffer();
+  int count_rows(const detail::npy_table& npy);
+  std::pair<const char*, int> finish();
 
   std::filesystem::path path_;
   detail::table_row row_;
@@ -131,3 +72,87 @@ class table_writer {
 };
 
 }  // namespace kte
+
+#ifdef KTE_FUNCTION
+namespace kte {
+
+KTE_FUNCTION table_writer::table_writer(const std::filesystem::path& path, const std::vector<std::string>& names,
+                                        table_format format)
+    : path_(path),
+      row_(detail::check_column_names(names).size(), ": '" + path.string() + "'"),
+      medium_(medium_of(format)),
+      file_(detail::open_file(path, "wb")) {
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  buffer_.reserve(2 * capacity);
+  std::visit([&](auto& m) { m.head(names, buffer_); }, medium_);
+}
+KTE_FUNCTION table_writer::~table_writer() { finish(); }
+
+KTE_FUNCTION void table_writer::add(std::span<const double> numbers) {
+  check_open();
+  const std::size_t before = buffer_.size();
+  try {
+    std::visit([&](auto& m) { m.row(numbers, buffer_); }, medium_);
+  } catch (...) {
+    buffer_.resize(before);  // no half of a row
+    throw;
+  }
+  ++rows_;
+  if (++waiting_ == most_waiting_ || buffer_.size() > capacity) flush();
+}
+KTE_FUNCTION void table_writer::flush() {
+  check_open();
+  if (const int code = write_buffer()) fail("write", code);
+}
+KTE_FUNCTION void table_writer::close() {
+  const auto [action, code] = finish();
+  if (code != 0) fail(action, code);
+}
+
+KTE_FUNCTION table_writer::media table_writer::medium_of(table_format f) {
+  switch (f) {
+    case table_format::npy:
+      return detail::npy_table();
+    case table_format::mcap:
+      return detail::mcap_table();
+    default:
+      return detail::text_table(detail::separator_of(f));
+  }
+}
+KTE_FUNCTION void table_writer::check_open() const {
+  if (!file_) [[unlikely]]
+    detail::raise<bad_file>("kte: cannot write '" + path_.string() + "': it is closed");
+}
+KTE_FUNCTION void table_writer::fail(const char* action, int code) {
+  file_.reset();
+  detail::raise_file(action, path_, code);
+}
+
+KTE_FUNCTION int table_writer::write(const char* bytes, std::size_t n) {
+  errno = 0;
+  if (std::fwrite(bytes, 1, n, file_.get()) == n) return 0;
+  return errno != 0 ? errno : EIO;
+}
+KTE_FUNCTION int table_writer::write_buffer() {
+  if (const int code = write(buffer_.data(), buffer_.size())) return code;
+  buffer_.clear();
+  waiting_ = 0;
+  const auto* const npy = std::get_if<detail::npy_table>(&medium_);
+  return npy == nullptr ? 0 : count_rows(*npy);
+}
+/// After the rows themselves: whenever the program ends, the header counts rows that are there.
+KTE_FUNCTION int table_writer::count_rows(const detail::npy_table& npy) {
+  const auto shape = npy.shape(rows_);
+  if (std::fseek(file_.get(), static_cast<long>(npy.shape_at()), SEEK_SET) != 0) return errno;
+  if (const int code = write(shape.data(), shape.size())) return code;
+  return std::fseek(file_.get(), 0, SEEK_END) == 0 ? 0 : errno;
+}
+KTE_FUNCTION std::pair<const char*, int> table_writer::finish() {
+  if (!file_) return {"", 0};
+  std::visit([&](auto& m) { m.tail(buffer_); }, medium_);
+  if (const int code = write_buffer()) return {"write", code};
+  return {"close", std::fclose(file_.release()) == 0 ? 0 : errno};
+}
+
+}  // namespace kte
+#endif

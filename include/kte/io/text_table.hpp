@@ -85,7 +85,7 @@ inline table read_text_table(const std::filesystem::path& path, std::string_view
   table t;
   known_names known;
   const auto name = [&] {
-    if (cell.empty()) bad_cell("is no name");
+    if (cell.empty()) bad_cell("is not a name");
     if (!known.add(cell)) bad_cell("is there twice");
     t.names.emplace_back(cell);
     t.columns.emplace_back();

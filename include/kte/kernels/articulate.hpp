@@ -137,7 +137,7 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
 struct unmoved {
   std::uint64_t here = 0;  ///< the bit of the joint at hand
   std::uint64_t all = 0;
-  std::uint64_t endless = 0;  ///< what they move is no finite number; of those behind one that moves nothing, neither
+  std::uint64_t endless = 0;  ///< what they move is not finite; of those behind one that moves nothing, neither
   constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << (std::min)(coordinate, std::size_t{63}); }
 };
 /// `good` is a bool, or says more.

@@ -1,38 +1,66 @@
 #pragma once
 
 #include <kte/errors.hpp>
+#include <kte/math/plain_scalar.hpp>
 #include <kte/math/select.hpp>
 #include <kte/math/vec.hpp>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace kte::detail {
 
-/// ", 1.5 rad": an angle in a message; nothing of a pack.
+/// "1.5 rad": an angle in a message; of a pack "of a pack".
 template <class S>
 std::string text_of_angle(const S& q) {
   if constexpr (requires { static_cast<double>(q); }) {
-    return ", " + number(static_cast<double>(q)) + " rad";
+    return number(static_cast<double>(q)) + " rad";
   } else if constexpr (requires { q.value; }) {
     return text_of_angle(q.value);
   } else {
-    return {};
+    return "of a pack";
+  }
+}
+
+/// What a linkage says where it cannot be moved.
+struct linkage_words {
+  const char* name;     ///< of the element
+  const char* leads;    ///< what the others follow: "crank angle"
+  const char* in_line;  ///< what is so at its dead points
+};
+
+/// Bars push each other at an angle whose sine has the square k / full. k rounds by some eps full, so velocities, which
+/// are as 1 / sqrt(k), lose half their digits where k < sqrt(eps) full: a dead point, beyond which no motion follows
+/// from what leads. Integrators come that close, at any tolerance, and would stay there or turn back. Throws
+/// `dead_point` there, but not of positions alone; beyond, `bad_argument`. angle() gives the text of what leads.
+template <class S, class Angle>
+constexpr void require_transmission(const S& k, const S& full, const linkage_words& w, const Angle& angle) {
+  using plain = plain_scalar<S>;
+  using std::sqrt;
+  const plain near_dead = plain(sqrt(std::numeric_limits<plain>::epsilon()));
+  if (!all(k >= S(is_dual<S> ? near_dead : plain(0)) * full)) [[unlikely]] {
+    const std::string here = std::string(w.leads) + " " + angle(), name = std::string("kte: ") + w.name;
+    if (any(k < S(-near_dead) * full) || any(k != k))
+      raise<bad_argument>(name + " cannot be closed at " + here + ", beyond a dead point");
+    raise<dead_point>(name + ": dead point at " + here + ", where " + w.in_line +
+                      ": no motion follows from here; let another coordinate lead, or use mimic_gen where angles are "
+                      "the same");
   }
 }
 
 /// Two bars in the plane, of lengths b and c, between two points r apart: from the first point to where they meet,
 ///
-///   w = (u r + s sqrt(b^2 |r|^2 - u^2) n) / |r|^2,   u = (b^2 - c^2 + |r|^2) / 2          (1)
+///   w = (u r + s sqrt(k) n) / |r|^2,   u = (b^2 - c^2 + |r|^2) / 2,   k = b^2 |r|^2 - u^2          (1)
 ///
-/// n: r turned by a right angle, to the left; s = 1 or -1: on which side. Throws `bad_argument` where the bars are too
-/// short, or their difference too long, with the text that cannot() gives.
-template <class S, class Cannot>
-constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, const Cannot& cannot) {
+/// n: r turned by a right angle, to the left; s = 1 or -1: on which side. k = b^2 c^2 sin^2 of the angle between them:
+/// throws where they are in line, or too short, or their difference too long (`require_transmission`).
+template <class S, class Angle>
+constexpr vec2<S> dyad(const vec2<S>& r, const S& b, const S& c, const S& side, const linkage_words& words,
+                       const Angle& angle) {
   using std::sqrt;
-  const S rr = r.x * r.x + r.y * r.y, u = (b * b - c * c + rr) / S(2), k = b * b * rr - u * u;
-  if (!all(k >= S(0))) [[unlikely]]
-    raise<bad_argument>(cannot());
+  const S rr = r.x * r.x + r.y * r.y, u = (b * b - c * c + rr) / S(2), k = b * b * rr - u * u, bc = b * c;
+  require_transmission(k, S(bc * bc), words, angle);
   const S h = side * S(sqrt(k));
   return {(u * r.x - h * r.y) / rr, (u * r.y + h * r.x) / rr};
 }

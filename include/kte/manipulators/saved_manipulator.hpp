@@ -17,7 +17,7 @@ namespace kte {
 /// Infinite limits where the file has none. Throws as `to_chain` does, and `bad_file` for a chain without tools (of
 /// which `kte::manipulator(kte::to_chain(record), "hand")` is one).
 inline manipulator<kte_map_chain> to_manipulator(const model_record& m, const element_registry& registry) {
-  if (m.tools.empty()) throw bad_file("kte: a chain without tools is no manipulator");
+  if (m.tools.empty()) throw bad_file("kte: a chain without tools is not a manipulator");
   const auto c = to_chain(m, registry);
   return {c, m.tools, limits_of(c, m)};
 }
@@ -33,7 +33,7 @@ manipulator<Chain, detail::tool_keys<Tools...>> from_record(const manipulator<Ch
                                                             const model_record& m) {
   const auto wanted = like.tools();
   if (!std::equal(wanted.begin(), wanted.end(), m.tools.begin(), m.tools.end()))
-    detail::raise<bad_file>("kte: other tools than those of the static manipulator, of which the first is '" +
+    detail::raise<bad_file>("kte: the file has other tools than the static manipulator, whose first is '" +
                             std::string(wanted[0]) + "'");
   const auto c = from_record(like.chain(), m);
   return {c, Tools{}..., limits_of(c, m)};

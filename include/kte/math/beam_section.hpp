@@ -23,16 +23,17 @@ namespace detail {
 constexpr beam_section in_space(const planar_beam_section& s) { return {s.EA, 0, s.EI, 0, s.GA, 0}; }
 constexpr const beam_section& in_space(const beam_section& s) { return s; }
 
-/// The stiffness of a beam of length L in bending about one axis: by r, the turn of its ends against each other, and by
-/// s to both sides, which shear softens; and how much less s then shortens it.
+/// The stiffness of a beam of length L in bending about one axis: by r, the turn of its ends against each other. Of
+/// what bends it to both sides (`bent`) is bending, the rest shear, where nothing else loads it; what does, shears it
+/// by `give`.
 ///
-///   r: EI/L,   s: 12 EI/(L (1 + f)),   share: 1/(1 + f)^2,   f = 12 EI/(GA L^2)
+///   r: EI/L,   bent: 1/(1 + f),   give: 1/((1 + f) GA L),   f = 12 EI/(GA L^2)
 template <class S>
 struct bending_stiffness {
-  S r, s, share;
+  S r, bent, give;
   constexpr bending_stiffness(double EI, double GA, const S& L) {
     const S f = GA > 0 ? S(S(12) * S(EI) / (S(GA) * L * L)) : S(0);
-    r = S(EI) / L, s = S(12) * r / (S(1) + f), share = S(1) / ((S(1) + f) * (S(1) + f));
+    r = S(EI) / L, bent = S(1) / (S(1) + f), give = GA > 0 ? S(bent / (S(GA) * L)) : S(0);
   }
 };
 template <class S>

@@ -106,7 +106,7 @@ constexpr auto normalized(const S& w, const S& x, const S& y, const S& z) {
   const T most = larger(larger(size(w), size(x)), larger(size(y), size(z)));
   const T sum = size(w) / most + size(x) / most + size(y) / most + size(z) / most;
   if (!(sum >= 1 && sum <= 4))  // 0 / 0, or not finite
-    detail::raise<bad_argument>("kte: a quaternion of length 0, or one that is not finite, is no rotation");
+    detail::raise<bad_argument>("kte: a quaternion of length 0, or one that is not finite, is not a rotation");
   const unit_quaternion<T> q{w / most, x / most, y / most, z / most};  // no square of it overflows, or vanishes unduly
   const T n = sqrt(dot(q, q));
   return unit_quaternion<T>{q.w / n, q.x / n, q.y / n, q.z / n};

@@ -9,7 +9,7 @@ namespace kte {
 ///   mass     kg
 ///   com      centre of mass in the axes of its frame, m
 ///   inertia  about the centre of mass, in the axes of the frame, kg m^2
-/// Elements refuse a body that no matter can have; `rigid_body{...}.as_published()` is taken as it is, for tables of
+/// Elements refuse a body that cannot exist; `rigid_body{...}.as_published()` is taken as it is, for tables of
 /// robots whose inertias are measured or rounded: only finite, and its mass not negative.
 template <class M = double, class C = vec3<>, class I = sym3<>>
 struct rigid_body {
@@ -38,10 +38,15 @@ requires(sizeof...(None) == 0) constexpr auto point_mass(const None&...) {
   static_assert(detail::fit<None...>, "kte: call it as point_mass(mass) or point_mass(mass, com)");
   return point_mass(1.0);
 }
-/// A body in the plane: the moment of inertia about its centre of mass, normal to the plane.
+/// A body in the plane: the moment of inertia about its centre of mass, normal to the plane; `com` as `vec2{0.1, 0.2}`,
+/// `along_x(0.1)`.
 template <variable T, variable U, class X = zero_t, class Y = zero_t>
 constexpr auto planar_body(T mass, U inertia, const vec3<X, Y, zero_t>& com = {}) {
   return rigid_body{real(mass), com, diagonal(zero, zero, real(inertia))};
+}
+template <variable T, variable U, entry X, entry Y>
+constexpr auto planar_body(T mass, U inertia, const vec2<X, Y>& com) {
+  return planar_body(mass, inertia, detail::planar(com));
 }
 
 /// The same body with numbers as scalars of type S.

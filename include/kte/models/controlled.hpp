@@ -93,6 +93,9 @@ class controlled {
   shared& model() { return detail::unwrapped(model_); }
   const model_type& model() const { return detail::unwrapped(model_); }
   decltype(auto) chain() const { return model().chain(); }
+  /// The law, and the rates of its states.
+  Law& law() { return law_; }
+  Rates& law_rates() { return law_rates_; }
 
   decltype(auto) operator()(const S& t, const state& x) {
     return follow(t, x, [&](const model_state& own) -> decltype(auto) { return model()(t, own); });

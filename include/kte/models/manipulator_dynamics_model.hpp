@@ -72,15 +72,17 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     jacobian(t, x, j);
     return j;
   }
-  void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) {
-    const S *q = x.data(), *v = q + size::q, *z = v + size::v;
-    const detail::configuration<S, wiring, const S*> at(q);
-    const auto bases = bases_at(t, z);
-    const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
-    const auto of_accelerations = detail::forward_derivatives_at<S>(this->chain(), at, bases, q, v, none);
-    detail::put_rate_derivatives(this->freedoms(), v, of_accelerations, j);
-    if constexpr (size::z > 0)
-      detail::derive_internals(this->chain(), t, q, v, z, this->u_.data(), of_accelerations.by_tau, j);
+  void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
+  /// (J B): `jacobian`, and beside it the derivatives of x' by inputs. Where there is no `jacobian`, all by dual
+  /// numbers.
+  auto jacobian_with_inputs(const S& t, const state& x) const {
+    Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
+    if constexpr (has_jacobian) {
+      derive(t, x, j);
+    } else {
+      derive_by_duals(t, x, j);
+    }
+    return j;
   }
   /// The forces at x that accelerations answer: M a, of gravity, elements and inputs, less centrifugal ones; N and Nm.
   joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
@@ -118,7 +120,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     static_assert(slot >= 0 && nu_of(Key::what) > 0, "kte: this chain has no input of this name");
     constexpr int place = wiring::input_place(Key::what, slot);
     static_assert(slot < 0 || place >= 0,
-                  "kte: this is no input from outside: an element of the chain writes it, or it is the time");
+                  "kte: this is not an input from outside: an element of the chain writes it, or it is the time");
     if constexpr (Key::what == kind::vector) {
       return this->u_.template segment<3>(place < 0 ? 0 : place);
     } else {
@@ -180,6 +182,21 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// Whether it has another output than (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
+  /// The same system in another scalar: in dual numbers its rates and outputs have derivatives.
+  template <class T>
+  auto in_scalar() const {
+    const auto made = [this] {
+      using other = manipulator_dynamics_model<chain_type, T, Output>;
+      if constexpr (std::is_void_v<Output>) {
+        return other(this->chain());
+      } else {
+        return other(this->chain(), output_);
+      }
+    };
+    auto m = made();
+    m.setInput(this->u_);
+    return m;
+  }
   /// The same system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
   template <class F>
   auto with_output(const F& f) const {
@@ -218,6 +235,35 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const int done[]{ask.template operator()<I>()...};
     (void)done;
     return most;
+  }
+  template <class J>
+  void derive(const S& t, const state& x, J& j) const {
+    const S *q = x.data(), *v = q + size::q, *z = v + size::v;
+    const detail::configuration<S, wiring, const S*> at(q);
+    const auto bases = bases_at(t, z);
+    const joint_vector<S, size::v> none = joint_vector<S, size::v>::Zero();
+    const auto of_accelerations = detail::forward_derivatives_at<S>(this->chain(), at, bases, q, v, none);
+    detail::put_rate_derivatives(this->freedoms(), v, of_accelerations, j);
+    if constexpr (J::ColsAtCompileTime > 2 * size::v)
+      detail::derive_signals(this->chain(), t, x, this->u_, of_accelerations, j);
+  }
+  /// As in models/detail/rate_derivatives.hpp, all of it by dual numbers.
+  template <class J>
+  void derive_by_duals(const S& t, const state& x, J& j) const {
+    using number = dual<S, 4>;
+    auto m = this->template in_scalar<number>();
+    const rate at_x = computeStateRate(t, x);
+    for (int first = 0; first < j.cols(); first += number::variables) {
+      Eigen::Matrix<number, size::u, 1> u = this->u_.template cast<number>();
+      for (int lane = 0; lane < number::variables; ++lane)
+        if (const int i = first + lane - size::x_dot; i >= 0 && i < size::u)
+          u[i].derivative[static_cast<std::size_t>(lane)] = S(1);
+      m.setInput(u);
+      const auto r = m.computeStateRate(t, detail::moved_along<number>(this->freedoms(), size::x_dot, x, first));
+      for (int k = first; k < (std::min)(first + number::variables, static_cast<int>(j.cols())); ++k)
+        for (int i = 0; i < size::x_dot; ++i) j(i, k) = r[i].derivative[static_cast<std::size_t>(k - first)];
+    }
+    for (const detail::freedom& f : this->freedoms()) detail::add_variation_of_pull_back<S>(f, at_x, j);
   }
   /// At rest, with the signals of the chain.
   auto bases_at(const S& t, const S* z) const {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/dynamics/runtime_vectors.hpp>
 #include <kte/events/events.hpp>
+#include <kte/models/detail/runtime_momenta.hpp>
+#include <kte/models/detail/runtime_rate_derivatives.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
@@ -48,7 +51,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
       const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
       if (row >= dofs())
         throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
-                         " holds a coordinate that is no degree of freedom");
+                         " holds a coordinate that is not a degree of freedom");
       holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
     }
   }
@@ -82,6 +85,15 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
       throw bad_argument(
           "kte: the Jacobian of a model of a runtime chain is known where it has no internal states, and joints that "
           "move by their `relative` alone");
+    return j;
+  }
+
+  /// As of a static chain, also where there are internal states. Throws `bad_argument` where passes alone know a joint.
+  template <std::same_as<double> T>
+  jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
+    setJointStates(t, x, s_);
+    jacobian_matrix j;
+    detail::derive_rates_by_inputs(chain(), s_, j);
     return j;
   }
 
@@ -158,6 +170,12 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return detail::mend_internals(after, x, nq() + dofs(), x.size());
   }
 
+  /// As of a static chain.
+  Eigen::VectorXd forces_at(const state& x, double t = 0) const {
+    setJointStates(t, x, s_);
+    return -nonlinear_effects(chain(), s_);
+  }
+
   // ---- of elements that may hold a coordinate: models/modes.hpp
   const std::vector<detail::holder_place>& holders() const { return holders_; }
   const Eigen::VectorXd& needed_forces(double t, const state& x) const {
@@ -185,7 +203,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     for (const auto& signal : wiring().signals)
       if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
     throw bad_argument("kte: '" + std::string(name) +
-                       "' is no input from outside: an element writes it, or it is the time");
+                       "' is not an input from outside: an element writes it, or it is the time");
   }
   /// doMotion of the elements that keep them, and of what these depend on.
   void rates_of_internals() const {

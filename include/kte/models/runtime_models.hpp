@@ -43,7 +43,7 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
       : unchanging_chain(c), frames_(std::move(frames)), s_(make_state()) {
     if (frames_.empty()) throw bad_argument("kte: a kinematics model needs a frame that depends on the joints");
     for (const auto& f : frames_)
-      if (!is_frame(wiring().kind_of(f, true))) throw unknown_name("kte: '" + f + "' is no frame");
+      if (!is_frame(wiring().kind_of(f, true))) throw unknown_name("kte: '" + f + "' is not a frame");
   }
 
   const std::vector<std::string>& tools() const { return frames_; }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/momentum.hpp>
 #include <kte/integrators/detail/hermite.hpp>
 #include <kte/integrators/fixed_step.hpp>
+#include <kte/models/detail/momenta.hpp>
 #include <kte/models/detail/momentum_transport.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 
@@ -25,7 +25,8 @@ namespace kte {
 ///
 ///   g h, g h, (1 - 4 g) h, g h, g h,   g = 1/(4 - 4^(1/3))                  (4)
 ///
-/// Between the ends: cubics by the velocities at both, of order 3. For models of static chains without internal states:
+/// Between the ends: cubics by the velocities at both, of order 3. For models of chains without internal states, static
+/// or, with kte/models/runtime_dynamics_model.hpp, runtime chains, which allocate in every step:
 ///
 ///   kte::variational4 solver(std::ref(model), 0.0, model.make_x(q, v), 0.01);
 ///
@@ -44,22 +45,26 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
   using typename base::S;
   static constexpr int order = Order, dense_order = 3;
 
-  /// A model, start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
-  /// start that is not finite.
+  /// A model, start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, for a start
+  /// that is not finite, and for a runtime chain with internal states.
   template <class V>
   variational(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
-      : base(std::move(f), t0, x0, step), middle_(this->x_) {}
+      : base(std::move(f), t0, x0, step), middle_(this->x_), masses_(chain()) {}
 
  private:
-  using wiring = typename model::wiring;
-  static constexpr int n = wiring::dofs, nq = wiring::nq;
-  static_assert(wiring::count(kind::internal) == 0, "kte: variational integrators know no internal states of elements");
+  using chain_type = std::remove_cvref_t<decltype(std::declval<const model&>().chain())>;
+  static constexpr int n = detail::sizes_of_model<chain_type>::v;
   using vector = joint_vector<S, n>;
 
+  /// The velocities of a state.
+  template <class State>
+  auto velocities_in(State& x) const {
+    return x.tail(Eigen::fix<n>(this->system().velocity_count()));
+  }
   void prepare() {
-    v_ = this->x_.template tail<n>();
-    this->ask([&] { p_ = generalized_momenta(chain(), this->x_.data(), v_); });
-    lost_q_.setZero(), lost_p_.setZero();
+    v_ = velocities_in(this->x_);
+    this->ask([&] { p_ = masses_.at(chain(), this->x_.data(), v_); });
+    lost_q_.setZero(v_.size()), lost_p_.setZero(v_.size());
   }
   void try_step(const S& end) {
     this->ask([&] { advance_to(end); });
@@ -75,19 +80,19 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
       for (const S& part : {g, g, S(1 - 4 * g), g, g}) advance_by(part * h);  // (4)
     }
     vector v = p_;
-    solve_by_mass(this->next_, v);
-    this->next_.template tail<n>() = v;
+    masses_.solve(chain(), this->next_.data(), v);
+    velocities_in(this->next_) = v;
   }
   /// One step of (1): q in `next_` and p_.
   void advance_by(const S& h) {
     const X start = this->next_;
-    vector d, half, change;
+    vector d = lost_q_, half = d, change = d;
     this->iterate(h, [&] {
       for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
       half = d / 2;
       displace(start, half, middle_);
-      middle_.template tail<n>() = v_;
-      const auto both = generalized_momenta_along(chain(), middle_.data(), v_);
+      velocities_in(middle_) = v_;
+      const auto both = masses_.along(chain(), middle_.data(), v_);
       const vector& p = both.first;
       vector rate_of_p = both.second;
       rate_of_p += this->system().forces_at(middle_, this->time() + h / 2);
@@ -100,7 +105,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
         step.change(rate_of_p, p_, change);
       });
       v -= p;
-      solve_by_mass(middle_, v);
+      masses_.solve(chain(), middle_.data(), v);
       const S size = v_.norm(), by = v.norm();
       v_ += v;
       return size == S(0) ? by : S(by / size);
@@ -120,36 +125,30 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
   static constexpr int degree() { return base::on_group ? 9 : 3; }
   void dense(const S& theta, X& x) const {
     const S h = this->time_ - this->previous_time_;
-    vector d = vector::Zero(), v1 = this->x_.template tail<n>();
-    const vector v0 = this->previous_.template tail<n>();
+    vector v1 = velocities_in(this->x_), d = v1;
+    const vector v0 = velocities_in(this->previous_);
     const S *from = this->previous_.data(), *to = this->x_.data();
     for_each([&](const auto& f) { detail::displacement_between<S>(f, from, to, d); });
     for_each([&](const auto& f) { detail::pull_back_one<S>(f, d, v1); });
     const vector at = detail::hermite_cubic(theta, h, d, v0, v1);
     vector v = detail::hermite_slope(theta, h, d, v0, v1);
     for_each([&](const auto& f) { detail::push_forward_one<S>(f, at, v); });
-    rate d_of_both;
+    rate d_of_both(2 * v.size());
     d_of_both << at, v - v0;
     this->displaced(d_of_both, x);
   }
 
   const auto& chain() const { return this->system().chain(); }
-  /// p becomes M(q)^-1 p.
-  void solve_by_mass(const X& q, vector& p) const {
-    auto m = mass_matrix(chain(), q.data());
-    detail::solve_in_place(m, p, [](int row) {
-      detail::raise_singular_mass_matrix(detail::name_of_row(detail::layout_of_wiring<wiring>::table, row));
-    });
-  }
   template <class Visit>
-  static void for_each(const Visit& visit) {
-    for (std::size_t i = 0; i < wiring::freedoms; ++i) visit(wiring::table.free[i]);
+  void for_each(const Visit& visit) const {
+    for (const detail::freedom& f : this->system().freedoms()) visit(f);
   }
-  static void displace(const X& from, const vector& d, X& to) {
+  void displace(const X& from, const vector& d, X& to) const {
     for_each([&](const auto& f) { detail::displace_one<S>(f, from, d, to); });
   }
 
   X middle_;
+  detail::momenta_of<chain_type, S> masses_;
   vector p_, v_;            ///< momenta at the present q; velocities of the last step, a guess for the next
   vector lost_q_, lost_p_;  ///< in rounding, as `fixed_step` has it
 };

@@ -54,7 +54,7 @@ KTE_FUNCTION robot_description describe(const robot& r) {
     bool found = false;
     for (auto& l : d.links)
       if (l.name == s.frame) (s.collision ? l.collisions : l.visuals).push_back(s), found = true;
-    if (!found) d.not_read.push_back({s.line, "a shape is in frame '" + s.frame + "', which is no link"});
+    if (!found) d.not_read.push_back({s.line, "a shape is in frame '" + s.frame + "', which is not a link"});
   }
   d.actuators = r.actuators;
   return d;

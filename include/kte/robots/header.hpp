@@ -39,7 +39,8 @@ class header_writer {
   void add(const kte_element& e) {
     const auto call = factory_calls().find(e.type());
     if (call == factory_calls().end())
-      throw bad_argument("kte: no header can hold a " + std::string(e.type()) + ": it is no element of this library");
+      throw bad_argument("kte: no header can hold a " + std::string(e.type()) +
+                         ": it is not an element of this library");
     headers_.insert(call->second.header);
     std::string names;
     for (std::size_t p = 0; p < e.ports().size(); ++p)

@@ -6,7 +6,7 @@
 namespace kte {
 
 /// A robot as a chain. Throws `bad_file` where links and joints make no tree or a joint cannot be had (with file and
-/// line), `bad_argument` for options that do not fit. Bodies whose principal moments no matter can have are taken as
+/// line), `bad_argument` for options that do not fit. Bodies whose principal moments no body can have are taken as
 /// published, with a warning.
 robot to_robot(const robot_description& description, const robot_options& options = {});
 

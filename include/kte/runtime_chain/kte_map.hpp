@@ -108,10 +108,11 @@ inline std::string describe_element(const kte_element& e) {
 
 namespace detail {
 /// What an element says is wrong, with its name.
-[[noreturn, gnu::cold]] inline void raise_named(const kte_element& e, const bad_argument& why) {
+template <class Error>
+[[noreturn, gnu::cold]] void raise_named(const kte_element& e, const Error& why) {
   std::string_view text = why.what();
   if (text.starts_with("kte: ")) text.remove_prefix(5);
-  throw bad_argument("kte: " + describe_element(e) + ": " + std::string(text));
+  throw Error("kte: " + describe_element(e) + ": " + std::string(text));
 }
 }  // namespace detail
 

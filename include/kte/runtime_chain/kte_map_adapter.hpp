@@ -22,6 +22,8 @@ class kte_map_adapter final : public kte_element {
         on(s).motion(inputs{});
       } catch (const bad_argument& e) {
         detail::raise_named(*this, e);
+      } catch (const dead_point& e) {
+        detail::raise_named(*this, e);
       }
     } else {
       on(s).motion(inputs{});
@@ -37,6 +39,7 @@ class kte_map_adapter final : public kte_element {
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.stiff = detail::is_transmission<Core>, c.spreads = detail::spreads_mass<Core>;
+    c.load = detail::is_load<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;

@@ -77,17 +77,7 @@ class kte_map_chain : public kte_map {
     return *this;
   }
   /// A runtime chain gives its elements away: what still points to it can only throw `bad_argument`.
-  kte_map_chain& append(std::unique_ptr<kte_map> e) {
-    if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
-    kte_map& part = *e;
-    if (typeid(part) == typeid(kte_map_chain)) {
-      auto& c = static_cast<kte_map_chain&>(part);
-      take(c, std::move(e));
-    } else {
-      add(&e, 1, part.gravity());
-    }
-    return *this;
-  }
+  kte_map_chain& append(std::unique_ptr<kte_map> e);
 
   /// Gravity in the axes of the bases, m/s^2; a new state starts with bases accelerated against it. Written here it
   /// holds for the whole, whatever its parts have; else the chain takes that of the first part appended that has one,
@@ -127,18 +117,9 @@ class kte_map_chain : public kte_map {
   template <class S = double>
   basic_runtime_state<S> make_state() const;
 
-  void doMotion(runtime_state& s) const override {
-    check(s);
-    for (const auto& e : elements_) e->doMotion(s);
-  }
-  void clearForce(runtime_state& s) const override {
-    check(s);
-    for (const auto& e : elements_) e->clearForce(s);
-  }
-  void doForce(runtime_state& s) const override {
-    check(s);
-    for (auto e = elements_.rbegin(); e != elements_.rend(); ++e) (*e)->doForce(s);
-  }
+  void doMotion(runtime_state& s) const override;
+  void clearForce(runtime_state& s) const override;
+  void doForce(runtime_state& s) const override;
 
   /// The signals that elements write (measures, controls), in their order, as of the last doMotion: a name and the
   /// numbers of each.
@@ -148,20 +129,11 @@ class kte_map_chain : public kte_map {
   };
   std::vector<output> outputs(const runtime_state& s) const;
 
-  std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_chain>(*this); }
-  void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
-    for (const auto& e : elements_) e->for_each_element(visit);
-  }
-  const kte_map* unrecorded() const override {
-    for (const auto& e : elements_)
-      if (const kte_map* part = e->unrecorded()) return part;
-    return nullptr;
-  }
+  std::unique_ptr<kte_map> clone() const override;
+  void for_each_element(const std::function<void(const kte_element&)>& visit) const override;
+  const kte_map* unrecorded() const override;
   /// For elements that hold a chain: it is then a part, without states of its own.
-  void connect(topology& t) override {
-    for (const auto& e : elements_) e->connect(t);
-    topology_ = {}, use_ = use::part;
-  }
+  void connect(topology& t) override;
 
   /// Throws `bad_argument` if it is part of another chain.
   const topology& wiring() const {
@@ -189,28 +161,9 @@ class kte_map_chain : public kte_map {
     emptied,  ///< its elements are in another chain
   };
 
-  handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
-    const topology& t = wiring();
-    const kind k = t.kind_of(name, fits(kind::frame_3D));
-    if (!fits(k))
-      throw unknown_name("kte: '" + std::string(name) + "' is " + detail::text_with_article(k) + ", not " +
-                         (wanted[0] == 'i' ? "an " : "a ") + wanted);
-    return {k, t.find(name, k), t.layout};
-  }
-  parts copies() const {
-    parts all;
-    all.reserve(elements_.size());
-    for (const auto& e : elements_) {
-      all.push_back(e->clone());
-      if (!all.back()) throw bad_argument("kte: clone() of a part of this chain gave a null pointer");
-    }
-    return all;
-  }
-  vec3<> with_gravity_of(const vec3<>& part) const {
-    if (gravity_is_written_) return gravity_;
-    detail::check_one_gravity(boost::hana::make_tuple(gravity_, part));
-    return detail::gravity_of_both(gravity_, part);
-  }
+  handle handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const;
+  parts copies() const;
+  vec3<> with_gravity_of(const vec3<>& part) const;
   /// States hold the accelerations of bases against the gravity with which they were made.
   void put_gravity(const vec3<>& g) {
     if (g == gravity_) return;
@@ -269,6 +222,64 @@ KTE_FUNCTION std::vector<kte_map_chain::output> kte_map_chain::outputs(const run
   }
   return all;
 }
+KTE_FUNCTION kte_map_chain& kte_map_chain::append(std::unique_ptr<kte_map> e) {
+  if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
+  kte_map& part = *e;
+  if (typeid(part) == typeid(kte_map_chain)) {
+    auto& c = static_cast<kte_map_chain&>(part);
+    take(c, std::move(e));
+  } else {
+    add(&e, 1, part.gravity());
+  }
+  return *this;
+}
+KTE_FUNCTION void kte_map_chain::doMotion(runtime_state& s) const {
+  check(s);
+  for (const auto& e : elements_) e->doMotion(s);
+}
+KTE_FUNCTION void kte_map_chain::clearForce(runtime_state& s) const {
+  check(s);
+  for (const auto& e : elements_) e->clearForce(s);
+}
+KTE_FUNCTION void kte_map_chain::doForce(runtime_state& s) const {
+  check(s);
+  for (auto e = elements_.rbegin(); e != elements_.rend(); ++e) (*e)->doForce(s);
+}
+KTE_FUNCTION std::unique_ptr<kte_map> kte_map_chain::clone() const { return std::make_unique<kte_map_chain>(*this); }
+KTE_FUNCTION void kte_map_chain::for_each_element(const std::function<void(const kte_element&)>& visit) const {
+  for (const auto& e : elements_) e->for_each_element(visit);
+}
+KTE_FUNCTION const kte_map* kte_map_chain::unrecorded() const {
+  for (const auto& e : elements_)
+    if (const kte_map* part = e->unrecorded()) return part;
+  return nullptr;
+}
+KTE_FUNCTION void kte_map_chain::connect(topology& t) {
+  for (const auto& e : elements_) e->connect(t);
+  topology_ = {}, use_ = use::part;
+}
+KTE_FUNCTION handle kte_map_chain::handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
+  const topology& t = wiring();
+  const kind k = t.kind_of(name, fits(kind::frame_3D));
+  if (!fits(k))
+    throw unknown_name("kte: '" + std::string(name) + "' is " + detail::text_with_article(k) + ", not " +
+                       (wanted[0] == 'i' ? "an " : "a ") + wanted);
+  return {k, t.find(name, k), t.layout};
+}
+KTE_FUNCTION kte_map_chain::parts kte_map_chain::copies() const {
+  parts all;
+  all.reserve(elements_.size());
+  for (const auto& e : elements_) {
+    all.push_back(e->clone());
+    if (!all.back()) throw bad_argument("kte: clone() of a part of this chain gave a null pointer");
+  }
+  return all;
+}
+KTE_FUNCTION vec3<> kte_map_chain::with_gravity_of(const vec3<>& part) const {
+  if (gravity_is_written_) return gravity_;
+  detail::check_one_gravity(boost::hana::make_tuple(gravity_, part));
+  return detail::gravity_of_both(gravity_, part);
+}
 KTE_FUNCTION void kte_map_chain::add(std::unique_ptr<kte_map>* all, std::size_t count, const vec3<>& part) {
   (void)wiring();
   const vec3<> g = with_gravity_of(part);
@@ -314,7 +325,9 @@ KTE_EXTERN template runtime_state kte_map_chain::make_state<double>() const;
 
 /// A runtime chain as plain data; what is in it is listed element by element. Throws `bad_argument` if a part of it is
 /// neither an element nor a chain.
-inline model_record record_of(const kte_map_chain& c) {
+model_record record_of(const kte_map_chain& c);
+#ifdef KTE_FUNCTION
+KTE_FUNCTION model_record record_of(const kte_map_chain& c) {
   if (const kte_map* part = c.unrecorded())
     throw bad_argument("kte: the chain holds a '" + detail::type_text(*part) +
                        "', which no record or file can hold: it is neither an element (a kte_element) nor a chain");
@@ -323,5 +336,6 @@ inline model_record record_of(const kte_map_chain& c) {
   c.for_each_element([&r](const kte_element& e) { r.elements.push_back(e.record()); });
   return r;
 }
+#endif
 
 }  // namespace kte

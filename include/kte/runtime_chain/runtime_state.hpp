@@ -50,7 +50,7 @@ class basic_runtime_state {
   static constexpr bool has_sines = false;  ///< whether coordinates come with theirs
 
   explicit basic_runtime_state(shared_topology t);
-  basic_runtime_state(const basic_runtime_state&) = default;
+  basic_runtime_state(const basic_runtime_state& o);
   basic_runtime_state(basic_runtime_state&& o) noexcept;
   /// All or nothing. Allocates only where the states are of other chains.
   basic_runtime_state& operator=(const basic_runtime_state& o);
@@ -156,6 +156,8 @@ basic_runtime_state<S>::basic_runtime_state(shared_topology t)
   for (const auto& f : topology_->free)
     if (f.what == kind::gen) free_coordinates_.push_back(f.slot);
 }
+template <class S>
+basic_runtime_state<S>::basic_runtime_state(const basic_runtime_state& o) = default;
 template <class S>
 basic_runtime_state<S>::basic_runtime_state(basic_runtime_state&& o) noexcept
     : topology_(std::move(o.topology_)),

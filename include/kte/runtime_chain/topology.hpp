@@ -42,6 +42,7 @@ class topology {
     std::span<const port> ports;  ///< of the element
     bool stiff = false;           ///< whether it is a joint or a link
     bool spreads = false;         ///< whether it has a mass between several ports
+    bool load = false;            ///< whether it is a load from outside
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind

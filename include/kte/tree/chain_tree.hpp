@@ -172,7 +172,7 @@ class chain_tree {
         if (n.holds_coordinate) {
           holders.push_back(number);
           if (plan.row_of_gen[static_cast<std::size_t>(index(0))] >= dofs_)
-            exclude(number, " holds a coordinate that is no degree of freedom");
+            exclude(number, " holds a coordinate that is not a degree of freedom");
         }
         if (n.spreads_mass) {
           spread.push_back(number);

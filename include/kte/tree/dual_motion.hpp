@@ -90,17 +90,22 @@ template <class P, class S>
 mat3<vec3<S>> rotation_in_parent(const placed<P, S>& at) {
   return {at.in(vec3<S>{S(1), S(0), S(0)}), at.in(vec3<S>{S(0), S(1), S(0)}), at.in(vec3<S>{S(0), S(0), S(1)})};
 }
-/// The motions of all bodies from those of axes, by (2), (3) of tree/newton_euler.hpp, and what they need for them:
-/// after `place_in_world` in plain numbers.
+/// Bases where they are in plain numbers.
 template <class P, class S, class D>
-void move_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+void place_bases_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   for (std::size_t b = 0; b < static_cast<std::size_t>(f.bases); ++b) {
     const body_motion<S>& x = m.bodies[b];
     d.bodies[b] = {constants<D>(x.velocity), constants<D>(x.ang_velocity), constants<D>(x.acceleration),
                    constants<D>(x.ang_acceleration)};
     d.world[b].position = constants<D>(m.world[b].position);
+    d.seats[b].turned = {};
     place_in_duals(m.world[b].rotation, d.seats[b].turned, d.world[b]);
   }
+}
+/// The motions of all bodies from those of axes, by (2), (3) of tree/newton_euler.hpp, and what they need for them:
+/// after `place_in_world` in plain numbers, and with bases in place.
+template <class P, class S, class D>
+void move_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
     const std::size_t slot = static_cast<std::size_t>(f.bases) + i, parent = static_cast<std::size_t>(r.parent);

@@ -110,4 +110,29 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
   }
 }
 
+/// The entry of the diagonal of M^-1 that belongs to axis `k` of record `i`: by (2) the sum of e_lk D_l^-1 e_lk over
+/// the axes l from there to the base, by (1) one after the other. As `inverse_masses`.
+template <class P, class S>
+S inverse_mass_of_axis(const forest<P>& f, const memory<P, S>& m, std::size_t i, int k) {
+  dense_wrench<S> load{};
+  S sum(0);
+  for (bool own = true;; own = false) {
+    const record<P>& r = f.records[i];
+    for (int l = own ? k : r.axes - 1; m.yields[i] && l >= 0; --l) {
+      const axis_answer<S>& answer = m.answers[static_cast<std::size_t>(r.first + l)];
+      S e(0);
+      if (r.moves == joint::several)
+        e = component(load.force, load.torque, r.axis[static_cast<std::size_t>(l)]);
+      else
+        powers_along(r, load, 1, [&e](int, const S& power) { e = power; });
+      if (own && l == k) e = S(1);
+      sum += answer.inverse * e * e;  // (2)
+      load = {load.force - e * answer.gain.force, load.torque - e * answer.gain.torque};
+    }
+    if (r.parent < f.bases) return sum;
+    load = placed{r, m.spots[i]}.out(load);
+    i = static_cast<std::size_t>(r.parent - f.bases);
+  }
+}
+
 }  // namespace kte::tree

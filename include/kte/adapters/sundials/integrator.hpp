@@ -177,7 +177,7 @@ class integrator : public kte::integrator<Method, F, X> {
   Method& method() { return static_cast<Method&>(*this); }
   const Method& method() const { return static_cast<const Method&>(*this); }
 
-  static constexpr const char* endless = "f gives no finite number, however short the step";
+  static constexpr const char* endless = "f is not finite, however short the step";
   tolerances<S> tolerances_;
   detail::accountant accountant_;
   long long tries_ = 0;

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-/// Which argument made a result that is no finite number. Nothing of this is on the way of results that are.
+/// Which argument made a result that is not finite. Nothing of this is on the way of results that are.
 namespace kte::detail {
 
 /// A vector of arguments: 'q', or 'v', 'a', 'tau', which are laid out alike.
@@ -53,8 +53,8 @@ template <class Layout>
 [[noreturn, gnu::cold]] void raise_not_finite(const char* what, const Layout& layout,
                                               std::initializer_list<argument> arguments) {
   const auto which = culprit(layout, arguments);
-  raise<bad_argument>("kte: " + std::string(what) + " is no finite number: " +
-                      (which.empty() ? "a parameter or an argument is none, or is too large" : which));
+  raise<bad_argument>("kte: " + std::string(what) + " is not finite: " +
+                      (which.empty() ? "a parameter or an argument is not finite, or is too large" : which));
 }
 /// Names the coordinate whose quaternion has length 0, if there is one.
 template <class Layout>
@@ -108,7 +108,7 @@ std::vector<double> plain_numbers(const X& x) {
 template <class T>
 [[gnu::cold]] void raise_if_time_is_endless(const char* what, const T& dt) {
   const double x = plain_number(dt);
-  if (!std::isfinite(x)) raise<bad_argument>("kte: " + std::string(what) + " is no finite number: dt is " + number(x));
+  if (!std::isfinite(x)) raise<bad_argument>("kte: " + std::string(what) + " is not finite: dt is " + number(x));
 }
 
 /// A signal from outside, one number or three.
@@ -119,7 +119,7 @@ template <class X>
     if (!std::isfinite(y))
       raise<bad_argument>(std::string("kte: ")
                               .append(what)
-                              .append(" is no finite number: ")
+                              .append(" is not finite: ")
                               .append(part)
                               .append("input '")
                               .append(name)
@@ -143,7 +143,7 @@ std::string_view name_of_row(const Layout& layout, int i) {
 /// Of a coordinate whose mass overflows, though no argument is too large.
 [[noreturn, gnu::cold]] inline void raise_endless_mass(std::string_view coordinate) {
   raise<bad_argument>(
-      std::string("kte: a mass is no finite number: what '")
+      std::string("kte: a mass is not finite: what '")
           .append(coordinate)
           .append("' moves is too heavy, or too far away, or infinitely fast (a loop on its dead centre)"));
 }
@@ -151,7 +151,7 @@ std::string_view name_of_row(const Layout& layout, int i) {
 struct too_large {
   const char* what;
   [[noreturn, gnu::cold]] void operator()() const {
-    raise<bad_argument>(std::string("kte: ").append(what).append(" is no finite number: an argument is too large"));
+    raise<bad_argument>(std::string("kte: ").append(what).append(" is not finite: an argument is too large"));
   }
 };
 /// The first row of a matrix in which a number is not finite, a column at a time; else -1.
@@ -210,7 +210,7 @@ struct signals_of_wiring<wiring<E...>> {
     return list;
   }();
 };
-/// Throws `bad_argument` that names a signal that is no finite number, if one of those that are given is.
+/// Throws `bad_argument` that names a signal that is not finite, if one of those that are given is.
 template <class Wiring, class Given>
 [[gnu::cold, gnu::noinline]] void blame_signals(const char* what, const Given& g) {
   const auto one = [&]<std::size_t I>() {
@@ -244,7 +244,7 @@ template <class Wiring, class Q, class V, class A>
     raise_if_no_rotation(layout, {x.data(), nq});
   raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
 }
-/// Of a mass matrix that cannot be used, for coordinate `row`: there is no mass, or it is no finite number.
+/// Of a mass matrix that cannot be used, for coordinate `row`: there is no mass, or it is not finite.
 template <class Wiring, class Q>
 [[noreturn, gnu::cold, gnu::noinline]] void blame_mass(int row, bool finite, Q q) {
   const auto& layout = layout_of_wiring<Wiring>::table;

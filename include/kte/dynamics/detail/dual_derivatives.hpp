@@ -21,10 +21,14 @@ void displace(freedom f, int direction, std::size_t lane, std::span<dual<S, N>> 
   for (std::size_t k = 0; k < count; ++k) x[first + k].derivative[lane] = rate[k];
 }
 
-/// Directions that are derived by at once: along degrees of freedom from `first` on, of the configuration, v or a.
+/// Directions that are derived by at once: along degrees of freedom from `first` on, of the configuration, v or a; or
+/// along those of the colours from `first` on, where a force depends on one of each colour at most.
 struct directions {
   vector_of by;
   int first;
+  const int* colour = nullptr;
+
+  int lane(int row) const { return (colour != nullptr ? colour[row] : row) - first; }
 };
 /// Derivatives of tau = evaluate(directions), which reads q, v and a as dual numbers, by q and v, and by a where
 /// `by_a`: as many directions at a time as they have, into `r`.

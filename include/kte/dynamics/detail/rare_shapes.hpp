@@ -143,7 +143,7 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
     }
   }
   raise<no_solution>(
-      "kte: no accelerations go with the friction of joints by what they carry: it is so large that there are none, "
+      "kte: no accelerations fit the friction of joints by what they carry: it is so large that there are none, "
       "or several");
 }
 

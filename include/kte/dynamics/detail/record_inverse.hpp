@@ -50,9 +50,9 @@ void invert_articulated(State& s, Matrix& inverse) {
   for (const int row : s.tree().plan.lone_rows)
     inverse(row, row) = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
 }
-/// The same of a tree at rest.
-template <class Elements, class State, class Matrix>
-void articulate_and_invert(const Elements& c, State& s, Matrix& inverse) {
+/// Articulated inertias of a tree at rest, under no forces.
+template <class Elements, class State>
+void articulate_at_rest(const Elements& c, State& s) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
@@ -64,7 +64,27 @@ void articulate_and_invert(const Elements& c, State& s, Matrix& inverse) {
   if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
     blame_axis(c, s, bad);
   check_lone_masses(c, s);
+}
+/// The inverse of the mass matrix of a tree.
+template <class Elements, class State, class Matrix>
+void articulate_and_invert(const Elements& c, State& s, Matrix& inverse) {
+  articulate_at_rest(c, s);
   invert_articulated(s, inverse);
+}
+/// Its diagonal alone, in time and memory linear in the axes, times the depth of the tree.
+template <class Elements, class State>
+std::vector<typename State::scalar> inverse_mass_diagonal(const Elements& c, State& s) {
+  using S = typename State::scalar;
+  articulate_at_rest(c, s);
+  const auto& f = s.tree().forest;
+  std::vector<S> diagonal(static_cast<std::size_t>(s.dofs()));
+  for (std::size_t i = 0; i < f.records.size(); ++i)
+    for (int k = 0; f.records[i].yields && k < f.records[i].axes; ++k)
+      diagonal[static_cast<std::size_t>(f.row[static_cast<std::size_t>(f.records[i].first + k)])] =
+          tree::inverse_mass_of_axis(f, s.work, i, k);
+  for (const int row : s.tree().plan.lone_rows)
+    diagonal[static_cast<std::size_t>(row)] = S(1) / s.tree().own_mass[static_cast<std::size_t>(row)];
+  return diagonal;
 }
 
 }  // namespace kte::detail

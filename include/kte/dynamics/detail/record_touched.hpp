@@ -14,36 +14,39 @@ template <class State>
 void clear_frame(State& s, kind k, int index) {
   with_frame(s, k, index, [](auto& x) { clear_load(x); });
 }
-/// Frames that elements act on, where their bodies have them.
+/// A frame where its body has it.
 template <class State>
-void place_touched_frames(State& s, bool accelerated) {
+void place_frame(State& s, kind k, int index, bool accelerated) {
   using S = typename State::scalar;
   const auto& t = s.tree();
-  for (const auto& [k, index] : t.touched) {
-    const auto& at = t.forest.frame(k, index);
-    const auto& b = s.work.bodies[static_cast<std::size_t>(at.slot)];
-    const auto& place = s.work.world[static_cast<std::size_t>(at.slot)];
-    if (at.slot < t.forest.bases) {  // its own motion is in the state, unless it is fixed to the base by links
-      if (std::find(t.plan.bases.begin(), t.plan.bases.end(), std::pair{k, index}) != t.plan.bases.end()) {
-        clear_frame(s, k, index);
-        continue;
-      }
+  const auto& at = t.forest.frame(k, index);
+  const auto& b = s.work.bodies[static_cast<std::size_t>(at.slot)];
+  const auto& place = s.work.world[static_cast<std::size_t>(at.slot)];
+  if (at.slot < t.forest.bases) {  // its own motion is in the state, unless it is fixed to the base by links
+    if (std::find(t.plan.bases.begin(), t.plan.bases.end(), std::pair{k, index}) != t.plan.bases.end()) {
+      clear_frame(s, k, index);
+      return;
     }
-    tree::body_motion<S> moves = b;
-    if (!accelerated) moves.acceleration = moves.ang_acceleration = {};
-    const auto m = motion_of_frame(place, moves, at.at);
-    with_frame(s, k, index, [&m](auto& x) {
-      if constexpr (requires { x.rotation.x; }) {
-        set_motion(x, m);
-      } else {
-        const auto flat = [](const vec3<S>& u) { return vec3{u.x, u.y, zero}; };
-        const auto normal = [](const vec3<S>& u) { return vec3{zero, zero, u.z}; };
-        set_motion(x, motion{flat(m.position), rotation_2D{m.rotation.x.x, m.rotation.y.x}, flat(m.velocity),
-                             normal(m.ang_velocity), flat(m.acceleration), normal(m.ang_acceleration)});
-      }
-      clear_load(x);
-    });
   }
+  tree::body_motion<S> moves = b;
+  if (!accelerated) moves.acceleration = moves.ang_acceleration = {};
+  const auto m = motion_of_frame(place, moves, at.at);
+  with_frame(s, k, index, [&m](auto& x) {
+    if constexpr (requires { x.rotation.x; }) {
+      set_motion(x, m);
+    } else {
+      const auto flat = [](const vec3<S>& u) { return vec3{u.x, u.y, zero}; };
+      const auto normal = [](const vec3<S>& u) { return vec3{zero, zero, u.z}; };
+      set_motion(x, motion{flat(m.position), rotation_2D{m.rotation.x.x, m.rotation.y.x}, flat(m.velocity),
+                           normal(m.ang_velocity), flat(m.acceleration), normal(m.ang_acceleration)});
+    }
+    clear_load(x);
+  });
+}
+/// Frames that elements act on.
+template <class State>
+void place_touched_frames(State& s, bool accelerated) {
+  for (const auto& [k, index] : s.tree().touched) place_frame(s, k, index, accelerated);
 }
 /// Frames and signals that elements write when bodies are in place.
 template <class Elements, class State>

@@ -49,7 +49,7 @@ class chain_reduction {
         at(locked_, k, index) = as_locked;
         return;
       }
-    throw bad_argument("kte: '" + std::string(name) + "' is no degree of freedom, which could be locked");
+    throw bad_argument("kte: '" + std::string(name) + "' is not a degree of freedom: only those can be locked");
   }
   kte_map_chain make() {
     kte_map_chain r;

@@ -147,7 +147,7 @@ struct replaced_numbers {
     if constexpr (V) visit_v(c, visit);
     if constexpr (A) visit_a(c, visit);
   }
-  void keep() const {
+  [[gnu::cold, gnu::noinline]] void keep() const {
     S* old = state.before.data();
     for_each_listed_freedom(state,
                             [&old](auto& c, const freedom&) { each(c, [&old](const S& number) { *old++ = number; }); });
@@ -190,13 +190,22 @@ replaced_by<S, V, A> take(const kte_map_chain& c, basic_runtime_state<S>& s, con
   const bool moderate = of_q && of_v && of_a && of_tau;
   constexpr bool with_v = is_put<V>;
   const replaced_by<S, V, A> replaced{s, When == keeping::always || !moderate || !s.tree().only_bodies};
-  if (replaced.kept) replaced.keep();
   const auto put_all = [&](auto& x, const freedom& at) KTE_INLINE_LAMBDA {
     put<vector_of::q>(x, at, q);
     if constexpr (with_v) put<vector_of::v>(x, at, v);
     if constexpr (is_put<A>) put<vector_of::a>(x, at, a);
   };
-  for_each_listed_freedom(s, put_all);
+  if constexpr (When == keeping::always) {
+    S* old = s.before.data();
+    for_each_listed_freedom(s, [&](auto& x, const freedom& at) KTE_INLINE_LAMBDA {
+      replaced.each(x, [&old](const S& number) KTE_INLINE_LAMBDA { *old++ = number; });
+      put_all(x, at);
+    });
+  } else {
+    if (replaced.kept) [[unlikely]]
+      replaced.keep();
+    for_each_listed_freedom(s, put_all);
+  }
   return replaced;
 }
 /// Before a call that puts accelerations into a state and then may still refuse.

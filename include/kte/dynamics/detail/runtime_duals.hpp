@@ -62,22 +62,27 @@ void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
     else
       for (auto k = first; k < first + static_cast<std::size_t>(r.axes); ++k) {
         w.shift[k] = D(0);
-        if (const int lane = f.row[k] - moving.first; moving.by == vector_of::q && lane >= 0 && lane < D::variables)
+        if (const int lane = moving.lane(f.row[k]); moving.by == vector_of::q && lane >= 0 && lane < D::variables)
           w.shift[k].derivative[static_cast<std::size_t>(lane)] = 1;
       }
     each_axis<vector_of::v>(d, r, [&w](const D& x, std::size_t k) { w.rate[k] = x; });
     each_axis<vector_of::a>(d, r, [&w](const D& x, std::size_t k) { w.acceleration[k] = x; });
   }
 }
-/// Inverse dynamics at q, v, a of the state with derivatives: what must be applied, into its `forces`.
-template <std::same_as<double> S, class D>
-void needed_forces_in_duals(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
-                            const directions& moving) {
-  const runtime_elements elements{c};
-  const auto& t = s.tree();
+/// Coordinates to q, v, a of the state with derivatives.
+template <class D>
+void put_numbers(basic_derivative_state<D>& d) {
   for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
     put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
   });
+}
+/// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
+/// `forces`.
+template <class Elements, std::same_as<double> S, class D>
+void needed_forces_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
+                            const directions& moving) {
+  const auto& t = s.tree();
+  put_numbers(d);
   bring_up_to_date(elements, d);
   take_shifts(d, moving);
   clear_coordinates(d);
@@ -118,10 +123,11 @@ void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
+  tree::place_bases_in_duals(s.tree().forest, s.work, d.work);
   derive_by_duals(
       s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), rubs,
       [&](const directions& moving) -> const auto& {
-        needed_forces_in_duals(c, s, d, moving);
+        needed_forces_in_duals(runtime_elements{c}, s, d, moving);
         return d.forces;
       },
       r);

@@ -94,7 +94,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     const S reach = h_ * formulas_.error(order_) * S(detail::rounding_of_difference(order_));
     return base::level_of_rounding(
         floor_, error, reach, [&] { return norm(differences_[1] / h_); },
-        [&] { return norm(this->rate_a_rounding_away() - slope_now()); });
+        [&](int i, int j) { return norm(this->rounding_of_rate(i, j, slope_now())); });
   }
   /// The error of the step that is solved.
   S error() const { return size(formulas_.error(order_) * correction_); }

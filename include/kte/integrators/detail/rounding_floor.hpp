@@ -14,7 +14,9 @@ namespace kte::detail {
 /// W^-1 d, which is what a stiff system makes of d. Where that is more
 /// than the tolerances, errors are compared with it.
 ///
-/// No more than 1e5 eps |f| is taken for rounding: f may have jumped between the two times or states.
+/// Beyond 1e5 eps |f|, f may have jumped between the two times or states; or it is what is left of large terms, as of a
+/// controlled system that comes to rest. Then (1) is the least of three differences: over the rounding, over one to the
+/// other side, and from one rounding away to two. A jump is in two of them at most.
 template <class S>
 class rounding_floor {
  public:
@@ -22,16 +24,17 @@ class rounding_floor {
   bool is_below() const { return size_ == S(0); }
   /// The norm of (1), where errors are more than they seem.
   const S& size() const { return size_; }
-  /// How many times the tolerances an error of a try is compared with. reach: h c; `tries`: until now; slope(),
-  /// rounding(): the norms of f and of (1), of which the second one takes an evaluation; it is asked for after
-  /// rejections, and seldom.
+  /// How many times the tolerances an error of a try is compared with. reach: h c; `tries`: until now; slope():
+  /// the norm of f; rounding(i, j): that of f j roundings away less f i of them away, an evaluation for each that is
+  /// not 0, asked for after rejections, and seldom.
   template <class Slope, class Rounding>
   S level(const S& error, const S& reach, long long tries, const Slope& slope, const Rounding& rounding) {
     if (tries - measured_ >= (S(1) < error ? patience_ : 32)) {
       const S most = S(1e5) * std::numeric_limits<S>::epsilon() * slope();
-      const S found = reach * most > S(1) ? rounding() : S(0);
+      S found = reach * most > S(1e-3) ? rounding(0, 1) : S(0);
+      if (most < found) found = least(least(found, rounding(0, -1)), rounding(1, 2));
       patience_ = reach * found > S(1e-3) ? 8 : 64;
-      size_ = most < found ? most : reach * found > S(0.1) ? found : S(0);
+      size_ = reach * found > S(0.1) ? found : S(0);
       measured_ = tries;
     }
     const S floor = reach * size_;
@@ -39,6 +42,9 @@ class rounding_floor {
   }
 
  private:
+  /// Not b where that is no number.
+  static S least(const S& a, const S& b) { return b < a ? b : a; }
+
   S size_{0};                 ///< the norm of (1) where it matters
   long long measured_ = -64;  ///< tries until it was measured
   int patience_ = 64;         ///< tries until a rejection makes it measured again

@@ -4,14 +4,37 @@
 #include <kte/dynamics/detail/internal_rates.hpp>
 #include <kte/models/detail/displacement.hpp>
 
-/// Derivatives of the rates of a model, x' = (v, a, z'), by displacements d = (dq, dv, dz) from its state, at d = 0:
+#include <algorithm>
+#include <span>
+
+/// Derivatives of the rates of a model, x' = (v, a, z'), by displacements d = (dq, dv, dz) from its state, at d = 0,
+/// and by its inputs u:
 ///
-///       | V    1    0   |
-///   J = | A_q  A_v  A_z |   V: of the rate of dq, `add_variation_of_pull_back`          (1)
-///       | Z_q  Z_v  Z_z |
+///           | V    1    0    0   |
+///   (J B) = | A_q  A_v  A_z  A_u |   V: of the rate of dq, `add_variation_of_pull_back`          (1)
+///           | Z_q  Z_v  Z_z  Z_u |
 ///
-/// A_q and A_v by `forward_dynamics_derivatives`; A_z = M^-1 df/dz, df/dz and Z by dual numbers.
+/// A_q and A_v by `forward_dynamics_derivatives`; A_z = M^-1 dr/dz with r = f - M a at constant a, and A_u likewise, dr
+/// and Z by dual numbers.
 namespace kte::detail {
+
+/// The state x with lane i along number first + i of d.
+template <class Number, class X>
+auto moved_along(std::span<const freedom> freedoms, int rates, const X& x, int first) {
+  Eigen::Matrix<Number, X::RowsAtCompileTime, 1> moved = x.template cast<Number>();
+  const int longer = static_cast<int>(x.size()) - rates;  // by what q has more numbers than v
+  const int last = (std::min)(first + Number::variables, rates);
+  int positions = 0;
+  for (const freedom& f : freedoms) {
+    const std::span<Number> numbers(moved.data(), static_cast<std::size_t>(moved.size()));
+    for (int k = (std::max)(0, first - f.v); k < (std::min)(nv_of(f.what), last - f.v); ++k)
+      displace(f, k, static_cast<std::size_t>(f.v + k - first), numbers);
+    positions += nv_of(f.what);
+  }
+  for (int j = (std::max)(first, positions); j < last; ++j)
+    moved[longer + j].derivative[static_cast<std::size_t>(j - first)] = typename Number::scalar(1);
+  return moved;
+}
 
 /// Of coordinates and accelerations, from the derivatives of accelerations; z at rest.
 template <class Freedoms, class Rate, class Accelerations, class J>
@@ -24,48 +47,37 @@ void put_rate_derivatives(const Freedoms& freedoms, const Rate& v, const Acceler
   jacobian.block(n, n, n, n) = a.by_v;
 }
 
-/// A_z and Z of a static chain, four directions at a time.
-template <class S, class Chain, class Inverse, class J>
-void derive_internals(const Chain& c, const S& t, const S* q, const S* v, const S* z, const S* u,
-                      const Inverse& inverse_of_mass, J& jacobian) {
+/// A_z, Z and, as far as J has columns, A_u and Z_u of a static chain, four directions at a time; `a` has accelerations
+/// and their derivatives.
+template <class S, class Chain, class X, class U, class Accelerations, class J>
+void derive_signals(const Chain& c, const S& t, const X& x, const U& u, const Accelerations& a, J& jacobian) {
   constexpr int lanes = 4, n = Chain::dofs;
   using number = dual<S, lanes>;
   using wiring = typename Chain::wiring;
-  constexpr int nz = wiring::count(kind::internal), nu = wiring::nu;
-  const auto constants = [](const S* from, auto& to) {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = number(from[i]);
-  };
-  std::array<number, static_cast<std::size_t>(Chain::nq)> qs;
-  std::array<number, static_cast<std::size_t>(n)> vs;
-  std::array<number, static_cast<std::size_t>(nz)> zs, z_dot;
-  std::array<number, static_cast<std::size_t>(nu) + 1> us{};
-  for (int i = 0; i < nu; ++i) us[static_cast<std::size_t>(i)] = number(u[i]);
-  for (int first = 0; first < 2 * n + nz; first += lanes) {
-    constants(q, qs), constants(v, vs), constants(z, zs);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const int j = first + static_cast<int>(lane);
-      for (std::size_t f = 0; f < wiring::freedoms; ++f) {
-        const freedom& at = wiring::table.free[f];
-        if (at.v <= j && j < at.v + nv_of(at.what)) displace(at, j - at.v, lane, std::span<number>(qs));
-      }
-      if (n <= j && j < 2 * n) vs[static_cast<std::size_t>(j - n)].derivative[lane] = S(1);
-      if (2 * n <= j && j < 2 * n + nz) zs[static_cast<std::size_t>(j - 2 * n)].derivative[lane] = S(1);
-    }
-    const configuration<number, wiring, decltype(qs)> at(qs);
-    const auto bases =
-        with_signals<wiring>(base_under_gravity(c), number(t), std::as_const(us).data(), std::as_const(zs).data());
-    internal_rates(c, at, std::as_const(vs).data(), bases, z_dot.data());
-    const int last = (std::min)(first + lanes, 2 * n + nz);
+  constexpr int nz = wiring::count(kind::internal);
+  const std::span<const freedom> freedoms(wiring::table.free.data(), wiring::freedoms);
+  const int columns = static_cast<int>(jacobian.cols());
+  std::array<number, static_cast<std::size_t>(nz) + 1> z_dot;
+  for (int first = nz > 0 ? 0 : 2 * n; first < columns; first += lanes) {
+    const auto xs = moved_along<number>(freedoms, 2 * n + nz, x, first);
+    Eigen::Matrix<number, U::RowsAtCompileTime, 1> us = u.template cast<number>();
+    const int last = (std::min)(first + lanes, columns);
+    for (int j = (std::max)(first, 2 * n + nz); j < last; ++j)
+      us[j - 2 * n - nz].derivative[static_cast<std::size_t>(j - first)] = S(1);
+    const number *q = xs.data(), *v = q + Chain::nq, *z = v + n;
+    const configuration<number, wiring, const number*> at(q);
+    const auto bases = with_signals<wiring>(base_under_gravity(c), number(t), std::as_const(us).data(), z);
+    if constexpr (nz > 0) internal_rates(c, at, v, bases, z_dot.data());
     for (int j = first; j < last; ++j)
       for (int i = 0; i < nz; ++i)
         jacobian(2 * n + i, j) = z_dot[static_cast<std::size_t>(i)].derivative[static_cast<std::size_t>(j - first)];
     if (last <= 2 * n) continue;
-    const auto force =
-        coordinate_forces<number>(c, given{at, each<number, decltype(vs)>{vs}, same<zero_t>{}, bases}, one);
+    const auto rest = coordinate_forces<number>(
+        c, given{at, each<number, const number*>{v}, each<number, joint_vector<S, n>>{a.a}, bases}, one);
     for (int j = (std::max)(first, 2 * n); j < last; ++j) {
-      joint_vector<S, n> by_z;
-      for (int i = 0; i < n; ++i) by_z[i] = force[i].derivative[static_cast<std::size_t>(j - first)];
-      jacobian.col(j).segment(n, n) = inverse_of_mass * by_z;
+      joint_vector<S, n> by_signal;
+      for (int i = 0; i < n; ++i) by_signal[i] = rest[i].derivative[static_cast<std::size_t>(j - first)];
+      jacobian.col(j).segment(n, n) = a.by_tau * by_signal;
     }
   }
 }

@@ -98,7 +98,7 @@ class chain_reader {
 
   robot_joint& joint(const element_record& e, const std::string& coordinate) {
     const auto it = joints_.find(coordinate);
-    if (it == joints_.end()) refuse(e, "its coordinate '" + coordinate + "' is that of no joint");
+    if (it == joints_.end()) refuse(e, "its coordinate '" + coordinate + "' does not belong to a joint");
     return d_.joints[it->second];
   }
   /// Of springs and dampers from a coordinate at rest.
@@ -147,7 +147,7 @@ class chain_reader {
                                       "': a description has no rate over which friction changes its sign, here " +
                                       detail::number(rate)});
     } else if (!free_turning(e) && !compensation(e)) {
-      refuse(e, "it is no link, joint or body, nor damping or friction of a joint");
+      refuse(e, "it is not a link, joint or body, or damping or friction of a joint");
     }
   }
   /// Whether it is a spring or damper of a ball, or the damping of a free body: a torque, and then a force.

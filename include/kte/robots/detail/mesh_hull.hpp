@@ -12,7 +12,8 @@ namespace kte::detail {
 /// The convex hull of points, by Quickhull (Barber, Dobkin and Huhdanpaa, ACM Transactions on Mathematical Software 22,
 /// 1996): a facet takes in the farthest of the points that see it, in place of all facets which that point sees. Who
 /// sees what is decided exactly (orientation.hpp), so that points on planes, edges and other points, and points that
-/// are nearly there, do no harm; the rest is in doubles.
+/// are nearly there, do no harm; the rest is in doubles. Facets wait in a queue: from a stack one side of a prism with
+/// many corners would be refined before the other has any, by facets whose number is quadratic.
 class hull_builder {
  public:
   explicit hull_builder(const std::vector<vec3<>>& points) : points_(scaled(points)) {}
@@ -20,9 +21,8 @@ class hull_builder {
   /// Faces with indices of the points; throws `bad_argument` where all points are in a plane.
   std::vector<std::array<std::uint32_t, 3>> build() {
     begin();
-    while (!pending_.empty()) {
-      const auto f = pending_.back();
-      pending_.pop_back();
+    for (std::size_t next = 0; next < pending_.size(); ++next) {
+      const auto f = pending_[next];
       if (!facets_[f].gone && !facets_[f].seen_by.empty()) take_in(farthest(f), f);
     }
     std::vector<std::array<std::uint32_t, 3>> faces;
@@ -30,6 +30,8 @@ class hull_builder {
       if (!f.gone) faces.push_back(f.corners);
     return faces;
   }
+  /// How many facets were made for it.
+  std::size_t made() const { return facets_.size(); }
 
  private:
   using index = std::uint32_t;
@@ -90,18 +92,36 @@ class hull_builder {
     facets_ = {{{a, u, v}, {1, 2, 3}}, {{u, a, d}, {0, 3, 2}}, {{v, u, d}, {0, 1, 3}}, {{a, v, d}, {0, 2, 1}}};
     std::vector<index> all(points_.size());
     for (index i = 0; i < all.size(); ++i) all[i] = i;
-    share(all, 0);
+    share(all, 0, [&](index p) {
+      index f = 0;
+      while (f < 4 && !sees(p, f)) ++f;
+      return f;
+    });
   }
-  /// Gives points to the facets from `first` on that they see; who sees none is inside.
-  void share(const std::vector<index>& points, std::size_t first) {
+  /// Gives each point to a facet from `first` on that it sees, which `seen` finds; of what is inside it gives the count
+  /// of all facets.
+  template <class F>
+  void share(const std::vector<index>& points, index first, const F& seen) {
     for (const auto p : points)
-      for (auto f = static_cast<index>(first); f < facets_.size(); ++f)
-        if (sees(p, f)) {
-          facets_[f].seen_by.push_back(p);
-          break;
-        }
-    for (auto f = static_cast<index>(first); f < facets_.size(); ++f)
+      if (const index f = seen(p); f < facets_.size()) facets_[f].seen_by.push_back(p);
+    for (auto f = first; f < facets_.size(); ++f)
       if (!facets_[f].seen_by.empty()) pending_.push_back(f);
+  }
+  /// Of the facets from `first` on, a fan about an apex, one that a point sees, or else the count of all. A point that
+  /// sees neither of the two at the edge from the apex to corner 0 is in their wedge, which planes from that edge to
+  /// the corners cut into sectors: in sector k the fan is facet k. Bisection finds the sector.
+  index seen_of_fan(index point, index first) const {
+    const auto none = static_cast<index>(facets_.size());
+    for (const index f : {first, none - 1})
+      if (sees(point, f)) return f;
+    const auto& apex = points_[facets_[first].corners[2]];
+    const auto corner = [&](index k) -> const vec3<>& { return points_[facets_[first + k].corners[0]]; };
+    index low = 1, high = none - 1 - first;
+    while (high - low > 1) {
+      const index middle = low + (high - low) / 2;
+      (orientation(corner(0), corner(middle), apex, points_[point]) > 0 ? high : low) = middle;
+    }
+    return sees(point, first + low) ? first + low : none;
   }
   index farthest(index f) const {
     const auto& corners = facets_[f].corners;
@@ -122,7 +142,7 @@ class hull_builder {
       for (std::size_t e = 0; e < 3; ++e)
         if (other.corners[e] == to && other.corners[(e + 1) % 3] == from) other.neighbours[e] = first + k;
     }
-    share(orphans, first);
+    share(orphans, first, [&](index p) { return seen_of_fan(p, first); });
   }
   /// Removes the facets that the point sees and gives the edges around them, one after the other.
   std::vector<border> horizon(index point, index seen, std::vector<index>& orphans) {

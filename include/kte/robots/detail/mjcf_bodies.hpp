@@ -36,6 +36,8 @@ class mjcf_bodies {
     sections(root, {&top});
     for (const auto& j : d_.joints) joints_.insert(j.name);
     for (const auto& a : tree_.attached()) sections({a.model->root, d_}, a);
+    for (const auto& m : tree_.models())
+      for (const auto& x : xml_item(m.root, d_).children("asset")) unread_.assets(x, m.settings.classes());
     name_frames();
     for (const auto& k : root.children("keyframe"))
       for (const auto& x : k.children("key")) read_mjcf_keyframe(x, d_);
@@ -76,7 +78,7 @@ class mjcf_bodies {
     const auto& settings = c.in.model->settings;
     const auto x = settings.classes().cleaned(c.x);
     x.only({"inertial", "joint", "freejoint", "geom", "body", "site", "frame", "replicate", "attach", "plugin"},
-           {"name", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "childclass", "gravcomp", "mocap", "user"});
+           {"name", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "childclass", "gravcomp", "mocap"});
     mjcf_scope in{c.in.model, {}, x.text_or("childclass", c.in.around.c_str()), c.in.prefix, c.in.suffix};
     if (!in.around.empty() && !settings.classes().has(in.around))
       x.fail("there is no default class '" + excerpt(in.around) + "'");
@@ -113,11 +115,10 @@ class mjcf_bodies {
   void geom(const mjcf_child& c, const here& at) {
     const auto& settings = c.in.model->settings;
     const auto x = settings.classes().resolved(c.x, c.in.around);
-    x.only({"plugin"},
-           {"name",    "class",  "type",   "pos",      "quat",        "axisangle",    "euler",    "xyaxes",
-            "zaxis",   "size",   "fromto", "mass",     "density",     "mesh",         "rgba",     "material",
-            "contype", "group",  "hfield", "fitscale", "conaffinity", "shellinertia", "friction", "solref",
-            "solimp",  "solmix", "margin", "gap",      "condim",      "priority"});
+    x.only({}, {"name",     "class",  "type",   "pos",    "quat",    "axisangle", "euler",       "xyaxes",
+                "zaxis",    "size",   "fromto", "mass",   "density", "mesh",      "rgba",        "material",
+                "contype",  "group",  "solmix", "solref", "solimp",  "fitscale",  "conaffinity", "shellinertia",
+                "friction", "margin", "gap",    "condim", "priority"});
     auto g = read_geom(x, c.in);
     const bool wants_mass = at.weighs && settings.counts(x.number_or("group", 0));
     const bool by_mesh = x.has("mesh") || g.shape.is == robot_shape::form::mesh;
@@ -158,6 +159,7 @@ class mjcf_bodies {
   void site(const mjcf_child& c, std::size_t link) {
     const auto& settings = c.in.model->settings;
     const auto x = settings.classes().resolved(c.x, c.in.around);
+    unread_.site(x);
     if (!x.has("name")) return;
     const auto place = x.has("fromto") ? read_geom(x, c.in).shape.origin : settings.place(x);
     d_.frames.push_back({c.in.named(x.text("name")), x.line(), d_.links[link].name, c.in.place * place});
@@ -196,7 +198,7 @@ class mjcf_bodies {
       j.parent = from, j.child = last ? own : fresh(own + "." + std::to_string(i + 1));
       if (j.is == kind::floating) {
         if (all.size() > 1 || parent != "world") y.fail("a free joint must be the only one of a body in the world");
-        if (!is_nothing(place)) y.not_read("the pose of its body is where it starts, which is no part of a chain");
+        if (!is_nothing(place)) y.not_read("the pose of its body is where it starts, which is not part of a chain");
       } else {
         j.origin = place * j.origin;
       }

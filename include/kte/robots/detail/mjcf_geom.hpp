@@ -20,17 +20,19 @@ inline mjcf_geom read_geom(const xml_item& x, const mjcf_scope& in) {
   auto& s = g.shape;
   s.name = x.has("name") ? in.named(x.text("name")) : "", s.line = x.line(), s.material = x.text_or("material", "");
   if (x.has("rgba")) s.rgba = x.list("rgba");
+  if (s.rgba.size() > 4) x.fail("rgba must have at most 4 numbers, got " + std::to_string(s.rgba.size()));
   g.collides = x.number_or("contype", 1) != 0 || x.number_or("conaffinity", 1) != 0;
   static const std::map<std::string, form, std::less<>> types{
       {"plane", form::plane},     {"hfield", form::none},         {"sphere", form::sphere},
       {"capsule", form::capsule}, {"ellipsoid", form::ellipsoid}, {"cylinder", form::cylinder},
       {"box", form::box},         {"mesh", form::mesh},           {"sdf", form::mesh}};
   const auto type = types.find(x.text_or("type", "sphere"));
-  if (type == types.end()) x.fail("type '" + excerpt(x.text("type")) + "' is no type of geom");
+  if (type == types.end()) x.fail("type '" + excerpt(x.text("type")) + "' is not a type of geom");
   s.is = type->second, s.mesh = x.text_or("mesh", "");
   if (x.has("mesh") && s.is != form::mesh) return g;  // fitted to the mesh
   s.origin = in.model->settings.place(x);
-  auto size = x.has("size") ? x.list("size") : std::vector<double>{};
+  auto size = x.has("size") ? x.completed_list("size") : std::vector<double>{};
+  if (size.size() > 3) x.fail("its size must have at most 3 numbers, got " + std::to_string(size.size()));
   const bool round = s.is == form::capsule || s.is == form::cylinder;
   if (x.has("fromto")) {
     if (!round && s.is != form::box && s.is != form::ellipsoid)

@@ -53,38 +53,21 @@ inline robot_joint read_mjcf_joint(const xml_item& x, const mjcf_scope& in, cons
   j.line = x.line(), j.file = x.file();
   j.name = x.has("name") ? in.named(x.text("name")) : usual_name;
   if (x.name() == "freejoint") {
-    x.only({}, {"name", "class", "group", "align", "user"});
+    x.only({}, {"name", "class", "align"});
+    if (x.text_or("align", "auto") == "true")
+      x.warn("align is not read: the coordinates of its body are those of the body's own axes");
     j.is = kind::floating;
     return j;
   }
-  x.only({}, {"name",
-              "class",
-              "type",
-              "pos",
-              "axis",
-              "range",
-              "limited",
-              "damping",
-              "stiffness",
-              "armature",
-              "frictionloss",
-              "springref",
-              "ref",
-              "springdamper",
-              "group",
-              "user",
-              "actuatorfrcrange",
-              "actuatorfrclimited",
-              "solreflimit",
-              "solimplimit",
-              "solreffriction",
-              "solimpfriction",
-              "margin"});
+  x.only({}, {"name", "class", "type", "pos", "axis", "range", "limited", "damping", "stiffness", "armature",
+              "frictionloss", "springref", "ref", "springdamper", "actuatorfrcrange", "actuatorfrclimited"});
   const auto type = types.find(x.text_or("type", "hinge"));
   if (type == types.end()) x.fail("type '" + excerpt(x.text("type")) + "' is none of hinge, slide, ball, free");
   j.is = type->second;
   const auto unit = [&](double a) { return j.is == kind::revolute ? in.model->settings.angle(a) : a; };
   j.dynamics = mjcf_joint_dynamics(x, unit(x.number_or("springref", 0)));
+  if (j.dynamics.friction > 0 && (x.has("solreffriction") || x.has("solimpfriction")))
+    x.moves_differently("how soft its dry friction is (solreffriction, solimpfriction) is not modelled");
   if (j.is == kind::floating) return j;
   place_mjcf_joint(x, in, j, unit(x.number_or("ref", 0)));
   if (j.is == kind::spherical) {

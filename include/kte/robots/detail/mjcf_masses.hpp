@@ -37,8 +37,8 @@ inline sym3<> with_least_moment(const sym3<>& i, double least) {
 }
 
 /// What the compiler's rules make of the bodies of these links: masses and principal moments are at
-/// least so large (boundmass, boundinertia), moments that no matter has become their mean (balanceinertia), and all are
-/// multiplied so that masses add up (settotalmass), in this order.
+/// least so large (boundmass, boundinertia), impossible moments become their mean (balanceinertia), and all
+/// are multiplied so that masses add up (settotalmass), in this order.
 inline void apply_mass_rules(const mjcf_mass_rules& rules, robot_description& d,
                              const std::vector<std::size_t>& bodies) {
   auto& links = d.links;

@@ -31,9 +31,12 @@ class mjcf_meshes {
   /// The body of a geom that is a mesh, in the axes of the mesh.
   rigid_body<> body(const xml_item& geom, mjcf_model& model) {
     const auto kind = kind_of(geom, model);
-    auto& known = bodies_[{asset(model, geom.text("mesh")), kind}];
+    const auto* const a = asset(model, geom.text("mesh"));
+    auto& known = bodies_[{a, kind}];
     if (!known) {
       const auto& mesh = read(geom, model);
+      if ((kind == mesh_inertia::convex || mesh.faces.empty()) && a->number_or("maxhullvert", -1) >= 0)
+        a->moves_differently("its maxhullvert is not read: its mass is that of the whole hull");
       const bool by_volume = kind == mesh_inertia::legacy || kind == mesh_inertia::exact;
       guarded(geom, [&] { known = unit_body{mesh_body(mesh, kind, 1), by_volume ? open_edge(mesh) : std::string()}; });
     }

@@ -14,11 +14,23 @@ struct mjcf_mass_rules {
   bool any() const { return least_mass > 0 || least_moment > 0 || total > 0; }
 };
 
+/// Refuses elements that write an orientation in several ways, as MuJoCo does; fullinertia is one of them.
+inline void check_orientations(const xml_item& x) {
+  const char* first = nullptr;
+  for (const auto* way : {"quat", "axisangle", "euler", "xyaxes", "zaxis", "fullinertia"}) {
+    if (x.text_or(way, "").empty()) continue;
+    if (first != nullptr)
+      x.fail(std::string("has both ") + first + " and " + way + ": only one may give its orientation");
+    first = way;
+  }
+  for (const auto& c : x.children()) check_orientations(c);
+}
+
 /// What holds for a whole file in MJCF: the compiler's settings and the classes of defaults. Several <compiler> count
 /// as one: of an attribute that comes twice the last holds.
 class mjcf_settings {
  public:
-  mjcf_settings(const xml_item& root, robot_description& d, const robot_options& o) : options_(o), classes_(root, d) {
+  mjcf_settings(const xml_item& root, const robot_options& o) : options_(o), classes_(root) {
     for (const auto& c : root.children("compiler")) compiler(c);
   }
 
@@ -57,11 +69,9 @@ class mjcf_settings {
 
  private:
   void compiler(const xml_item& c) {
-    c.only({"lengthrange"},
-           {"angle",        "eulerseq",          "coordinate",       "autolimits",   "inertiafromgeom", "meshdir",
-            "texturedir",   "assetdir",          "strippath",        "settotalmass", "balanceinertia",  "boundmass",
-            "boundinertia", "inertiagrouprange", "exactmeshinertia", "fitaabb",      "discardvisual",   "fusestatic",
-            "usethread",    "convexhull",        "saveinertial",     "alignfree"});
+    c.only({}, {"angle", "eulerseq", "coordinate", "autolimits", "inertiafromgeom", "meshdir", "assetdir", "strippath",
+                "settotalmass", "balanceinertia", "boundmass", "boundinertia", "inertiagrouprange", "exactmeshinertia",
+                "fitaabb", "discardvisual", "fusestatic", "alignfree"});
     const auto truth = [&](const char* name, bool& value) {
       if (c.has(name)) value = keyword(c, name, {"false", "true"}) == "true";
     };

@@ -15,7 +15,7 @@ struct mjcf_model {
   std::filesystem::path folder;
   mjcf_settings settings;
   mjcf_model(xml_node r, robot_description& to, std::filesystem::path in, const robot_options& o)
-      : root(std::move(r)), d(to), folder(std::move(in)), settings({root, to}, to, o) {}
+      : root(std::move(r)), d(to), folder(std::move(in)), settings({root, to}, o) {}
 };
 
 /// Where elements of MJCF stand while a body is read: those of <frame>, <replicate> and <attach> in what is around
@@ -56,6 +56,7 @@ class mjcf_tree {
 
   mjcf_model& load(xml_node root, const std::filesystem::path& folder) {
     mjcf_includes(d_, folder, parse_).resolve(root);
+    check_orientations({root, d_});
     return models_.emplace_back(std::move(root), d_, folder, options_);
   }
   void expand(const xml_item& x, const mjcf_scope& in, std::vector<mjcf_child>& all) {

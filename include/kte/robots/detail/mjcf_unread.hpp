@@ -32,6 +32,8 @@ class mjcf_unread {
       for (const auto& c : x.children())
         if (!no_equality_ && classes.resolved(c, "", "equality").text_or("active", "true") == "true")
           c.moves_differently("this constraint is not modelled");
+        else
+          c.not_read("not read, as it is switched off");
     } else if (x.name() == "tendon") {
       for (const auto& c : x.children()) tendon(classes.resolved(c, ""));
     } else if (x.name() == "deformable") {
@@ -40,6 +42,26 @@ class mjcf_unread {
     } else {
       x.not_read("not read");
     }
+  }
+  /// Attributes of meshes that have no part in their shape, and what is no mesh and no model.
+  void assets(const xml_item& x, const mjcf_classes& classes) {
+    for (const auto& c : x.children()) {
+      if (c.name() == "mesh")
+        classes.resolved(c, "").only(
+            {}, {"name", "class", "file", "scale", "refpos", "refquat", "vertex", "face", "inertia", "maxhullvert"});
+      else if (c.name() == "model")
+        c.only({}, {"name", "file"});
+      else if (kinds_of_assets_.insert(c.node().name).second)
+        c.not_read("no <" + excerpt(c.name()) + "> is read");
+    }
+  }
+  /// Attributes of sites; what they look like is listed once.
+  void site(const xml_item& x) {
+    x.only({}, {"name", "class", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "fromto", "size", "type",
+                "rgba", "material", "group", "user"});
+    if (!x.has("name")) return x.not_read("not read, as it has no name");
+    for (const auto* look : {"type", "size", "rgba", "material", "group", "user"})
+      if (x.has(look) && looks_.insert(look).second && !site_) site_.emplace(x);
   }
   /// An actuator whose law is not modelled.
   void actuator(const xml_item& x) { actuators_[std::string(x.name())].add(x); }
@@ -51,6 +73,11 @@ class mjcf_unread {
       a.first->moves_differently("its law is not modelled, as of others of <" + kind + ">: " + a.list());
     for (const auto& [kind, a] : servos_)
       a.first->warn("the chain has its force, and that of any <" + kind + ">, by kte::add_motors alone: " + a.list());
+    if (site_) {
+      std::string all;
+      for (const auto& look : looks_) all += (all.empty() ? "" : ", ") + look;
+      site_->not_read("what sites look like is not read: " + all);
+    }
     if (contact_)
       contact_->moves_differently("contact is not modelled: friction, solref and the like of " +
                                   std::to_string(contacts_) + (contacts_ == 1 ? " element" : " elements"));
@@ -82,7 +109,8 @@ class mjcf_unread {
   }
 
   std::map<std::string, group> actuators_, servos_;
-  std::optional<xml_item> contact_;
+  std::set<std::string> kinds_of_assets_, looks_;
+  std::optional<xml_item> contact_, site_;
   std::size_t contacts_ = 0;
   bool no_equality_ = false, no_contact_ = false;
 };

@@ -13,8 +13,8 @@ inline std::string unphysical(const rigid_body<>& b) {
   const auto& [largest, middle, smallest] = broken.moments;
   char text[200];
   std::snprintf(text, sizeof text,
-                "no matter has such an inertia: its principal moment %.6g is above %.6g + %.6g by %.3g kg m^2", largest,
-                middle, smallest, broken.value);
+                "no body can have such an inertia: its principal moment %.6g is above %.6g + %.6g by %.3g kg m^2",
+                largest, middle, smallest, broken.value);
   return text;
 }
 

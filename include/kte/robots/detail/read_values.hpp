@@ -62,7 +62,7 @@ inline vec3<> unit_axis(const xml_item& x, const vec3<>& n) {
 inline mat3<vec3<>> rotation_of_quaternion(const xml_item& x, const std::vector<double>& q) {
   if (q.size() != 4) x.fail("a quaternion must have four numbers, got " + std::to_string(q.size()));
   const double size = (std::max)({std::abs(q[0]), std::abs(q[1]), std::abs(q[2]), std::abs(q[3])});
-  if (size == 0) x.fail("a quaternion of length 0 is no rotation");
+  if (size == 0) x.fail("a quaternion of length 0 is not a rotation");
   auto m = matrix_of_any_length(unit_quaternion<>{q[0] / size, q[1] / size, q[2] / size, q[3] / size});
   for (auto* row : {&m.x, &m.y, &m.z})
     for (auto* entry : {&row->x, &row->y, &row->z})

@@ -76,7 +76,7 @@ KTE_FUNCTION void robot_tree::name_all() {
     if (!fresh) refuse("it comes a second time, after line " + std::to_string(d_.joints[first->second].line));
     for (const auto* end : {&j.parent, &j.child})
       if (!links_.contains(*end))
-        refuse(std::string("its ") + (end == &j.parent ? "parent" : "child") + " '" + *end + "' is no link");
+        refuse(std::string("its ") + (end == &j.parent ? "parent" : "child") + " '" + *end + "' is not a link");
     if (j.parent == j.child) refuse("its parent and its child are the same link '" + j.child + "'");
     auto& above = parent_joint_[links_.at(j.child)];
     if (above != nowhere)

@@ -59,7 +59,7 @@ class sdf_frames {
     for (std::size_t steps = 0;; ++steps) {
       const auto it = frames_.find(at);
       if (it == frames_.end() || it->second.attached_to == at)
-        asks.fail("the frame '" + excerpt(name) + "' is attached to no link");
+        asks.fail("the frame '" + excerpt(name) + "' is not attached to a link");
       if (it->second.attached_to.empty()) return at;
       if (steps > frames_.size()) it->second.from.fail("it is attached to itself, in the end");
       at = it->second.attached_to == outermost ? canonical : it->second.attached_to;

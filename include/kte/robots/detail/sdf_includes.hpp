@@ -34,7 +34,7 @@ class sdf_includes {
     if (++count_ > most) x.fail("more than " + std::to_string(most) + " files are included");
     auto file = parse_(path);
     if (file.name != "sdf")
-      x.fail("'" + excerpt(uri) + "' is no file in SDF: it begins with <" + excerpt(file.name) + ">");
+      x.fail("'" + excerpt(uri) + "' is not a file in SDF: it begins with <" + excerpt(file.name) + ">");
     sdf_upgrade(d_).apply(file);
     auto found = only_model(x, file);
     if (found.name == "model") {

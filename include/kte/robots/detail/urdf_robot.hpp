@@ -42,7 +42,7 @@ class urdf_robot {
       if (j.parent == "world") {
         d_.links.emplace_back().name = "world";
         d_.warnings.push_back(
-            {j.line, "joint '" + j.name + "': its parent 'world' is no link of the file: it is the ground"});
+            {j.line, "joint '" + j.name + "': its parent 'world' is not a link of the file: it is the ground"});
         return;
       }
   }

@@ -109,11 +109,11 @@ class mjcf_writer {
     if (!(w.mass >= 0)) left_out_.refuse(title(l), "its mass is " + number(w.mass));
     if (w.fault() > 0) {
       char why[80];
-      std::snprintf(why, sizeof why, "no matter has such moments: one is wrong by %.3g kg m^2", w.fault());
+      std::snprintf(why, sizeof why, "no body can have such moments: one is wrong by %.3g kg m^2", w.fault());
       if (plan_.rest(l.name))
-        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that matter has");
+        left_out_.list(l.line, title(l) + ": " + why + ": it is at rest, and has the nearest that a body can have");
       else
-        left_out_.change(l.line, title(l), why, "it has the nearest that matter has");
+        left_out_.change(l.line, title(l), why, "it has the nearest that a body can have");
       w.mend();
     }
     if (too_light && !w.moves()) raise(b, w);
@@ -165,7 +165,7 @@ class mjcf_writer {
           std::find_if(d_.joints.begin(), d_.joints.end(), [&](const auto& j) { return j.name == a.joint; });
       const auto title = "actuator '" + a.name + "'";
       if (on == d_.joints.end() || on->is == kind::fixed || on->is == kind::planar) {
-        left_out_.list(a.line, title + ": left out: '" + a.joint + "' is no joint of MJCF");
+        left_out_.list(a.line, title + ": left out: '" + a.joint + "' is not a joint of MJCF");
         continue;
       }
       if (!a.not_modelled.empty()) {

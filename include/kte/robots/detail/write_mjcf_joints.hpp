@@ -65,7 +65,8 @@ class mjcf_joints {
     const auto no = [&](const std::string& what) { left_out_.list(j.line, mjcf_title(j) + ": " + what); };
     if (j.lower != -robot_joint::none || j.upper != robot_joint::none) {
       if (!(j.lower <= j.upper))
-        left_out_.refuse(mjcf_title(j), "its limits " + number(j.lower) + " and " + number(j.upper) + " are no range");
+        left_out_.refuse(mjcf_title(j),
+                         "its limits " + number(j.lower) + " and " + number(j.upper) + " are not a range");
       const double lower = limit_in_file(j.lower);
       double upper = limit_in_file(j.upper);
       if (lower == upper) {

@@ -41,12 +41,12 @@ struct mjcf_weight {
 
   double largest() const { return *std::max_element(moments.begin(), moments.end()); }
   double least() const { return *std::min_element(moments.begin(), moments.end()); }
-  /// How far the moments are from those that matter has: C <= A + B, none below 0.
+  /// How far the moments are from those that a body can have: C <= A + B, none below 0.
   double fault() const {
     const double sum = moments[0] + moments[1] + moments[2];
     return (std::max)({0.0, 0.0 - least(), largest() - (sum - largest())});
   }
-  /// Takes the nearest that matter has: of C > A + B a third of the excess off C, and to A and B.
+  /// Takes the nearest that a body can have: of C > A + B a third of the excess off C, and to A and B.
   void mend() {
     for (auto& m : moments) m = (std::max)(m, 0.0);
     auto& c = *std::max_element(moments.begin(), moments.end());

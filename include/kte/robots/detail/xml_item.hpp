@@ -4,7 +4,7 @@
 #include <kte/io/source_text.hpp>
 #include <kte/math/vec.hpp>
 #include <kte/robots/description.hpp>
-#include <kte/robots/detail/xml_node.hpp>
+#include <kte/robots/detail/xml_defaults.hpp>
 
 #include <cmath>
 #include <initializer_list>
@@ -15,6 +15,13 @@ namespace kte::detail {
 class xml_item {
  public:
   xml_item(const xml_node& e, robot_description& d) : e_(&e), d_(&d) {}
+
+  /// The same element with defaults as they are at a moment; its empty attributes are then as none.
+  xml_item with(xml_defaults& defaults, xml_defaults::moment at) const {
+    xml_item x = *this;
+    x.defaults_ = &defaults, x.at_ = at;
+    return x;
+  }
 
   const xml_node& node() const { return *e_; }
   std::string_view name() const { return e_->name; }
@@ -53,6 +60,14 @@ class xml_item {
     auto all = any_list(t, what);
     for (const double x : all)
       if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
+    return all;
+  }
+  /// The same, and of defaults with more numbers the rest.
+  std::vector<double> completed_list(const char* attribute) const {
+    auto all = list(attribute);
+    const auto* const usual = defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;
+    const auto more = usual != nullptr ? list_of(*usual, attribute) : all;
+    for (std::size_t i = all.size(); i < more.size(); ++i) all.push_back(more[i]);
     return all;
   }
   /// Numbers that may be infinite.
@@ -107,7 +122,7 @@ class xml_item {
     return *c;
   }
 
-  /// Lists what is none of these as not read.
+  /// Lists what is none of these as not read; so of its defaults, where they are written, the first time.
   using names = std::initializer_list<std::string_view>;
   void only(const names& elements, const names& attributes) const {
     const auto in = [](const names& all, std::string_view x) {
@@ -118,8 +133,10 @@ class xml_item {
     for (const auto& c : children())
       if (!in(elements, c.name())) c.not_read("not read");
     for (const auto& [attribute, value] : e_->attributes)
-      if (!in(attributes, attribute) && !attribute.starts_with("xmlns"))
+      if (!in(attributes, attribute) && !attribute.starts_with("xmlns") && (defaults_ == nullptr || !value.empty()))
         not_read("its " + excerpt(attribute) + " is not read");
+    if (defaults_ == nullptr) return;
+    for (const auto* x : defaults_->take_writers()) xml_item(*x, *d_).only(elements, attributes);
   }
 
  private:
@@ -137,12 +154,14 @@ class xml_item {
 
   const std::string* find(std::string_view attribute) const {
     for (const auto& [key, value] : e_->attributes)
-      if (key == attribute) return &value;
-    return nullptr;
+      if (key == attribute && (defaults_ == nullptr || !value.empty())) return &value;
+    return defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;
   }
 
   const xml_node* e_;
   robot_description* d_;
+  xml_defaults* defaults_ = nullptr;
+  xml_defaults::moment at_ = 0;
 };
 
 }  // namespace kte::detail

@@ -53,7 +53,7 @@ KTE_FUNCTION void fail_xml_syntax(const std::string& source, int line, const cha
   std::string why = error;
   why.erase(0, why.starts_with("XML_ERROR_") ? 10 : 4);
   for (char& c : why) c = c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  fail_xml(source, line, "this is no good XML: " + why);
+  fail_xml(source, line, "this is not valid XML: " + why);
 }
 KTE_FUNCTION std::string_view checked_text(std::string_view text, const std::string& source) {
   if (text.size() > largest_robot_file)
@@ -67,7 +67,7 @@ inline void give_title(xml_node& n, const std::string& source, const std::string
   if (n.name.starts_with("xacro:"))
     fail_xml(source, n.line,
              "<" + excerpt(n.name) +
-                 ">: this is a file for xacro, which is no robot yet: run xacro, and read the file that it writes");
+                 ">: this is a file for xacro, not a robot yet: run xacro, and read the file that it writes");
   n.title = owner + "<" + excerpt(n.name) + ">";
   std::string below = owner;
   for (const auto& [key, value] : n.attributes)

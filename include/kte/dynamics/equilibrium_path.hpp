@@ -1,0 +1,169 @@
+#pragma once
+
+#include <kte/dynamics/static_equilibrium.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kte {
+
+struct equilibrium_path_options {
+  std::string_view parameter{};          ///< an input, or a coordinate that base_gen gives; none: the load factor
+  double from = 0, to = 1;               ///< its values at the start, and where the path ends
+  double step = 0.1;                     ///< the largest between points, see `equilibrium_path`
+  int points = 1000;                     ///< at most
+  std::vector<external_wrench> loads{};  ///< as of `static_equilibrium`
+  double tolerance = 1e-10;              ///< likewise
+};
+
+struct equilibrium_point {
+  double parameter = 0;  ///< the load factor, or what it is
+  Eigen::VectorXd q;
+  tangent_stability stability;
+};
+
+#ifdef KTE_FUNCTION
+namespace detail {
+/// Pseudo-arclength continuation: from one point to the next along the path's direction, and back to it at right
+/// angles.
+class path_follower {
+ public:
+  path_follower(static_problem& f, const Eigen::VectorXd& q0, const equilibrium_path_options& options)
+      : f_(f),
+        options_(options),
+        span_(options.to - options.from),
+        newton_(f, weights_of_steps(f, q0, options.from), options.tolerance, (std::numeric_limits<int>::max)()),
+        squares_(newton_.weights().cwiseAbs2() / (std::max)(1, f.size())) {
+    at_.q = q0, at_.parameter = options.from;
+  }
+  std::vector<equilibrium_point> follow() {
+    start();
+    double length = options_.step;
+    while (static_cast<int>(points_.size()) < options_.points && points_.back().parameter != options_.to) {
+      if (length < 1e-7 * options_.step) fail("cannot be followed any further");
+      const int before = newton_.iterations();
+      const double turn = go_on(length);
+      if (turn < 0.9)
+        length /= 2;
+      else if (turn > 0.98 && newton_.iterations() - before <= 9)
+        length = (std::min)(1.5 * length, options_.step);
+    }
+    return std::move(points_);
+  }
+
+ private:
+  [[noreturn, gnu::cold]] void fail(const char* why) {
+    const auto name = points_.empty() ? coordinate_not_held(f_, at_.q, at_.parameter) : std::string();
+    raise<no_solution>("kte: equilibrium_path: the path " + std::string(why) + " at " +
+                       (f_.by_load() ? "load factor" : std::string(options_.parameter)) + " " + number(at_.parameter) +
+                       (name.empty() ? "" : ": nothing holds '" + name + "'"));
+  }
+  /// Of two directions, (d, dp).
+  double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+    const Eigen::Index n = squares_.size();
+    return a.head(n).cwiseProduct(squares_).dot(b.head(n)) + a[n] * b[n] / (span_ * span_);
+  }
+  path_plane plane() const {
+    const Eigen::Index n = squares_.size();
+    return {direction_.head(n).cwiseProduct(squares_), direction_[n] / (span_ * span_)};
+  }
+  void start() {
+    const auto n = static_cast<Eigen::Index>(f_.size());
+    direction_ = Eigen::VectorXd::Unit(n + 1, n) * span_;
+    if (!newton_.solve(at_.q, at_.parameter, false) || !turn_direction(at_)) fail("has no start");
+    at_.stability = stability_of(f_.tangent(at_.q, at_.parameter));
+    points_.push_back(at_);
+  }
+  /// Along the path at a point, as before.
+  bool turn_direction(const equilibrium_point& x) {
+    const path_plane across = plane();
+    if (!newton_.factors().factor(f_, x.q, x.parameter, &across)) return false;
+    Eigen::VectorXd d = newton_.factors().direction();
+    const double length = std::sqrt(product(d, d));
+    if (!(length > 0 && length <= (std::numeric_limits<double>::max)())) return false;
+    direction_ = d / length;
+    return true;
+  }
+  /// To the next point, if its direction is near enough to that of the last one; gives the cosine between both.
+  double go_on(double length) {
+    const Eigen::VectorXd before = direction_;
+    const auto n = static_cast<Eigen::Index>(f_.size());
+    equilibrium_point next = at_;
+    try {
+      next.q = f_.displaced(at_.q, length * before.head(n)), next.parameter += length * before[n];
+      const path_plane across = plane();
+      if (!newton_.solve(next.q, next.parameter, true, &across)) return 0;
+      if ((next.parameter - options_.to) / span_ >= 0) {
+        next.parameter = options_.to;
+        if (!newton_.solve(next.q, next.parameter, true)) return 0;
+      }
+      const bool found = turn_direction(next);
+      const double turn = found ? product(direction_, before) : 0;
+      if (turn >= 0.9) next.stability = stability_of(f_.tangent(next.q, next.parameter));
+      // An eigenvalue changes its sign where the parameter turns. Elsewhere a path branches off, or a sharp bend to it
+      // was cut.
+      const bool jumped = next.stability.unstable != at_.stability.unstable && direction_[n] * before[n] > 0;
+      if (turn < 0.9 || (jumped && length > 1e-3 * options_.step)) {
+        direction_ = before;
+        return 0;
+      }
+      at_ = next;
+      points_.push_back(at_);
+      return turn;
+    } catch (const bad_argument&) {  // no forces are known there
+      direction_ = before;
+      return 0;
+    }
+  }
+
+  static_problem& f_;
+  const equilibrium_path_options& options_;
+  double span_;
+  static_newton newton_;
+  Eigen::VectorXd squares_, direction_;
+  equilibrium_point at_;
+  std::vector<equilibrium_point> points_;
+};
+}  // namespace detail
+
+KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const kte_map_chain& c, runtime_state& s,
+                                                              const Eigen::VectorXd& q0,
+                                                              const equilibrium_path_options& options) {
+  using namespace detail;
+  if (!(options.tolerance > 0 && options.tolerance < 1) || options.points < 1 || !(options.step > 0) ||
+      !(std::abs(options.to - options.from) > 0) || !std::isfinite(options.to - options.from + options.step))
+    raise<bad_argument>(
+        "kte: options of equilibrium_path: `from` and `to` must be finite and differ, step must be finite and "
+        "positive, points at least 1, tolerance between 0 and 1");
+  static_problem f(c, s, options.loads, options.parameter);
+  auto points = path_follower(f, q0, options).follow();
+  set_positions(s, points.back().q);
+  return points;
+}
+#else
+std::vector<equilibrium_point> follow_equilibria(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&,
+                                                 const equilibrium_path_options&);
+#endif
+
+/// The equilibria of a chain one after another as its loads grow, or as a parameter changes: by pseudo-arclength
+/// continuation, which also follows the path where it turns back, at limit points, at which a chain snaps through under
+/// given loads. The parameter is the load factor of `static_equilibrium`, without forces that hold the chain, or an
+/// input from outside, or a coordinate that base_gen gives, in the state. The first point is the equilibrium that
+/// damped steps lead to from q0 at `from`, the last one is at `to`, unless there would be more points.
+///
+/// Between points are at most `step`: the root of the mean of squares of rotations (rad) and of lengths in parts of the
+/// size of the chain, and of the parameter in parts of to - from; less where the path is bent. Limit points are where
+/// the parameter turns; where a number of `stability.unstable` changes else, other paths branch off, which are not
+/// followed.
+///
+///   for (const auto& x : kte::equilibrium_path(truss, s, q0)) std::cout << x.parameter << ' ' << x.q[0] << '\n';
+///
+/// The state is then at the last point. Throws as `static_equilibrium`, then it is as it was.
+template <indexable Q>
+std::vector<equilibrium_point> equilibrium_path(const kte_map_chain& c, runtime_state& s, const Q& q0,
+                                                const equilibrium_path_options& options = {}) {
+  return follow_equilibria(c, s, detail::start_of_statics(c, s, q0), options);
+}
+
+}  // namespace kte

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <kte/dynamics/detail/tangent_stability.hpp>
+#include <kte/dynamics/external_wrenches.hpp>
+
+#ifdef KTE_FUNCTION
+#  include <kte/dynamics/detail/static_newton.hpp>
+#endif
+
+#include <vector>
+
+namespace kte {
+
+struct equilibrium_options {
+  std::vector<external_wrench> loads{};  ///< besides those of the chain, in axes of their frames, with which they turn
+  double tolerance = 1e-10;              ///< of the last step: rad, and lengths in parts of the size of the chain
+  int iterations = 1000;                 ///< of Newton's method, in all
+  bool must_reach = true;                ///< throw `no_solution` instead of a status
+};
+
+enum class equilibrium_status {
+  stable,       ///< no direction leads to less energy: all eigenvalues of the symmetric tangent are positive
+  unstable,     ///< some direction does
+  not_reached,  ///< all that was found is the equilibrium under `load` times the loads
+};
+
+struct equilibrium {
+  Eigen::VectorXd q;
+  equilibrium_status status = equilibrium_status::not_reached;
+  double load = 0;              ///< the load factor at q, 1 where it is reached
+  double residual = 0;          ///< the largest of the forces that are left, N or Nm
+  tangent_stability stability;  ///< of the tangent at q
+  int load_steps = 0;           ///< in which the loads were put on
+  int iterations = 0;           ///< of Newton's method, in all
+};
+
+#ifdef KTE_FUNCTION
+namespace detail {
+/// Loads in parts that are as large as Newton's method takes from one equilibrium to the next; the first is all of
+/// them.
+inline void put_loads_on(static_newton& newton, equilibrium& at) {
+  for (double part = 1; at.load < 1 && newton.left() > 0 && part > 1e-5;) {
+    const double before = at.load, wanted = (std::min)(1.0, before + part);
+    const int iterations = newton.iterations();
+    double load = wanted;
+    if (!newton.solve(at.q, load, true)) {
+      part /= newton.iterations() - iterations > 2 ? 2 : 4;
+      continue;
+    }
+    at.load = wanted, ++at.load_steps;
+    if (newton.iterations() - iterations <= 8) part *= 2;
+  }
+}
+[[noreturn, gnu::cold]] inline void raise_no_equilibrium(static_problem& f, const equilibrium& at) {
+  const std::string where = " at load factor " + number(at.load);
+  if (const auto name = coordinate_not_held(f, at.q, at.load); !name.empty())
+    raise<no_solution>("kte: static_equilibrium: nothing holds '" + name + "'" + where +
+                       ": the derivatives of the forces by the configuration are singular");
+  raise<no_solution>("kte: static_equilibrium: no equilibrium was found under all loads, but" + where + ", after " +
+                     std::to_string(at.iterations) +
+                     " iterations: a limit point, beyond which equilibrium_path follows, or too few iterations");
+}
+}  // namespace detail
+
+KTE_FUNCTION equilibrium find_static_equilibrium(const kte_map_chain& c, runtime_state& s, const Eigen::VectorXd& q0,
+                                                 const equilibrium_options& options) {
+  using namespace detail;
+  if (!(options.tolerance > 0 && options.tolerance < 1) || options.iterations < 1)
+    raise<bad_argument>("kte: options of static_equilibrium: tolerance must be between 0 and 1, iterations at least 1");
+  static_problem f(c, s, options.loads, "");
+  equilibrium x;
+  x.q = q0;
+  const Eigen::VectorXd unbalanced = f.forces(q0, 0);
+  static_newton newton(f, weights_of_steps(f, q0, 0), options.tolerance, options.iterations);
+  f.hold(unbalanced);
+  put_loads_on(newton, x);
+  if (x.load == 0 && newton.left() > 0) {  // what loads alone hold in place has nothing to start from
+    double load = 1;
+    if (newton.solve(x.q, load, false)) x.load = 1, x.load_steps = 1;
+  }
+  x.iterations = newton.iterations();
+  x.residual = f.size() == 0 ? 0 : f.forces(x.q, x.load).cwiseAbs().maxCoeff();
+  if (x.load < 1 && options.must_reach) raise_no_equilibrium(f, x);
+  x.stability = stability_of(f.tangent(x.q, x.load));
+  if (x.load == 1) x.status = x.stability.stable() ? equilibrium_status::stable : equilibrium_status::unstable;
+  set_positions(s, x.q);
+  return x;
+}
+#else
+equilibrium find_static_equilibrium(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&,
+                                    const equilibrium_options&);
+#endif
+
+namespace detail {
+template <indexable Q>
+Eigen::VectorXd start_of_statics(const kte_map_chain& c, const runtime_state& s, const Q& q0) {
+  check_regular(c, s);
+  check_positions(s, q0);
+  Eigen::VectorXd q(s.nq());
+  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = static_cast<double>(q0[static_cast<std::size_t>(i)]);
+  return q;
+}
+}  // namespace detail
+
+/// Where a chain is at rest: q with static_forces(q) = 0 under the inputs of the state and wrenches of `options`, which
+/// is then the state's. By Newton's method from q0, with rotations turned by `integrate`.
+///
+/// Loads are put on in parts, as large as the method takes, so that the shape is the one to which they lead from q0:
+/// with the load factor x from 0 to 1 these are x times themselves
+///
+///   gravity, as accelerations of bases;  `constant_force`, `follower_force`, `driving_actuator`, `external_force`;
+///   wrenches of `options`
+///
+/// Springs, motors and all else act in full. Where they are not in balance at q0 under no loads, forces hold the chain
+/// that are let go as 1 - x. A chain that only its loads hold, as a pendulum, has nothing to start from: then steps
+/// are damped, under all loads, and lead to any equilibrium near by.
+///
+///   const auto r = kte::static_equilibrium(beam, s, q0);
+///   r.q, r.status == kte::equilibrium_status::stable
+///
+/// Derivatives are by dual numbers, in as many directions as the wiring needs and as sparse: a row of beams takes time
+/// in proportion to its length. Throws `bad_argument` for what is not finite, `no_solution` that names the coordinate
+/// which nothing holds, or says how far the loads got; the state is then as it was, and with `must_reach` false there
+/// is a status instead.
+template <indexable Q>
+equilibrium static_equilibrium(const kte_map_chain& c, runtime_state& s, const Q& q0,
+                               const equilibrium_options& options = {}) {
+  return find_static_equilibrium(c, s, detail::start_of_statics(c, s, q0), options);
+}
+
+}  // namespace kte

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <kte/dynamics/runtime.hpp>
+#include <kte/robots/detail/no_limit.hpp>
+#include <kte/robots/detail/robot_tree.hpp>
+#include <kte/robots/robot.hpp>
+#include <kte/runtime_chain/layout.hpp>
+
+#include <algorithm>
+
+/// What a robot has besides its chain.
+namespace kte::detail {
+
+inline void list_joints(robot& r, const robot_description& d) {
+  for (const auto& j : d.joints)
+    if (j.is != robot_joint::kind::fixed) r.joints.push_back(j.name);
+}
+inline void list_shapes(robot& r, const robot_description& d) {
+  for (const auto& l : d.links) {
+    for (const auto& v : l.visuals) r.shapes.push_back({v, l.name, false});
+    for (const auto& c : l.collisions) r.shapes.push_back({c, l.name, true});
+  }
+}
+inline void read_limits(robot& r, const robot_description& d, const robot_tree& tree) {
+  auto& hard = r.limits;
+  hard = unlimited(r.chain);
+  auto soft = hard;
+  for (const auto& e : layout(r.chain)) {
+    if (e.what != kind::gen) continue;
+    const auto& j = d.joints[tree.joint(e.name)];
+    const auto i = static_cast<std::size_t>(e.v);
+    hard.lower[i] = limit_from_file(j.lower), hard.upper[i] = limit_from_file(j.upper);
+    hard.rate[i] = limit_from_file(j.rate), hard.effort[i] = limit_from_file(j.effort);
+    soft.lower[i] = (std::max)(hard.lower[i], limit_from_file(j.soft_lower));
+    soft.upper[i] = (std::min)(hard.upper[i], limit_from_file(j.soft_upper));
+  }
+  r.soft_limits = hard;
+  r.soft_limits.lower = soft.lower, r.soft_limits.upper = soft.upper;
+}
+inline void read_configurations(robot& r, const robot_description& d) {
+  if (d.configurations.empty()) return;
+  std::unordered_map<std::string, layout_entry<std::string>> places;
+  for (const auto& e : layout(r.chain)) places.emplace(e.name, e);
+  for (const auto& c : d.configurations) {
+    auto& made = r.configurations.emplace_back();
+    const auto q = neutral_configuration(r.chain);
+    made.name = c.name, made.q.assign(q.data(), q.data() + q.size());
+    for (const auto& [joint, numbers] : c.joints) {
+      const auto e = places.find(joint);
+      if (e == places.end()) continue;  // it follows another, or is fixed
+      if (static_cast<int>(numbers.size()) != e->second.nq)
+        raise<bad_file>("kte: " + place_text(d.source, c.line) + "configuration '" + c.name + "': joint '" + joint +
+                        "' has " + std::to_string(e->second.nq) + " numbers, got " + std::to_string(numbers.size()));
+      std::copy(numbers.begin(), numbers.end(), made.q.begin() + e->second.q);
+    }
+  }
+}
+/// Warnings of what moves differently come first, or are refused.
+inline void judge(robot& r, const robot_description& d, bool strict) {
+  auto& all = r.warnings;
+  const auto differs = [](const robot_note& n) { return n.changes_motion; };
+  const auto end = std::stable_partition(all.begin(), all.end(), differs);
+  if (!strict || end == all.begin()) return;
+  std::string why;
+  for (auto n = all.begin(); n != end; ++n)
+    why += "\n  " + place_text(n->file.empty() ? d.source : n->file, n->line) + n->text;
+  raise<bad_file>("kte: the robot '" + d.name + "' would move differently from that of its file:" + why);
+}
+
+}  // namespace kte::detail

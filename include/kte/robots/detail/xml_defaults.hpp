@@ -1,0 +1,49 @@
+#pragma once
+
+#include <kte/robots/detail/xml_node.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string_view>
+
+namespace kte::detail {
+
+/// What elements of one kind have where they write nothing themselves, by classes of defaults. Classes are moments
+/// while the file is read from its beginning: a value holds from the moment at which it is written until another is
+/// written, or the class that wrote it ends. So all classes together take the memory of what is written.
+class xml_defaults {
+ public:
+  using moment = std::size_t;
+
+  /// Sets what holds from now on; gives what held before. Null is nothing.
+  const std::string* set(const std::string& attribute, const std::string* value, moment now) {
+    auto& all = values_[attribute];
+    const auto* const before = all.empty() ? nullptr : all.back().value;
+    all.push_back({now, value});
+    return before;
+  }
+  /// The value at a moment; null where there is none, or an empty one.
+  const std::string* find(std::string_view attribute, moment at) const {
+    const auto all = values_.find(attribute);
+    if (all == values_.end()) return nullptr;
+    const auto later = std::upper_bound(all->second.begin(), all->second.end(), at,
+                                        [](moment m, const held& x) { return m < x.from; });
+    if (later == all->second.begin()) return nullptr;
+    const auto* const value = std::prev(later)->value;
+    return value != nullptr && !value->empty() ? value : nullptr;
+  }
+  /// The elements that wrote values, when it is called first.
+  void wrote(const xml_node& x) { writers_.push_back(&x); }
+  std::vector<const xml_node*> take_writers() { return std::exchange(writers_, {}); }
+
+ private:
+  struct held {
+    moment from;
+    const std::string* value;
+  };
+  std::map<std::string, std::vector<held>, std::less<>> values_;
+  std::vector<const xml_node*> writers_;
+};
+
+}  // namespace kte::detail
