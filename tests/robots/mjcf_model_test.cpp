@@ -363,16 +363,16 @@ element_record motor(const std::string& joint, const std::string& input, const m
 }  // namespace
 
 TEST_CASE("motors of MJCF: gears, gains, ranges") {
-  const auto text = mjcf(
-      "<body name='b'><joint name='j' range='-1 1' actuatorfrcrange='-50 50' armature='0.5'/>" + heavy +
-          "<body name='c'><joint name='k'/>" + heavy + "<body name='d'><joint name='l' type='ball'/>" + heavy +
-          "</body></body></body>",
-      "<compiler angle='radian'/><default><position kp='100' kv='10'/></default><actuator>"
-      "<position name='k' joint='k' gear='-2' ctrlrange='-1 2' forcerange='-3 4'/>"
-      "<motor name='m' joint='j' gear='100' ctrlrange='-0.25 0.75'/><velocity joint='j' kv='5'/>"
-      "<general name='g' joint='k' gainprm='3' biastype='affine' biasprm='1 -2 -4'/>"
-      "<general name='f' joint='k' dyntype='filter' gainprm='1'/><motor name='w' joint='l'/><motor joint='k' gear='0'/>"
-      "<position name='t' tendon='t' kp='1'/></actuator>");
+  const auto text = mjcf("<body name='b'><joint name='j' range='-1 1' actuatorfrcrange='-50 50' armature='0.5'/>" +
+                             heavy + "<body name='c'><joint name='k'/>" + heavy +
+                             "<body name='d'><joint name='l' type='ball'/>" + heavy + "</body></body></body>",
+                         "<compiler angle='radian'/><default><position kp='100' kv='10'/></default><actuator>"
+                         "<position name='k' joint='k' gear='-2' ctrlrange='-1 2' forcerange='-3 4'/>"
+                         "<motor name='m' joint='j' gear='100' ctrlrange='-0.25 0.75'/><velocity joint='j' kv='5'/>"
+                         "<general name='g' joint='k' gainprm='3' biastype='affine' biasprm='1 -2 -4'/>"
+                         "<general name='f' joint='k' dyntype='filter' gainprm='1'/><motor name='w' joint='l'/><motor "
+                         "jointinparent='k' gear='0'/>"
+                         "<position name='t' tendon='t' kp='1'/></actuator>");
   auto r = robot_of(text);
   add_motors(r);
   CHECK(motors_of(r.chain) ==

@@ -5,15 +5,6 @@
 
 namespace kte {
 
-/// What `add_motors` makes of a robot beside what its file says.
-struct motor_options {
-  /// Motors that follow a force become servos k (u - q) - c q', whose command u is where the joint should be: N/m or
-  /// Nm/rad, N s/m or Nm s/rad. 0: they stay as they are. Those with gains in the file keep theirs.
-  double stiffness = 0, damping = 0;
-  /// Ranges of joints become stops (`joint_limit_gen`) of this stiffness and damping; 0: they do not.
-  double stop_stiffness = 0, stop_damping = 0;
-};
-
 /// Adds the motors of a robot to its chain, a `joint_motor_gen` each, with a command for an input, and lists them in
 /// `robot.motors`, which is also the order of inputs:
 ///   MJCF    <actuator> motor, position, velocity, general: gear, gains, ranges of commands and forces

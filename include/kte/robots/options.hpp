@@ -37,6 +37,15 @@ struct robot_options {
   std::vector<std::string> search_path{};
 };
 
+/// What `add_motors` makes of a robot beside what its file says.
+struct motor_options {
+  /// Motors that follow a force become servos k (u - q) - c q', whose command u is where the joint should be: N/m or
+  /// Nm/rad, N s/m or Nm s/rad. 0: they stay as they are. Those with gains in the file keep theirs.
+  double stiffness = 0, damping = 0;
+  /// Ranges of joints become stops (`joint_limit_gen`) of this stiffness and damping; 0: they do not.
+  double stop_stiffness = 0, stop_damping = 0;
+};
+
 /// `load_robot(file, kte::strict)`: the options with `strict`.
 struct strict_reading {
   operator robot_options() const {

@@ -43,7 +43,8 @@ inline void read_mjcf_law(const xml_item& x, robot_actuator& a) {
 /// An actuator of MJCF; without a joint it acts on something else.
 inline robot_actuator read_mjcf_actuator(const xml_item& x, const mjcf_scope& in) {
   robot_actuator a{x.has("name") ? in.named(x.text("name")) : "", x.line(), {}};
-  if (x.has("joint")) a.joint = in.named(x.text("joint"));
+  for (const auto* of : {"jointinparent", "joint"})  // the same for joints of one coordinate
+    if (x.has(of)) a.joint = in.named(x.text(of));
   if (x.has("gear"))
     if (const auto gear = x.list("gear"); !gear.empty()) a.gear = gear[0];
   read_mjcf_law(x, a);
@@ -54,8 +55,8 @@ inline robot_actuator read_mjcf_actuator(const xml_item& x, const mjcf_scope& in
   };
   range("ctrlrange", "ctrllimited", a.law.lower_command, a.law.upper_command);
   range("forcerange", "forcelimited", a.law.lower, a.law.upper);
-  x.only({}, {"name", "class", "joint", "gear", "group", "user", "gainprm", "gaintype", "biastype", "biasprm",
-              "dyntype", "dynprm", "kp", "kv", "ctrlrange", "ctrllimited", "forcerange", "forcelimited"});
+  x.only({}, {"name", "class", "joint", "jointinparent", "gear", "group", "user", "gainprm", "gaintype", "biastype",
+              "biasprm", "dyntype", "dynprm", "kp", "kv", "ctrlrange", "ctrllimited", "forcerange", "forcelimited"});
   return a;
 }
 

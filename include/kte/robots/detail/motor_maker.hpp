@@ -1,9 +1,10 @@
 #pragma once
 
 #include <kte/elements/compiled_elements.hpp>
-#include <kte/robots/motors.hpp>
+#include <kte/robots/robot.hpp>
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_set>
 
 namespace kte::detail {
