@@ -7,7 +7,7 @@
 /// Heap allocations of a program one file of which includes allocations.hpp: how many there are, and which fail.
 namespace allocations {
 
-inline long long total = 0;
+inline long long total = 0, bytes = 0;
 
 /// How many allocations f() makes.
 template <class F>
@@ -15,6 +15,14 @@ long long during(const F& f) {
   const long long before = total;
   f();
   return total - before;
+}
+
+/// How many bytes they take, whether they are given back or not.
+template <class F>
+long long bytes_during(const F& f) {
+  const long long before = bytes;
+  f();
+  return bytes - before;
 }
 
 /// Fails the n-th allocation from here on, or all from that one on, as long as it lives.
@@ -57,7 +65,7 @@ void fail_each(const Make& make, const Act& act, const Check& check) {
 }
 
 inline void* take(std::size_t n, std::size_t alignment) noexcept {
-  ++total;
+  ++total, bytes += static_cast<long long>(n);
   if (total >= failing::first && total <= failing::last) return nullptr;
   const std::size_t size = n == 0 ? 1 : n;
   return alignment == 0 ? std::malloc(size)

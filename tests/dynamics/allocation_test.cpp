@@ -6,6 +6,7 @@
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/relative_motion.hpp>
+#include <kte/elements/mimic.hpp>
 
 #include "allocations.hpp"
 #include "catch.hpp"
@@ -103,4 +104,26 @@ TEST_CASE("coordinates of several degrees of freedom and springs between frames 
     CHECK(during([&] { (void)inverse_dynamics(model, r, q, v, v); }) == 0);
     CHECK(during([&] { (void)mass_matrix(model, r, q); }) == 0);
   }
+}
+
+TEST_CASE("coordinates that follow one degree of freedom take no memory by their square") {
+  using namespace kte;
+  constexpr int n = 2000;
+  kte_map_chain c;
+  std::string frame = "base";
+  for (int i = 0; i < n; ++i) {
+    const auto k = std::to_string(i);
+    c << mimic_gen("q", "q" + k, i % 3 - 0.75) << revolute_joint_3D("q" + k, frame, "a" + k, axis::z)
+      << rigid_link_3D("a" + k, "b" + k, along_x(0.01)) << inertia_3D("b" + k, point_mass(1.0));
+    frame = "b" + k;
+  }
+  auto s = c.make_state();
+  const std::array<double, 1> q{0.3}, none{}, one{1.0};
+  double m = 0;
+  // A matrix of all coordinates would take 8 n^2.
+  CHECK(allocations::bytes_during([&] { m = mass_matrix(c, s, q)(0, 0); }) < 500 * n);
+  CHECK(during([&] { (void)mass_matrix(c, s, q), (void)forward_dynamics(c, s, q, one, none); }) == 0);
+  const double at_rest = inverse_dynamics(c, s, q, none, none)[0];
+  const double expected = inverse_dynamics(c, s, q, none, one)[0] - at_rest;
+  CHECK(m == within_relative(expected, n * 1e-16));
 }

@@ -56,7 +56,89 @@ std::string singular(const kte_map_chain& c) {
   return "";
 }
 
+/// A chain in which coordinates follow others, and the same with each as a degree of freedom of its own.
+struct followers {
+  kte_map_chain chain, all;
+  std::vector<std::pair<std::string, Eigen::RowVectorXd>> rows;  ///< of J: all coordinates by the degrees of freedom
+  static constexpr int dofs = 7;
+  int known = 0;
+
+  template <class E>
+  followers& operator<<(const E& e) {
+    chain << e, all << e;
+    return *this;
+  }
+  void free(const std::string& q) { rows.emplace_back(q, Eigen::RowVectorXd::Unit(dofs, known++)); }
+  const Eigen::RowVectorXd& row(const std::string& q) const {
+    for (const auto& x : rows)
+      if (x.first == q) return x.second;
+    throw std::out_of_range(q);
+  }
+  void follow(const std::string& base, const std::string& q, double ratio) {
+    chain << mimic_gen(base, q, ratio);
+    rows.emplace_back(q, ratio * row(base));
+  }
+  void follow(const std::string& base1, const std::string& base2, const std::string& q, double ratio1, double ratio2) {
+    chain << differential_gen(base1, base2, q, ratio1, ratio2);
+    rows.emplace_back(q, ratio1 * row(base1) + ratio2 * row(base2));
+  }
+  /// A body on a joint, and a link on it.
+  template <class Joint>
+  void body(const Joint& joint, const std::string& end, const std::string& tip) {
+    *this << joint << inertia_3D(end, rigid_body{1.5, vec3{0.1, -0.05, 0.02}, sym3{0.3, 0.01, -0.02, 0.25, 0.03, 0.2}})
+          << rigid_link_3D(end, tip, vec3{0.3, 0.1, -0.2});
+  }
+  Eigen::MatrixXd j() const {
+    Eigen::MatrixXd m(rows.size(), dofs);
+    for (std::size_t i = 0; i < rows.size(); ++i) m.row(static_cast<Eigen::Index>(i)) = rows[i].second;
+    return m;
+  }
+};
+
 }  // namespace
+
+TEST_CASE("masses of coordinates that follow others are those of all coordinates, folded", "[elements][mimic]") {
+  followers x;
+  const vec3 axis{0.6, 0.0, 0.8};
+  x.free("a"), x.body(revolute_joint_3D("a", "ground", "A", axis), "A", "A'");
+  x.free("b"), x.body(prismatic_joint_3D("b", "A'", "B", axis), "B", "B'");
+  x.follow("a", "c", -0.7), x.body(revolute_joint_3D("c", "A'", "C", axis::y), "C", "C'");
+  x.follow("c", "d", 1.3), x.body(prismatic_joint_3D("d", "C'", "D", axis::x), "D", "D'");
+  x.follow("b", "d", "e", 0.6, 0.9), x.body(revolute_joint_3D("e", "D'", "E", axis), "E", "E'");
+  for (const char* q : {"ball x", "ball y", "ball z"}) x.free(q);
+  x.body(spherical_joint_3D("ball", "B'", "F"), "F", "F'");
+  x.free("f"), x.body(revolute_joint_3D("f", "F'", "G", axis), "G", "G'");
+  x.follow("f", "e", "g", -0.4, 0.5), x.body(revolute_joint_3D("g", "F'", "H", axis::x), "H", "H'");
+  x.follow("a", "a", "twice", 0.3, 0.9), x.body(revolute_joint_3D("twice", "G'", "I", axis::z), "I", "I'");
+  x.body(revolute_joint_3D("e", "ground", "J", axis::z), "J", "J'");  // moves two joints
+  x.body(spherical_joint_3D("ball", "J'", "K"), "K", "K'");
+  x.follow("g", "shaft", 3.0), x << inertia_gen("shaft", 0.2) << inertia_gen("a", 0.1);
+  x.free("lone"), x << inertia_gen("lone", 0.4);
+  x.follow("lone", "g", "sum", 1.0, -1.0), x << inertia_gen("sum", 0.7);
+  x << rotor_3D("g", "D'", axis::z, 20.0, 1e-3) << rotor_3D("b", "I", axis::x, 20.0, 1e-3);
+  x.chain << position_control_gen("u", "v", "w", "given") << mimic_gen("given", "moved", 2.0);
+  x.chain << revolute_joint_3D("moved", "A'", "L", axis::z);
+  x.chain << inertia_3D("L", point_mass(1.0, along_x(0.3)));
+  x.all << rigid_link_3D("A'", "L", vec3<>{}) << inertia_3D("L", point_mass(1.0, along_x(0.3)));
+  REQUIRE(x.chain.dofs() == followers::dofs);
+  const Eigen::MatrixXd j = x.j();
+  REQUIRE(x.all.dofs() == j.rows());
+
+  auto s = x.chain.make_state(), t = x.all.make_state();
+  random_numbers draw(7);
+  Eigen::VectorXd v(followers::dofs);
+  for (auto& i : v) i = draw();
+  const auto q = integrate(x.chain, neutral_configuration(x.chain), v, 1.0);
+  const auto all = integrate(x.all, neutral_configuration(x.all), j * v, 1.0);
+  const Eigen::MatrixXd m = mass_matrix(x.chain, s, q), dense = j.transpose() * mass_matrix(x.all, t, all) * j;
+  for (int a = 0; a < followers::dofs; ++a)
+    for (int b = 0; b < followers::dofs; ++b) CHECK(m(a, b) == within(dense(a, b), 4e-16 * dense.norm()));
+  CHECK(m == m.transpose());
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(followers::dofs);
+  const Eigen::VectorXd bias = inverse_dynamics(x.chain, s, q, v, none);
+  const Eigen::VectorXd answer = forward_dynamics(x.chain, s, q, v, Eigen::VectorXd(bias + dense * v));
+  CHECK((m * (answer - v)).norm() < 1e-13 * bias.norm());
+}
 
 TEST_CASE("what follows coordinates keeps power, and moves as its function", "[elements][mimic]") {
   check_laws<double>(), check_laws<digits50>();

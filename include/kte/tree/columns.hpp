@@ -81,6 +81,11 @@ class wrench_rows {
     x[0] = w.force.x, x[row] = w.force.y, x[2 * row] = w.force.z;
     x[3 * row] = w.torque.x, x[4 * row] = w.torque.y, x[5 * row] = w.torque.z;
   }
+  KTE_INLINE dense_wrench<S> get(int k) const {
+    const S* const x = rows_[0] + k;
+    const std::size_t row = rows_.stride();
+    return {{x[0], x[row], x[2 * row]}, {x[3 * row], x[4 * row], x[5 * row]}};
+  }
   KTE_INLINE void get_lanes(int k, wrench_lanes<S>& w) const {
     load_vectors(w.force, rows_[0] + k, rows_.stride()), load_vectors(w.torque, rows_[3] + k, rows_.stride());
   }
@@ -96,6 +101,20 @@ class wrench_rows {
       f(w, k);
       set_lanes(k, w);
     });
+  }
+  /// The powers of wrenches from `first` up to `last` on the unit rate of axis a of a joint, as numbers of a row: of
+  /// this one, or of `to`.
+  template <class P>
+  const S* powers_on(const record<P>& r, int a, int first, int last, S* to) const {
+    if (r.moves == joint::several) return component(r.axis[static_cast<std::size_t>(a)]);
+    if (r.moves == joint::revolute) return component(5);
+    by_lanes<S>(first, last, [&](int k) KTE_INLINE_LAMBDA {
+      wrench_lanes<S> w;
+      get_lanes(k, w);
+      lanes<S> along;
+      w.power_on(r, along), store<S>(along, to + k);
+    });
+    return to;
   }
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/kernels/derivatives.hpp>
-#include <kte/tree/inverse_mass.hpp>
+#include <kte/tree/followed_masses.hpp>
 #include <kte/tree/variations.hpp>
 
 namespace kte::detail {
@@ -30,8 +30,8 @@ struct loop_memory : tree::memory<P, S> {
   std::vector<S> friction;       ///< of `chain_tree::readers`
   /// As large as M or larger: made by the first call that gives them.
   matrix mass, inverse;
-  matrix all;  ///< masses of all coordinates, if there are others than degrees of freedom
   tree::mass_memory<S> masses;
+  tree::followed_memory<S> followed;
   std::vector<int> rows;  ///< of a column of derivatives that are anything
   tree::variation_memory<S> variations;
   inverse_dynamics_result<S, Eigen::Dynamic> of_forces;

@@ -53,22 +53,30 @@ void mass_of_coordinates(const Elements& c, State& s) {
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
+  auto& m = w.mass;
   place_bodies(c, s);
   tree::carry_bodies(t.forest, w, false);
-  const bool others = t.plan.coordinates > s.dofs();
-  auto& m = others ? w.all : w.mass;
-  tree::masses(t.forest, w, w.masses.wrenches, w.masses.rows);
-  tree::fill_symmetric(t.forest, t.plan.coordinates, w.masses.rows, false, m);
-  if (t.has_own_mass)
-    for (int i = 0; i < t.plan.coordinates; ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
-  if (others) {
-    hand_on(c, s, [&m](int to, int from, const S& ratio) {
-      m.row(to) += ratio * m.row(from);
-      m.col(to) += ratio * m.col(from);
-    });
-    w.mass = m.topLeftCorner(s.dofs(), s.dofs());
+  auto& j = w.followed.j;
+  const bool follow = t.plan.coordinates > s.dofs() && [&] {
+    j.clear();
+    hand_on(c, s, [&j](int to, int from, const S& ratio) { j.add(to, from, ratio); });
+    return !j.empty();
+  }();
+  if (!follow) [[likely]] {
+    tree::masses(t.forest, w, w.masses.wrenches, w.masses.rows);
+    tree::fill_symmetric(t.forest, s.dofs(), w.masses.rows, false, m);
+    if (t.has_own_mass)
+      for (int i = 0; i < s.dofs(); ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
+  } else {
+    j.finish(s.dofs(), t.plan.coordinates);
+    tree::followed_masses(t.forest, w, s.dofs(), w.followed, w.masses, m);
+    for (int i = 0; t.has_own_mass && i < t.plan.coordinates; ++i) {
+      const S mass(t.own_mass[static_cast<std::size_t>(i)]);
+      for (const auto& [a, ratio] : j.of(i))
+        for (const auto& [b, factor] : j.of(i)) m(a, b) += ratio * factor * mass;
+    }
   }
-  if (!t.spread.empty()) add_spread_masses(c, s, w.mass);
+  if (!t.spread.empty()) add_spread_masses(c, s, m);
 }
 
 }  // namespace kte::detail

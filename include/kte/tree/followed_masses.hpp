@@ -1,0 +1,89 @@
+#pragma once
+
+#include <kte/tree/composite.hpp>
+#include <kte/tree/inverse_mass.hpp>
+#include <kte/tree/ratios.hpp>
+
+namespace kte::tree {
+
+/// What `followed_masses` works with, besides `mass_memory`. The columns of bodies that still stand alone are in a row,
+/// those of the last one at its end.
+template <class S>
+struct followed_memory {
+  ratios<S> j;
+  std::vector<int> dof;    ///< of columns
+  std::vector<int> place;  ///< of degrees of freedom: their column of the body at hand, if it has one
+  std::vector<int> first;  ///< of records: their first column; -1: nothing has come to them yet
+};
+
+/// The mass matrix over the degrees of freedom where coordinates follow them, in one pass over bodies: the composite
+/// rigid body algorithm with a wrench of every degree of freedom d that moves something beyond a body, in place of one
+/// of every axis,
+///
+///   F_d = sum_k J_kd F_k,   M_cd = sum_j J_jc s_j . F_d, twice where k is beyond j          (1)
+///
+/// so that neither time nor memory grow with the square of the number of axes. Into m; after `carry_bodies`.
+template <class P, class S, class Matrix>
+void followed_masses(const forest<P>& f, const memory<P, S>& at, int dofs, followed_memory<S>& x, mass_memory<S>& y,
+                     Matrix& m) {
+  std::size_t columns = 0;
+  for (const int row : f.row) columns += x.j.of(row).size();
+  constexpr std::size_t most_axes = 6;  // of a joint, whose wrenches stand behind the columns for a while
+  wrench_rows<S>& w = y.wrenches;
+  w.resize(columns + most_axes), y.rows.resize(1, columns + most_axes);
+  x.dof.resize(columns), x.place.assign(static_cast<std::size_t>(dofs), -1), x.first.assign(f.records.size(), -1);
+  m.setZero(dofs, dofs);
+  S* const masses = m.data();
+  const auto put = [masses, dofs](std::ptrdiff_t c, std::ptrdiff_t d, const S& mass)
+                       KTE_INLINE_LAMBDA { masses[c + d * dofs] += mass; };
+  int *const dof = x.dof.data(), *const place = x.place.data();
+  int last = 0;
+  for (const int i : f.inward) {
+    const record<P>& r = f.records[static_cast<std::size_t>(i)];
+    const int beyond = x.first[static_cast<std::size_t>(i)], first = beyond < 0 ? last : beyond;
+    const auto add = [&](int d, const dense_wrench<S>& load) {
+      int& k = place[d];
+      if (k >= first && k < last && dof[k] == d) {
+        const dense_wrench<S> before = w.get(k);
+        w.set(k, {before.force + load.force, before.torque + load.torque});
+      } else {
+        k = last++;
+        dof[k] = d, w.set(k, load);
+      }
+    };
+    if (r.branches) {  // bodies on this one may follow the same
+      const int end = last;
+      last = first;
+      for (int k = first; k < end; ++k) add(dof[k], w.get(k));
+    }
+    const int own = last;
+    for (int a = 0; a < r.axes; ++a)
+      w.set(own + a, accelerating(r, a, at.carried[static_cast<std::size_t>(f.bases + i)]));
+    const auto ratios_of = [&](int a) { return x.j.of(f.row[static_cast<std::size_t>(r.first + a)]); };
+    for (int a = 0; a < r.axes; ++a) {
+      const S* const power = w.powers_on(r, a, first, own + r.axes, y.rows[0]);
+      for (const auto& [c, ratio] : ratios_of(a))  // (1)
+        for (int k = first; k < own; ++k) {
+          const S mass = ratio * power[k];
+          put(c, dof[k], mass), put(dof[k], c, mass);
+        }
+      for (int b = 0; b < r.axes; ++b)
+        for (const auto& [c, ratio] : ratios_of(a))
+          for (const auto& [d, factor] : ratios_of(b)) put(c, d, ratio * factor * power[own + b]);
+    }
+    if (r.parent < f.bases) {
+      last = first;
+      continue;
+    }
+    for (int a = 0; a < r.axes; ++a) {  // of several axes each has one column, of its own or one before
+      const dense_wrench<S> load = w.get(own + a);
+      for (const auto& [d, ratio] : ratios_of(a)) add(d, {ratio * load.force, ratio * load.torque});
+    }
+    const spot<S>& seat = at.spots[static_cast<std::size_t>(i)];
+    w.change(first, last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, seat); });
+    int& of_parent = x.first[static_cast<std::size_t>(r.parent - f.bases)];
+    if (of_parent < 0) of_parent = first;
+  }
+}
+
+}  // namespace kte::tree

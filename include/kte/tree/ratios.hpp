@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kte::tree {
+
+/// How coordinates follow the degrees of freedom of a chain, by the rows of J that are not zero:
+///
+///   q_i' = sum_d J_id v_d + (motions that are given)          (1)
+///
+/// Of a degree of freedom the row has one entry, of a coordinate with a given motion none.
+template <class S>
+class ratios {
+ public:
+  struct entry {
+    int dof;
+    S ratio;
+  };
+
+  void clear() { steps_.clear(); }
+  /// Coordinate `from` moves at `ratio` times the rate of `to`, among others. Followers come from the last on, the
+  /// steps of one after each other.
+  void add(int to, int from, const S& ratio) { steps_.push_back({to, from, ratio}); }
+  /// Whether no coordinate follows another.
+  bool empty() const { return steps_.empty(); }
+  /// Rows from the steps.
+  void finish(int dofs, int coordinates) {
+    rows_.assign(static_cast<std::size_t>(coordinates), {});
+    place_.resize(static_cast<std::size_t>(dofs));
+    entries_.clear();
+    for (int d = 0; d < dofs; ++d) {
+      rows_[static_cast<std::size_t>(d)] = {entries_.size(), entries_.size() + 1};
+      entries_.push_back({d, S(1)});
+    }
+    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+      const row followed = rows_[static_cast<std::size_t>(step->to)];
+      row& own = rows_[static_cast<std::size_t>(step->from)];
+      if (own.first == own.last) own.first = entries_.size();
+      for (std::size_t k = followed.first; k < followed.last; ++k) {
+        const entry x{entries_[k].dof, step->ratio * entries_[k].ratio};
+        std::size_t& at = place_[static_cast<std::size_t>(x.dof)];
+        if (at >= own.first && at < entries_.size() && entries_[at].dof == x.dof) {
+          entries_[at].ratio += x.ratio;
+        } else {
+          at = entries_.size();
+          entries_.push_back(x);
+        }
+      }
+      own.last = entries_.size();
+    }
+  }
+  std::span<const entry> of(int coordinate) const {
+    const row& x = rows_[static_cast<std::size_t>(coordinate)];
+    return std::span(entries_).subspan(x.first, x.last - x.first);
+  }
+
+ private:
+  struct following {
+    int to, from;
+    S ratio;
+  };
+  struct row {
+    std::size_t first = 0, last = 0;
+  };
+  std::vector<following> steps_;
+  std::vector<entry> entries_;
+  std::vector<row> rows_;           ///< of coordinates
+  std::vector<std::size_t> place_;  ///< of the entry of a degree of freedom in the row at hand, if it has one
+};
+
+}  // namespace kte::tree
