@@ -15,6 +15,7 @@
 #include <kte/dynamics/runtime_frames.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
+#include <kte/models/detail/runtime_rate_derivatives.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>
