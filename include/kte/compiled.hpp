@@ -18,6 +18,7 @@
 #include <kte/io/model_reader.hpp>
 #include <kte/io/recording.hpp>
 #include <kte/io/table_writer.hpp>
+#include <kte/models/detail/runtime_rate_derivatives.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>

@@ -1,6 +1,5 @@
 #include <kte/control/linearize.hpp>
 #include <kte/elements/free_joint.hpp>
-#include <kte/elements/position_control.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/static.hpp>
@@ -22,9 +21,6 @@ constexpr struct angle_     final : coord_key<"angle">        {} angle;
 constexpr struct body_      final : pose_3D_key<"body">       {} body;
 constexpr struct hairs_     final : internal_key<"bristles">  {} bristles;
 constexpr struct motor_     final : input_key<"motor">        {} motor;
-constexpr struct swing_     final : vector_key<"swing">       {} swing;
-constexpr struct swing_v_   final : vector_key<"swing rate">  {} swing_rate;
-constexpr struct swing_a_   final : vector_key<"swing acceleration"> {} swing_acceleration;
 constexpr struct ground_    final : frame_2D_key<"ground">    {} ground;
 constexpr struct cart_      final : frame_2D_key<"cart">      {} cart;
 constexpr struct pole_      final : frame_2D_key<"pole">      {} pole;
@@ -32,8 +28,6 @@ constexpr struct tip_       final : frame_2D_key<"tip">       {} tip;
 constexpr struct world_     final : frame_3D_key<"world">     {} world;
 constexpr struct trunk_     final : frame_3D_key<"trunk">     {} trunk;
 constexpr struct hip_       final : frame_3D_key<"hip">       {} hip;
-constexpr struct foot_      final : frame_3D_key<"foot">      {} foot;
-constexpr struct hand_      final : frame_3D_key<"hand">      {} hand;
 // clang-format on
 
 constexpr double M = 2, m = 0.5, l = 0.75, g = 9.81;
@@ -41,44 +35,35 @@ constexpr auto cart_pole = chain(prismatic_joint_2D(x, ground, cart, axis::x), i
                                  revolute_joint_2D(angle, cart, pole), rigid_link_2D(pole, tip, along_y(l)),
                                  inertia_2D(tip, point_mass(m)), driving_actuator_gen(x, motor))
                                .gravity(along_y(-g));
-/// A free body with a leg, of which a motor and bristles turn the hip, and a mass that is moved as signals say.
+/// A free body with a leg, of which a motor and bristles turn the hip.
 constexpr lugre_parameters friction{
     .sigma0 = 50, .sigma1 = 1, .sigma2 = 0.4, .coulomb = 1, .stiction = 1.5, .stribeck_velocity = 0.1};
 const auto walker =
     chain(free_joint_3D(body, world, trunk),
           inertia_3D(trunk, rigid_body<>{2.0, {0.01, -0.02, 0.03}, {0.02, 0.001, 0.0, 0.03, 0.0, 0.025}}),
-          revolute_joint_3D(angle, trunk, hip, axis::y), rigid_link_3D(hip, foot, along_z(-0.3)),
-          inertia_3D(foot, point_mass(0.5)), driving_actuator_gen(angle, motor),
-          joint_lugre_gen(angle, bristles, friction))
+          revolute_joint_3D(angle, trunk, hip, axis::y), inertia_3D(hip, point_mass(0.5, along_z(-0.3))),
+          driving_actuator_gen(angle, motor), joint_lugre_gen(angle, bristles, friction))
         .gravity(along_z(-9.81));
-const auto shaken = chain(position_control_2D(swing, swing_rate, swing_acceleration, ground, cart),
-                          revolute_joint_2D(angle, cart, pole), rigid_link_2D(pole, tip, along_y(l)),
-                          inertia_2D(tip, point_mass(m)), driving_actuator_gen(angle, motor))
-                        .gravity(along_y(-g));
 
-template <class A, class B>
-double gap(const A& a, const B& b) {
+double gap(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   REQUIRE(a.rows() == b.rows());
   REQUIRE(a.cols() == b.cols());
   return a.size() == 0 ? 0 : (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
 }
+using runtime_model = manipulator_dynamics_model<kte_map_chain>;
 /// (A B) by their definition: differences of the rate of d.
-template <class Model, class X>
-Eigen::MatrixXd by_differences(Model model, const X& at) {
+Eigen::MatrixXd by_differences(runtime_model model, const Eigen::VectorXd& at) {
   const int n = model.rates();
   const Eigen::VectorXd u = model.input();
   return detail::derive_by_differences<double>(
       n, n + static_cast<int>(u.size()), [](int) { return 1.0; },
       [&](int j, double h) -> Eigen::VectorXd {
-        Eigen::VectorXd under = u;
-        typename Model::rate d = Model::rate::Zero(n);
+        Eigen::VectorXd under = u, d = Eigen::VectorXd::Zero(n), moved = at;
         (j < n ? d[j] : under[j - n]) += h;
         model.setInput(under);
-        typename Model::state moved = at;
-        for (const auto& f : model.freedoms()) detail::displace_one<double>(f, at, d, moved);
-        moved.tail(n - model.velocity_count()) += d.tail(n - model.velocity_count());
-        typename Model::rate r = model.computeStateRate(0, moved);
-        for (const auto& f : model.freedoms()) detail::pull_back_one<double>(f, d, r);
+        model.displace(at, d, moved);
+        Eigen::VectorXd r = model.computeStateRate(0, moved);
+        model.pull_back(d, r);
         return r;
       });
 }
@@ -99,18 +84,28 @@ TEST_CASE("A cart-pole is linearised in closed form, of both kinds of chain") {
     CHECK(r.y0 == Eigen::Vector4d(0.3, 0, 0, 0));
   };
   check(manipulator_dynamics_model(cart_pole));
-  check(manipulator_dynamics_model(models::registered(record_of(cart_pole))));
+  check(runtime_model(models::registered(record_of(cart_pole))));
 }
 
 TEST_CASE("Away from an equilibrium too, with all digits") {
-  const std::array q{0.3, 0.8}, v{0.5, -2.0};
+  // Its equations by hand, derived in dual numbers of long double.
+  const auto rates = [](long double, const auto& s, const auto& u) {
+    using std::sin, std::cos;
+    auto r = s;
+    const auto sine = sin(s[1]), cosine = cos(s[1]);
+    r[0] = s[2], r[1] = s[3];
+    r[2] = (u[0] + m * sine * (g * cosine - l * s[3] * s[3])) / (M + m * sine * sine);
+    r[3] = (r[2] * cosine + g * sine) / l;
+    return r;
+  };
+  const Eigen::Matrix<long double, 4, 1> at(0.3L, 0.8L, 0.5L, -2.0L);
+  const auto exact = linearize(rates, at, Eigen::Matrix<long double, 1, 1>(3.0L));
   const manipulator_dynamics_model model(cart_pole);
-  const manipulator_dynamics_model<std::remove_const_t<decltype(cart_pole)>, long double> exact(cart_pole);
-  const auto r = linearize(model, model.make_x(q, v), std::array{3.0});
-  const auto more = linearize(exact, exact.make_x(q, v), std::array{3.0L});
-  CHECK(gap(r.A, more.A.cast<double>()) < 1e-15);
-  CHECK(gap(r.B, more.B.cast<double>()) < 1e-15);
-  CHECK(r.x_dot == model(0, model.make_x(q, v)) + r.B * 3);  // forces are linear in u
+  const Eigen::Vector4d x0 = at.cast<double>();
+  const auto r = linearize(model, x0, std::array{3.0});
+  CHECK(gap(r.A, exact.A.cast<double>()) < 1e-15);
+  CHECK(gap(r.B, exact.B.cast<double>()) < 1e-15);
+  CHECK(gap(r.x_dot, exact.x_dot.cast<double>()) < 1e-15);
 }
 
 TEST_CASE("With rotations A is in the tangent space; inputs and internal states by dual numbers") {
@@ -122,39 +117,54 @@ TEST_CASE("With rotations A is in the tangent space; inputs and internal states 
   const auto r = linearize(model, at, std::array{0.3});
   REQUIRE(r.A.rows() == 15);
   REQUIRE(r.C.rows() == 15);  // q has a number more than v, and z is not in y
-  auto set = model;
-  set.input(motor) = 0.3;
-  Eigen::MatrixXd both(15, 16);
-  both << r.A, r.B;
-  CHECK(gap(both, by_differences(set, at)) < 1e-11);
-  const manipulator_dynamics_model runtime(models::registered(record_of(walker)));
+  runtime_model runtime(models::registered(record_of(walker)));
   const auto same = linearize(runtime, runtime.make_x(q, v, z), std::array{0.3});
   CHECK(gap(same.A, r.A) < 1e-14);
   CHECK(gap(same.B, r.B) < 1e-14);
   CHECK(gap(same.C, r.C) == 0);
   CHECK(gap(same.x_dot, r.x_dot) < 1e-14);
+  runtime.input("motor") = 0.3;
+  Eigen::MatrixXd both(15, 16);
+  both << r.A, r.B;
+  CHECK(gap(both, by_differences(runtime, at)) < 1e-11);
   Eigen::Matrix<double, 15, 1> d = Eigen::Matrix<double, 15, 1>::Constant(0.1);
   auto moved = at;
   model.displace(at, d, moved);
-  CHECK(gap(displacement(model, at, moved), d) < 1e-15);
+  CHECK(gap(displacement(model, at, moved), d) < 1e-14);
 }
 
-TEST_CASE("Inputs may move what the mass matrix depends on") {
-  manipulator_dynamics_model model(shaken);
-  const auto at = model.make_x(std::array{0.4}, std::array{0.7});
+TEST_CASE("Inputs may move what stands on them, and what the mass matrix depends on") {
+  kte_map_chain c;
+  c.gravity(along_y(-g)) << position_control_2D("p", "p'", "p''", "ground", "cart")
+                         << revolute_joint_2D("angle", "cart", "pole") << inertia_2D("pole", point_mass(m, along_y(l)))
+                         << driving_actuator_gen("angle", "motor");
+  const runtime_model shaken(c);
   Eigen::VectorXd u(10);
   u << 0.1, 0.2, 0, 0.3, -0.4, 0, 1.5, -2.5, 0, 0.6;
-  const auto r = linearize(model, at, u);
-  // a = (u_x cos(q) + (u_y + g) sin(q))/l + torque/(m l^2)
-  const double c = std::cos(0.4), s = std::sin(0.4);
-  CHECK(r.A(1, 0) == within((-1.5 * s + (-2.5 + g) * c) / l, 1e-13));
-  Eigen::VectorXd by_u = Eigen::VectorXd::Zero(10);
-  by_u[6] = c / l, by_u[7] = s / l, by_u[9] = 1 / (m * l * l);
-  CHECK(gap(r.B.row(1), by_u.transpose()) < 1e-15);
-  manipulator_dynamics_model runtime(models::registered(record_of(shaken)));
-  const auto same = linearize(runtime, at, u);
-  CHECK(gap(same.A, r.A) < 1e-14);
-  CHECK(gap(same.B, r.B) < 1e-14);
+  const auto r = linearize(shaken, shaken.make_x(std::array{0.4}, std::array{0.7}), u);
+  // a = (p''_x cos(angle) + (p''_y + g) sin(angle))/l + torque/(m l^2)
+  const double cosine = std::cos(0.4), sine = std::sin(0.4);
+  CHECK(r.A(1, 0) == within((-1.5 * sine + (-2.5 + g) * cosine) / l, 1e-13));
+  Eigen::RowVectorXd by_u = Eigen::RowVectorXd::Zero(10);
+  by_u[6] = cosine / l, by_u[7] = sine / l, by_u[9] = 1 / (m * l * l);
+  CHECK(gap(r.B.row(1), by_u) < 1e-14);
+
+  // A slider on a crank whose angle is given: the mass of x depends on the input u.
+  kte_map_chain two;
+  two << prismatic_joint_2D("x", "ground", "cart", axis::x) << inertia_2D("cart", point_mass(M))
+      << position_control_gen("u", "u'", "u''", "given") << revolute_joint_2D("given", "cart", "crank")
+      << rigid_link_2D("crank", "end", along_x(l)) << prismatic_joint_2D("y", "end", "slider", axis::y)
+      << inertia_2D("slider", point_mass(m)) << driving_actuator_gen("x", "push");
+  const runtime_model given(two);
+  Eigen::VectorXd v(4);
+  v << 0.5, 0.3, -2, 7;
+  auto set = given;
+  set.setInput(v);
+  const auto at = given.make_x(std::array{0.1, 0.2}, std::array{0.3, -0.4});
+  const auto b = linearize(given, at, v);
+  Eigen::MatrixXd both(4, 8);
+  both << b.A, b.B;
+  CHECK(gap(both, by_differences(set, at)) < 1e-11);
 }
 
 TEST_CASE("Outputs of one's own: by dual numbers, of runtime chains by differences") {
@@ -167,7 +177,7 @@ TEST_CASE("Outputs of one's own: by dual numbers, of runtime chains by differenc
   CHECK(gap(r.C.row(1), r.A.row(2)) < 1e-14);
   CHECK(r.D(0, 0) == 0);
   CHECK(r.D(1, 0) == within(r.B(2, 0), 1e-15));
-  const manipulator_dynamics_model runtime(models::registered(record_of(cart_pole)));
+  const runtime_model runtime(models::registered(record_of(cart_pole)));
   const auto same = linearize(runtime.with_output([](const runtime_state& s) {
     return Eigen::Vector2d(s.frame_2D("tip").position.x, s.coordinate("x").q_ddot);
   }),

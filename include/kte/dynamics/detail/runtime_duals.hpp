@@ -71,7 +71,7 @@ void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
 }
 /// Coordinates to q, v, a of the state with derivatives.
 template <class D>
-void put_numbers(basic_derivative_state<D>& d) {
+void put_coordinates(basic_derivative_state<D>& d) {
   for_each_listed_freedom(d, [&d](auto& x, const freedom& at) {
     put<vector_of::q>(x, at, d.q), put<vector_of::v>(x, at, d.v), put<vector_of::a>(x, at, d.a);
   });
@@ -82,7 +82,7 @@ template <class Elements, std::same_as<double> S, class D>
 void needed_forces_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
                             const directions& moving) {
   const auto& t = s.tree();
-  put_numbers(d);
+  put_coordinates(d);
   bring_up_to_date(elements, d);
   take_shifts(d, moving);
   clear_coordinates(d);

@@ -37,7 +37,7 @@ void seed_direction(const kte_map_chain& c, basic_derivative_state<D>& d, int j,
 
 /// How far the derivatives of a rotation R turn it, in the world: R' = [turned]x R.
 template <class S, int N>
-vec3<dual<S, N>> turned_by(const mat3<vec3<dual<S, N>>>& rotation) {
+vec3<dual<S, N>> turning_of(const mat3<vec3<dual<S, N>>>& rotation) {
   vec3<dual<S, N>> turned{};
   for (std::size_t lane = 0; lane < static_cast<std::size_t>(N); ++lane) {
     const auto rate = [lane](const vec3<dual<S, N>>& v) {
@@ -65,7 +65,7 @@ void place_bases(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_
                              as<D>(m.ang_acceleration)};
       d.work.world[slot].position = as<D>(m.position);
       d.work.world[slot].rotation = as<D>(matrix(m.rotation));
-      d.work.seats[slot].turned = turned_by(d.work.world[slot].rotation);
+      d.work.seats[slot].turned = turning_of(d.work.world[slot].rotation);
     });
   }
 }
@@ -76,7 +76,7 @@ void move_keepers(const kte_map_chain& c, basic_derivative_state<D>& d) {
   const topology& t = c.wiring();
   std::vector<char> wanted(t.elements.size());
   for (const int keeper : t.keepers) wanted[static_cast<std::size_t>(keeper)] = 1;
-  const auto each_read = [&t](const topology::connection& e, const auto& visit) {
+  const auto each_read = [](const topology::connection& e, const auto& visit) {
     for (std::size_t p = 0; p < e.ports.size(); ++p)
       if (!e.ports[p].writes()) visit(e.ports[p].what, e.index[p]);
   };
@@ -115,7 +115,7 @@ void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, r
     take_given(s, d);
     for (int k = first; k < last; ++k) seed_direction<S>(c, d, k, static_cast<std::size_t>(k - first), along(k));
     place_in_world(s);
-    put_numbers(d);
+    put_coordinates(d);
     bring_up_to_date(runtime_elements{c}, d);
     place_bases(c, s, d);
     // Shifts of rotations go with their directions, numbers with themselves.
@@ -143,5 +143,9 @@ void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, r
         j(2 * n + i, k) = d.template get<kind::internal>(i).z_dot.derivative[static_cast<std::size_t>(k - first)];
   });
 }
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template void derive_rates_by_inputs(const kte_map_chain&, runtime_state&, runtime_matrix<double>&);
+#endif
 
 }  // namespace kte::detail
