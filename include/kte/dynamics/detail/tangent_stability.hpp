@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <kte/detail/compiled.hpp>
+
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/detail/static_problem.hpp>
 
