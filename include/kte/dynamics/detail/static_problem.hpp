@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/force_pattern.hpp>
+#include <kte/dynamics/detail/loaded_elements.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/elements/constant_force.hpp>
@@ -14,33 +15,6 @@
 
 /// The forces that hold a runtime chain at rest, and their derivatives, as functions of q and of a parameter.
 namespace kte::detail {
-
-/// The elements of a chain, loads from outside times a factor.
-struct loaded_elements : runtime_elements {
-  double factor;
-
-  template <class State>
-  void push(int e, State& s) const {
-    if (!connection(e).load || factor == 1) return runtime_elements::push(e, s);
-    const kind k = ports(e).front().what;
-    const int at = index(e, 0);
-    if (k == kind::gen) {
-      auto& x = s.template get<kind::gen>(at);
-      const auto before = std::exchange(x.f, typename State::scalar(0));
-      runtime_elements::push(e, s);
-      x.f = before + factor * x.f;
-      return;
-    }
-    with_frame(s, k, at, [&](auto& x) {
-      using S = typename State::scalar;
-      const auto force = x.force;
-      const auto torque = x.torque;
-      clear_load(x);
-      runtime_elements::push(e, s);
-      x.force = force + S(factor) * x.force, x.torque = torque + S(factor) * x.torque;
-    });
-  }
-};
 
 using sparse_matrix = Eigen::SparseMatrix<double>;
 inline double largest_number(const sparse_matrix& m) {
