@@ -9,6 +9,7 @@
 
 #  include <algorithm>
 #  include <cmath>
+#  include <complex>
 #  include <limits>
 #  include <vector>
 #endif

@@ -52,12 +52,12 @@ inline void put_loads_on(static_newton& newton, equilibrium& at) {
   }
 }
 [[noreturn, gnu::cold]] inline void raise_no_equilibrium(static_problem& f, const equilibrium& at) {
-  const std::string where = " at load factor " + number(at.load);
-  if (const auto name = coordinate_not_held(f, at.q, at.load); !name.empty())
-    raise<no_solution>("kte: static_equilibrium: nothing holds '" + name + "'" + where +
+  const double loads = at.load > 0 ? at.load : 1;  // without any, nothing need hold the chain
+  if (const auto name = coordinate_not_held(f, at.q, loads); !name.empty())
+    raise<no_solution>("kte: static_equilibrium: nothing holds '" + name + "' at load factor " + number(loads) +
                        ": the derivatives of the forces by the configuration are singular");
-  raise<no_solution>("kte: static_equilibrium: no equilibrium was found under all loads, but" + where + ", after " +
-                     std::to_string(at.iterations) +
+  raise<no_solution>("kte: static_equilibrium: no equilibrium was found under all loads, but at load factor " +
+                     number(at.load) + ", after " + std::to_string(at.iterations) +
                      " iterations: a limit point, beyond which equilibrium_path follows, or too few iterations");
 }
 }  // namespace detail
@@ -79,7 +79,7 @@ KTE_FUNCTION equilibrium find_static_equilibrium(const kte_map_chain& c, runtime
     if (newton.solve(x.q, load, false)) x.load = 1, x.load_steps = 1;
   }
   x.iterations = newton.iterations();
-  x.residual = f.size() == 0 ? 0 : f.forces(x.q, x.load).cwiseAbs().maxCoeff();
+  x.residual = f.forces(x.q, x.load).cwiseAbs().maxCoeff();
   if (x.load < 1 && options.must_reach) raise_no_equilibrium(f, x);
   x.stability = stability_of(f.tangent(x.q, x.load));
   if (x.load == 1) x.status = x.stability.stable() ? equilibrium_status::stable : equilibrium_status::unstable;
@@ -95,6 +95,7 @@ namespace detail {
 template <indexable Q>
 Eigen::VectorXd start_of_statics(const kte_map_chain& c, const runtime_state& s, const Q& q0) {
   check_regular(c, s);
+  if (s.dofs() == 0) raise<bad_argument>("kte: this chain has no degree of freedom, which equilibria are about");
   check_positions(s, q0);
   Eigen::VectorXd q(s.nq());
   for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = static_cast<double>(q0[static_cast<std::size_t>(i)]);

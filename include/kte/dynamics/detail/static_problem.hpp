@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/force_pattern.hpp>
+#include <kte/dynamics/detail/loaded_elements.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
 #include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/elements/constant_force.hpp>
@@ -14,33 +15,6 @@
 
 /// The forces that hold a runtime chain at rest, and their derivatives, as functions of q and of a parameter.
 namespace kte::detail {
-
-/// The elements of a chain, loads from outside times a factor.
-struct loaded_elements : runtime_elements {
-  double factor;
-
-  template <class State>
-  void push(int e, State& s) const {
-    if (!connection(e).load || factor == 1) return runtime_elements::push(e, s);
-    const kind k = ports(e).front().what;
-    const int at = index(e, 0);
-    if (k == kind::gen) {
-      auto& x = s.template get<kind::gen>(at);
-      const auto before = std::exchange(x.f, typename State::scalar(0));
-      runtime_elements::push(e, s);
-      x.f = before + factor * x.f;
-      return;
-    }
-    with_frame(s, k, at, [&](auto& x) {
-      using S = typename State::scalar;
-      const auto force = x.force;
-      const auto torque = x.torque;
-      clear_load(x);
-      runtime_elements::push(e, s);
-      x.force = force + S(factor) * x.force, x.torque = torque + S(factor) * x.torque;
-    });
-  }
-};
 
 using sparse_matrix = Eigen::SparseMatrix<double>;
 inline double largest_number(const sparse_matrix& m) {
@@ -97,15 +71,7 @@ class static_problem {
   void hold(Eigen::VectorXd forces) { held_ = std::move(forces); }
 
   /// tau(q, p). Throws `bad_argument` where it is not finite.
-  const Eigen::VectorXd& forces(const Eigen::VectorXd& q, double p) {
-    put(q, p);
-    forces_on_coordinates(elements(p), state_, acting::all);
-    take_needed_forces(state_);
-    auto& tau = state_.work.forces;
-    check_result(state_, [this] { blame("a force", state_); });
-    if (held_.size() > 0) tau -= (1 - p) * held_;
-    return tau;
-  }
+  const Eigen::VectorXd& forces(const Eigen::VectorXd& q, double p);
   /// d tau / dp: exact of a load factor, in which tau is linear, else by central differences.
   Eigen::VectorXd forces_by_parameter(const Eigen::VectorXd& q, double p) {
     const double h = by_load() ? 1.0 : 6e-6 * (1 + std::abs(p));
@@ -146,20 +112,7 @@ class static_problem {
   };
 
   static kte_map_chain with_loads(const kte_map_chain& c, const runtime_state& s,
-                                  const std::vector<external_wrench>& loads) {
-    check_regular(c, s);
-    kte_map_chain all = c;
-    for (const auto& w : loads) {
-      const auto at = find_frame(c, w.frame);
-      const auto& name = c.wiring().names[static_cast<std::size_t>(at.what)][static_cast<std::size_t>(at.index)];
-      six_numbers<double>(w, name);
-      if (at.what == kind::frame_2D)
-        all << follower_force_2D(name, vec2{w.force.x, w.force.y}, w.torque.z);
-      else
-        all << follower_force_3D(name, w.force, w.torque);
-    }
-    return all;
-  }
+                                  const std::vector<external_wrench>& loads);
   template <kind K>
   void copy_things(const runtime_state& s) {
     for (int i = 0; i < chain_.wiring().count(K); ++i) state_.get<K>(i) = s.get<K>(i);
@@ -226,33 +179,9 @@ class static_problem {
     for (int j = 0; j < size(); ++j)
       for (const int i : pattern_.rows[static_cast<std::size_t>(j)]) visit(i, j, *number++);
   }
-  void take_known() {
-    derive_forces(runtime_elements{chain_}, state_);
-    const auto& by_q = state_.work.of_forces.by_q;
-    each_entry([&by_q](int i, int j, double& number) { number = by_q(i, j); });
-  }
+  void take_known();
   /// By dual numbers, all columns of a colour at once.
-  void derive(const loaded_elements& elements) {
-    using number = derivative_number;
-    auto& d = state_with_derivatives(chain_, state_);
-    take_given(state_, d);
-    place_in_world(state_);
-    const int* const colour = pattern_.colour.data();
-    for (int first = 0; first < pattern_.colours; first += number::variables) {
-      const directions moving{vector_of::q, first, colour};
-      for (auto* numbers : {&d.q, &d.v, &d.a})
-        for (auto& x : *numbers) x = number(x.value);
-      for (const freedom& f : d.freedoms())
-        for (int k = 0; k < nv_of(f.what); ++k)
-          if (const int lane = moving.lane(f.v + k); lane >= 0 && lane < number::variables)
-            displace(f, k, static_cast<std::size_t>(lane), std::span(d.q));
-      needed_forces_in_duals(elements, state_, d, moving);
-      each_entry([&](int i, int j, double& to) {
-        if (const int lane = moving.lane(j); lane >= 0 && lane < number::variables)
-          to = d.forces[static_cast<std::size_t>(i)].derivative[static_cast<std::size_t>(lane)];
-      });
-    }
-  }
+  void derive(const loaded_elements& elements);
 
   kte_map_chain chain_;
   runtime_state state_;
@@ -262,5 +191,58 @@ class static_problem {
   sparse_matrix tangent_;
   Eigen::VectorXd held_;
 };
+
+#ifdef KTE_FUNCTION
+KTE_FUNCTION const Eigen::VectorXd& static_problem::forces(const Eigen::VectorXd& q, double p) {
+  put(q, p);
+  forces_on_coordinates(elements(p), state_, acting::all);
+  take_needed_forces(state_);
+  auto& tau = state_.work.forces;
+  check_result(state_, [this] { blame("a force", state_); });
+  if (held_.size() > 0) tau -= (1 - p) * held_;
+  return tau;
+}
+KTE_FUNCTION kte_map_chain static_problem::with_loads(const kte_map_chain& c, const runtime_state& s,
+                                                      const std::vector<external_wrench>& loads) {
+  check_regular(c, s);
+  kte_map_chain all = c;
+  for (const auto& w : loads) {
+    const auto at = find_frame(c, w.frame);
+    const auto& name = c.wiring().names[static_cast<std::size_t>(at.what)][static_cast<std::size_t>(at.index)];
+    six_numbers<double>(w, name);
+    if (at.what == kind::frame_2D)
+      all << follower_force_2D(name, vec2{w.force.x, w.force.y}, w.torque.z);
+    else
+      all << follower_force_3D(name, w.force, w.torque);
+  }
+  return all;
+}
+KTE_FUNCTION void static_problem::take_known() {
+  derive_forces(runtime_elements{chain_}, state_);
+  const auto& by_q = state_.work.of_forces.by_q;
+  each_entry([&by_q](int i, int j, double& number) { number = by_q(i, j); });
+}
+KTE_FUNCTION void static_problem::derive(const loaded_elements& elements) {
+  using number = derivative_number;
+  auto& d = state_with_derivatives(chain_, state_);
+  take_given(state_, d);
+  place_in_world(state_);
+  const int* const colour = pattern_.colour.data();
+  for (int first = 0; first < pattern_.colours; first += number::variables) {
+    const directions moving{vector_of::q, first, colour};
+    for (auto* numbers : {&d.q, &d.v, &d.a})
+      for (auto& x : *numbers) x = number(x.value);
+    for (const freedom& f : d.freedoms())
+      for (int k = 0; k < nv_of(f.what); ++k)
+        if (const int lane = moving.lane(f.v + k); lane >= 0 && lane < number::variables)
+          displace(f, k, static_cast<std::size_t>(lane), std::span(d.q));
+    needed_forces_in_duals(elements, state_, d, moving);
+    each_entry([&](int i, int j, double& to) {
+      if (const int lane = moving.lane(j); lane >= 0 && lane < number::variables)
+        to = d.forces[static_cast<std::size_t>(i)].derivative[static_cast<std::size_t>(lane)];
+    });
+  }
+}
+#endif
 
 }  // namespace kte::detail

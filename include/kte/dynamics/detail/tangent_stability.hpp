@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <kte/detail/compiled.hpp>
+
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/detail/static_problem.hpp>
 
@@ -37,12 +38,13 @@ class symmetric_spectrum {
     factors_.analyzePattern(a);
   }
   int below(double shift) {
-    for (double nudge = 1e-15 * bound_;; nudge *= 10, shift -= nudge) {  // where a pivot is exactly 0
+    const auto factor = [&] {
       shift_ = shift;
       factors_.setShift(-shift);
       factors_.factorize(a_);
-      if (factors_.info() == Eigen::Success || nudge > bound_) break;
-    }
+      return factors_.info() == Eigen::Success;
+    };
+    for (double nudge = 1e-15 * bound_; !factor(); nudge *= 10) shift -= nudge;  // where a pivot is exactly 0
     return static_cast<int>((factors_.vectorD().array() < 0).count());
   }
   /// The smallest eigenvalue, by inverse iteration from below, where no eigenvalue is. Its Rayleigh quotient is that of
@@ -88,7 +90,9 @@ inline tangent_stability stability_of(const sparse_matrix& k) {
   tangent_stability x;
   if (k.rows() == 0) return x;
   const sparse_matrix back = k.transpose(), both = 0.5 * (k + back), twist = k - back;
-  if (const double most = largest_number(k); most > 0) x.asymmetry = largest_number(twist) / most;
+  const double most = largest_number(k);
+  if (most == 0) return x;
+  x.asymmetry = largest_number(twist) / most;
   symmetric_spectrum spectrum(both);
   x.unstable = spectrum.below(0);
   x.stiffness = spectrum.smallest();
