@@ -125,6 +125,25 @@ TEST_CASE("a wheel runs down on its bearing", "[elements][dry_revolute_joint]") 
         "negative, got -0.25");
 }
 
+TEST_CASE("a bearing jams from where accelerations lose half their digits", "[elements][dry_revolute_joint]") {
+  // They are as 1 / sqrt(1 - (R s / L)^2), and lose a share 1 / (1 - R s / L) of eps
+  const double angle = 0.4, rate = 3.0, s = rate / std::sqrt(rate * rate + smoothing * smoothing);
+  const Eigen::Matrix<double, 1, 1> q1(angle), v1(rate), none(0.0);
+  for (const double beyond : {-1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-3}) {
+    const auto c = pendulum(L / s * (1 + beyond));
+    const kte_map_chain r = models::registered(record_of(c));
+    auto state = r.make_state();
+    CHECK_THROWS_MATCHES(forward_dynamics(c, q1, v1, none), no_solution, says("jams at 'q': "));
+    CHECK_THROWS_MATCHES(forward_dynamics(r, state, q1, v1, none), no_solution, says("jams at 'q': "));
+  }
+  for (const double before : {1e-2, 1e-4}) {
+    const double R = L / s * (1 - before);
+    const double A = -R * s * std::abs(g * std::sin(angle) - L * rate * rate) / std::sqrt(L * L - R * R * s * s);
+    const double a = forward_dynamics(pendulum(R), q1, v1, none)[0];
+    CHECK(a == within_relative((A - g * std::cos(angle)) / L, 1e-14 / before));
+  }
+}
+
 TEST_CASE("a bearing jams where it is larger than its arm", "[elements][dry_revolute_joint]") {
   const auto c = pendulum(0.6);
   const kte_map_chain r = models::registered(record_of(c));

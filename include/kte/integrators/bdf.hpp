@@ -8,7 +8,7 @@ namespace kte {
 
 /// Settings of `bdf`.
 struct bdf_settings {
-  int max_order = 5;  ///< 1 to 5. To order 2 A-stable; beyond, fast and weakly damped oscillations make steps short
+  int max_order = 5;  ///< 1 to 5. To order 2 A-stable; beyond, weakly damped oscillations bound the step
   bdf_formula formula = bdf_formula::numerical_differentiation;
 };
 
@@ -25,6 +25,10 @@ struct bdf_settings {
 ///
 /// A step may add a tenth of the tolerances: as the errors of steps sum up, the error in the end is about the
 /// tolerance. Where rounding makes errors larger than that, they are compared with what it makes (`rounding_floor`).
+///
+/// Oscillations that are hardly damped grow at orders 3 to 5, unless h w is small (`bdf_coefficients::stable_angle`).
+/// The eigenvalues of each Jacobian say which w there are: where the longest step by the errors at order 2 is longer
+/// than those that are stable at higher orders, as of flexible systems whose fast modes do not move, the order stays 2.
 ///
 /// The history goes on from one `integrate` to the next, unless time, state, direction or the slope f(t, x) have
 /// changed: then it begins anew with order 1.
@@ -111,8 +115,9 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
       const S& proposed = steps_.proposed();   // more where this one was cut short, which tells little of longer ones
       return proposed < length ? length : 2 * length < proposed ? S(2 * length) : proposed;
     }
-    const auto next =
-        detail::choose_order<S>(this->order_, max_order_, [&](int q) { return S(this->error(q) / level); });
+    const auto next = detail::choose_order<S>(
+        this->order_, max_order_, [&](int q) { return S(this->error(q) / level); },
+        [&](int q) { return S(this->stable_step(q) / length); });
     if (this->order_ != next.order) this->equal_steps_ = 0;
     this->order_ = next.order;
     return length * next.factor;

@@ -84,12 +84,24 @@ void add_spread_masses(const Elements& c, State& s, Matrix& m) {
   }
 }
 
+/// Of the i-th joint that has friction by what it carries.
+template <class Elements, class State>
+[[noreturn, gnu::cold, gnu::noinline]] void blame_friction(const Elements& c, const State& s, Eigen::Index i) {
+  const auto& t = s.tree();
+  const int e = t.readers[static_cast<std::size_t>(i)];
+  const int slot = t.forest.frame(c.ports(e).back().what, c.written(e)).slot - t.forest.bases;
+  c.blame_friction(s, t.forest.row[static_cast<std::size_t>(t.forest.records[static_cast<std::size_t>(slot)].first)]);
+}
+
 /// Accelerations where joints have friction by what they carry: sweep() computes them with the friction in the working
 /// memory, and of them the friction follows again. Broyden's iteration for
 ///
 ///   r(x) = friction(a(x)) - x = 0          (2)
 ///
-/// which ends at rounding, or throws `no_solution`. (Broyden, Math. Comp. 19 (1965), his first method.)
+/// which ends at rounding. Where r' is so near to singular that this makes x lose half its digits, |r'^-1| |x| > |x| /
+/// sqrt(eps), joints are about to jam (Painleve 1895), and on the other side of that there is no x: throws
+/// `no_solution` for both, with the first coordinate where it is so. (Broyden, Math. Comp. 19 (1965), his first
+/// method.)
 template <class Elements, class State, class Sweep>
 void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
   using S = typename State::scalar;
@@ -117,20 +129,32 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
     return product;
   };
   const S eps = std::numeric_limits<S>::epsilon();
+  const auto check_sure = [&] {
+    using std::abs;
+    using std::sqrt;
+    const S most = largest(x) / S(sqrt(eps));
+    for (Eigen::Index i = 0; i < n; ++i) {
+      S unsure(0);
+      for (Eigen::Index j = 0; j < n; ++j) unsure += S(abs(inverse(i, j))) * S(abs(x[j]));
+      if (!all(unsure <= most)) [[unlikely]]
+        blame_friction(c, s, i);
+    }
+  };
   S least = (std::numeric_limits<S>::max)();
   int idle = 0;
   residual();
   for (int i = 0; i < 60; ++i) {
     const S error = largest(r), size = largest(x);
-    if (all(error <= S(S(4) * eps * size))) return;
+    if (all(error <= S(S(4) * eps * size))) return check_sure();
     idle = all(error < S(least / S(2))) ? 0 : idle + 1;
     least = select(error < least, error, least);
     if (idle >= 3 && all(error <= S(S(2) * least)) && all(least <= S(S(4096) * eps * size)))
-      return;  // rounding of a and of friction
+      return check_sure();  // rounding of a and of friction
     step = times_inverse(r);
     step = -step;
     x += step, before = r;
     residual();
+    if (all(largest(step) <= S(S(4096) * eps * size))) continue;  // r - before is rounding
     const vector gone = times_inverse(vector(r - before));
     S along(0);
     for (Eigen::Index k = 0; k < n; ++k) along += step[k] * gone[k];
@@ -142,9 +166,7 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
       inverse.col(j) = column;
     }
   }
-  raise<no_solution>(
-      "kte: no accelerations fit the friction of joints by what they carry: it is so large that there are none, "
-      "or several");
+  blame_friction(c, s, 0);
 }
 
 }  // namespace kte::detail

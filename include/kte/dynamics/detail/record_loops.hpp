@@ -15,6 +15,7 @@
 ///   holds(e, s)                     whether it holds its coordinate
 ///   friction(e, s, wrench)          of a joint that carries a wrench at its end
 ///   blame_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
+///   blame_friction(s, row)          throws: friction of coordinate `row` that jams
 namespace kte::detail {
 
 /// No forces on coordinates.

@@ -51,6 +51,10 @@ struct runtime_elements {
   [[noreturn]] void blame_mass(const State& s, int row, bool finite) const {
     detail::blame_mass(s, row, finite);
   }
+  template <class State>
+  [[noreturn]] void blame_friction(const State& s, int row) const {
+    raise_jammed(name_of_row(layout_of_state(s), row));
+  }
 };
 
 /// Throws `bad_argument` unless the state is of this chain, which is no part of another.

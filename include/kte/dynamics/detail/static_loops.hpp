@@ -116,6 +116,10 @@ struct static_elements {
   [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
     detail::blame_mass<wiring>(row, finite, given.at.q);
   }
+  template <class State>
+  [[noreturn]] void blame_friction(const State&, int row) const {
+    raise_jammed(name_of_row(layout_of_wiring<wiring>::table, row));
+  }
 
  private:
   /// f<e>(core of element e).

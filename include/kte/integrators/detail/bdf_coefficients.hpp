@@ -3,6 +3,7 @@
 #include <kte/integrators/tableau.hpp>
 
 #include <array>
+#include <limits>
 
 namespace kte {
 
@@ -46,6 +47,11 @@ class bdf_coefficients {
   S slope(int k) const { return 1 / leading_[at(k)]; }
   /// w_j.
   S history(int k, int j) const { return harmonic_[at(j)] / leading_[at(k)]; }
+  /// The largest w h at which an oscillation of w rad/s without damping grows by less than 2e-4 a step, or not at all:
+  /// the largest root of (1) for f = i w x. Infinite at orders 1 and 2.
+  static S stable_angle(int k) {
+    return k < 3 ? std::numeric_limits<S>::infinity() : k == 3 ? S(0.2) : k == 4 ? S(0.3) : S(0.7);
+  }
   /// C_k.
   const S& error(int k) const { return error_[at(k)]; }
 

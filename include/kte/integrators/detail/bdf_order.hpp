@@ -12,21 +12,25 @@ struct order_choice {
 };
 
 /// The next order and step after equal steps of order k: the order q among k - 1, k, k + 1 of the longest step, up to
-/// `most`. error(q) gives e_q, the size of the error with order q: at most 1 where it is within the tolerances.
+/// `most`. error(q) gives e_q, the size of the error with order q: at most 1 where it is within the tolerances;
+/// stable(q) the longest step, times the present one, that order q may take (`bdf_coefficients::stable_angle`).
 ///
-///   r_q = (b e_q)^(-1/(q + 1)),   b = 6,   10 for q = k + 1;   0.2 to 10                  (1)
+///   r_q = (b e_q)^(-1/(q + 1)),   b = 6,   10 for q = k + 1;   0.2 to min(10, stable(q))                  (1)
+///
+/// Where that binds order k > 3, order 2 is considered, too.
 ///
 /// The margins b make rejected steps rare, and changes to a higher order reluctant. Steps stay where they could grow by
 /// less than 1.3: a change costs a factorization, and the wait for k + 1 equal steps. They shrink before they fail.
 ///
 /// The margins are those of Brown, Byrne and Hindmarsh, VODE: a variable-coefficient ODE solver, SIAM J. Sci. Stat.
 /// Comput. 10 (1989).
-template <class S, class Size>
-order_choice<S> choose_order(int k, int most, const Size& error) {
+template <class S, class Size, class Stable>
+order_choice<S> choose_order(int k, int most, const Size& error, const Stable& stable) {
   const auto ratio_of = [&](int q, const S& margin) {
     using std::pow;
     const S e = error(q), r = pow(S(margin * (e < S(1e-10) ? S(1e-10) : e)), S(S(-1) / S(q + 1)));  // (1)
-    return r < S(0.2) ? S(0.2) : r < S(10) ? r : S(10);
+    const S longest = stable(q) < S(10) ? stable(q) : S(10), bounded = r < longest ? r : longest;
+    return bounded < S(0.2) ? S(0.2) : bounded;
   };
   order_choice<S> best{k, ratio_of(k, S(6))};
   const auto consider = [&](int q, const S& margin) {
@@ -35,6 +39,7 @@ order_choice<S> choose_order(int k, int most, const Size& error) {
   };
   if (k > 1) consider(k - 1, S(6));
   if (k < most) consider(k + 1, S(10));
+  if (k > 3 && !(best.factor < stable(k))) consider(2, S(6));
   if (best.factor < S(1.3) && S(0.95) < best.factor) return {best.order < k ? best.order : k, S(1)};
   return best;
 }

@@ -3,6 +3,7 @@
 #include <kte/integrators/detail/backward_differences.hpp>
 #include <kte/integrators/detail/bdf_coefficients.hpp>
 #include <kte/integrators/detail/newton_progress.hpp>
+#include <kte/integrators/detail/weakly_damped.hpp>
 #include <kte/integrators/implicit_integrator.hpp>
 
 namespace kte {
@@ -53,6 +54,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   /// J at the present state.
   void renew_jacobian() {
     this->differentiate(slope_now());
+    oscillation_ = detail::fastest_weakly_damped(this->jacobian_);
     jacobian_is_known_ = jacobian_is_new_ = true;
     matrix_is_known_ = false;
   }
@@ -96,6 +98,11 @@ class bdf_step : public implicit_integrator<Method, F, X> {
         floor_, error, reach, [&] { return norm(differences_[1] / h_); },
         [&](int i, int j) { return norm(this->rounding_of_rate(i, j, slope_now())); });
   }
+  /// The longest step of order q at which weakly damped oscillations do not grow.
+  S stable_step(int q) const {
+    return oscillation_ == S(0) ? std::numeric_limits<S>::infinity()
+                                : S(detail::bdf_coefficients<S>::stable_angle(q) / oscillation_);
+  }
   /// The error of the step that is solved.
   S error() const { return size(formulas_.error(order_) * correction_); }
   /// The error of the step that ends with `next_`, had it been of order q, which is the present one or one beside it.
@@ -137,6 +144,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   detail::newton_progress<S> newton_;
   detail::rounding_floor<S> floor_;
   rate correction_, predicted_, history_;  ///< d, p and the sum of (1)
+  S oscillation_{0};                       ///< the fastest that is weakly damped, rad/s, by J
   S c_{0};                                 ///< of the matrix
   bool matrix_is_known_ = false;
 };
