@@ -73,7 +73,7 @@ inline void robot_forces::append_spring_dampers(const robot_tree& tree) {
 inline std::vector<double> robot_forces::inverse_masses(const Eigen::VectorXd& q) {
   const auto& c = to_.chain();
   auto s = c.make_state();
-  const auto singular = [this] {
+  const auto refuse = [this] {
     raise<bad_file>("kte: " + place_text(d_.source, 0) + "the mass matrix of the robot '" + d_.name +
                     "' is singular, so that springdamper has no meaning");
   };
@@ -81,11 +81,11 @@ inline std::vector<double> robot_forces::inverse_masses(const Eigen::VectorXd& q
     try {
       return take(c, s, q).call([&] { return inverse_mass_diagonal(runtime_elements{c}, s); });
     } catch (const singular_mass_matrix&) {
-      singular();
+      refuse();
     }
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(mass_matrix(c, s, q));
-  if (factor.info() != Eigen::Success) singular();
+  if (factor.info() != Eigen::Success) refuse();
   const Eigen::MatrixXd inverse = factor.matrixL().solve(Eigen::MatrixXd::Identity(c.dofs(), c.dofs()));
   std::vector<double> diagonal(static_cast<std::size_t>(c.dofs()));
   for (int i = 0; i < c.dofs(); ++i) diagonal[static_cast<std::size_t>(i)] = inverse.col(i).squaredNorm();
