@@ -109,8 +109,8 @@ Eigen::VectorXd start_of_statics(const kte_map_chain& c, const runtime_state& s,
 /// Loads are put on in parts, as large as the method takes, so that the shape is the one to which they lead from q0:
 /// with the load factor x from 0 to 1 these are x times themselves
 ///
-///   gravity, as accelerations of bases;  `constant_force`, `follower_force`, `driving_actuator`, `external_force`;
-///   wrenches of `options`
+///   gravity, as accelerations of bases;  `constant_force`, `follower_force`;  `driving_actuator`, `external_force` by
+///   inputs from outside;  wrenches of `options`
 ///
 /// Springs, motors and all else act in full. Where they are not in balance at q0 under no loads, forces hold the chain
 /// that are let go as 1 - x. A chain that only its loads hold, as a pendulum, has nothing to start from: then steps

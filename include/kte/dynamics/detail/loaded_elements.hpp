@@ -10,9 +10,18 @@ namespace kte::detail {
 struct loaded_elements : runtime_elements {
   double factor;
 
+  /// What a controller writes is no load from outside.
+  bool is_load(int e) const {
+    const auto& c = connection(e);
+    bool outside = c.load;
+    for (std::size_t p = 0; p < c.ports.size(); ++p)
+      if (const auto k = static_cast<std::size_t>(c.ports[p].what); is_signal(c.ports[p].what))
+        outside &= chain.wiring().writers[k][static_cast<std::size_t>(c.index[p])] < 0;
+    return outside;
+  }
   template <class State>
   void push(int e, State& s) const {
-    if (!connection(e).load || factor == 1) return runtime_elements::push(e, s);
+    if (factor == 1 || !is_load(e)) return runtime_elements::push(e, s);
     const kind k = ports(e).front().what;
     const int at = index(e, 0);
     if (k == kind::gen) {
