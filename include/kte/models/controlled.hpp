@@ -262,8 +262,15 @@ class controlled {
   [[no_unique_address]] Rates law_rates_{};
   law_state start_;
   rate rate_;
-  mutable model_state part_, moved_;
-  mutable model_rate rate_part_, changed_;
+  // Zeros, as copies are made of these too.
+  template <class V>
+  static V zeros() {
+    V v;
+    v.setZero();
+    return v;
+  }
+  mutable model_state part_ = zeros<model_state>(), moved_ = zeros<model_state>();
+  mutable model_rate rate_part_ = zeros<model_rate>(), changed_ = zeros<model_rate>();
 };
 template <class Model, class Law>
 controlled(Model, Law) -> controlled<Model, Law>;
