@@ -16,7 +16,7 @@ namespace kte::detail {
 /// Broyden, Math. Comp. 19 (1965), his first method.
 template <class S, int N>
 class secant_iteration {
-  static constexpr bool learns = N > 1 && N <= 16;
+  static constexpr bool learns = N > 0 && N <= 16;
   using vector = Eigen::Matrix<S, N, 1>;
 
  public:
