@@ -1,10 +1,13 @@
 #pragma once
 
 #include <kte/integrators/detail/hermite.hpp>
+#include <kte/integrators/detail/secant_iteration.hpp>
 #include <kte/integrators/fixed_step.hpp>
 #include <kte/models/detail/momenta.hpp>
 #include <kte/models/detail/momentum_transport.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
+
+#include <array>
 
 namespace kte {
 
@@ -21,7 +24,8 @@ namespace kte {
 ///
 /// with f as `forces_at`: dampers and motors act by their force at the middle. For rotations see
 /// models/detail/momentum_transport.hpp. Solved to rounding by iteration, for which h must be below about 1 over the
-/// fastest rate. Order 4: five steps of (1), of lengths
+/// fastest rate: from the v that those of the last steps lead to, by a matrix that begins as M and is learned from the
+/// changes (`secant_iteration`). Order 4: five steps of (1), of lengths
 ///
 ///   g h, g h, (1 - 4 g) h, g h, g h,   g = 1/(4 - 4^(1/3))                  (4)
 ///
@@ -65,6 +69,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
     v_ = velocities_in(this->x_);
     this->ask([&] { p_ = masses_.at(chain(), this->x_.data(), v_); });
     lost_q_.setZero(v_.size()), lost_p_.setZero(v_.size());
+    known_ = 0;
   }
   void try_step(const S& end) {
     this->ask([&] { advance_to(end); });
@@ -72,22 +77,39 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
   void advance_to(const S& end) {
     const S h = end - this->time_;
     this->next_ = this->x_;
+    if (known_ != 0 && !same_length(h)) known_ = 0;
+    length_ = h;
     if constexpr (Order == 2) {
-      advance_by(h);
+      advance_by(h, 0);
     } else {
       using std::cbrt;
       const S g = 1 / (4 - cbrt(S(4)));
-      for (const S& part : {g, g, S(1 - 4 * g), g, g}) advance_by(part * h);  // (4)
+      int part = 0;
+      for (const S& share : {g, g, S(1 - 4 * g), g, g}) advance_by(share * h, part++);  // (4)
     }
+    if (known_ < remembered) ++known_;
     vector v = p_;
     masses_.solve(chain(), this->next_.data(), v);
     velocities_in(this->next_) = v;
   }
-  /// One step of (1): q in `next_` and p_.
-  void advance_by(const S& h) {
+  bool same_length(const S& h) const {
+    using std::abs;
+    return abs(S(h - length_)) < S(1e-6) * abs(h);
+  }
+  /// v of a part of this step from those of the same part in the last ones: the polynomial through them, an h further.
+  void guess(int part) {
+    const auto& p = past_[static_cast<std::size_t>(part)];
+    if (known_ == 2) v_ = 2 * p[0] - p[1];
+    if (known_ == 3) v_ = 3 * (p[0] - p[1]) + p[2];
+    if (known_ == 4) v_ = 4 * (p[0] + p[2]) - 6 * p[1] - p[3];
+  }
+  /// One step of (1), a part of the whole: q in `next_` and p_.
+  void advance_by(const S& h, int part) {
     const X start = this->next_;
     vector d = lost_q_, half = d, change = d;
-    this->iterate(h, [&] {
+    const vector last = v_;
+    auto& secants = secants_[Order == 4 && part == 2 ? 1 : 0];
+    const auto improve = [&] {
       for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
       half = d / 2;
       displace(start, half, middle_);
@@ -106,10 +128,20 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
       });
       v -= p;
       masses_.solve(chain(), middle_.data(), v);
-      const S size = v_.norm(), by = v.norm();
+      const S size = v_.norm();
+      secants.improve(v, size);
+      const S by = v.norm();
       v_ += v;
       return size == S(0) ? by : S(by / size);
-    });
+    };
+    guess(part), secants.begin(known_ == 0);
+    if (detail::iterate<S>(improve) != detail::iteration::converged) {
+      v_ = last, secants.begin_plainly();
+      this->iterate(h, improve);
+    }
+    auto& past = past_[static_cast<std::size_t>(part)];
+    for (std::size_t i = remembered - 1; i > 0; --i) past[i] = past[i - 1];
+    past[0] = v_;
     for_each([&](const auto& f) { detail::momentum_step<S>(f, h, v_).displacement(d); });
     d += lost_q_, change += lost_p_;
     displace(start, d, this->next_);
@@ -147,10 +179,15 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
     for_each([&](const auto& f) { detail::displace_one<S>(f, from, d, to); });
   }
 
+  static constexpr int remembered = 4, parts = Order == 2 ? 1 : 5;
   X middle_;
   detail::momenta_of<chain_type, S> masses_;
-  vector p_, v_;            ///< momenta at the present q; velocities of the last step, a guess for the next
-  vector lost_q_, lost_p_;  ///< in rounding, as `fixed_step` has it
+  vector p_, v_;  ///< momenta at the present q; velocities of the last part, a guess for the next
+  std::array<std::array<vector, remembered>, parts> past_;  ///< velocities of each part in the last steps, newest first
+  int known_ = 0;                                           ///< of those, how many are known
+  S length_{0};                                             ///< of the last step
+  std::array<detail::secant_iteration<S, n>, Order == 2 ? 1 : 2> secants_;  ///< of each length of parts
+  vector lost_q_, lost_p_;                                                  ///< in rounding, as `fixed_step` has it
 };
 
 template <class F, class X>

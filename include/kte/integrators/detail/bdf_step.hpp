@@ -24,7 +24,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
  protected:
   template <class V>
   bdf_step(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, bdf_formula formula)
-      : base(std::move(f), t0, x0, tol), formulas_(formula) {
+      : base(std::move(f), t0, x0, tol), formulas_(formula), weakly_damped_(this->rates()) {
     slope_ = change_ = correction_ = predicted_ = history_ = this->no_rate();
   }
 
@@ -54,7 +54,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   /// J at the present state.
   void renew_jacobian() {
     this->differentiate(slope_now());
-    oscillation_ = detail::fastest_weakly_damped(this->jacobian_);
+    oscillation_ = weakly_damped_.fastest(this->jacobian_);
     jacobian_is_known_ = jacobian_is_new_ = true;
     matrix_is_known_ = false;
   }
@@ -141,6 +141,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   }
 
   detail::bdf_coefficients<S> formulas_;
+  [[no_unique_address]] detail::weakly_damped<typename base::matrix> weakly_damped_;
   detail::newton_progress<S> newton_;
   detail::rounding_floor<S> floor_;
   rate correction_, predicted_, history_;  ///< d, p and the sum of (1)

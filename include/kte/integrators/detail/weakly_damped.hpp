@@ -14,15 +14,18 @@ namespace kte::detail {
 ///
 /// 0 if there are none. Smaller ones may be rounding, also that of a Jacobian by differences. For other scalars than
 /// those of the machine 0, too.
-template <class Matrix>
-typename Matrix::Scalar fastest_weakly_damped(const Matrix& j) {
+template <class Matrix, bool Known = std::is_floating_point_v<typename Matrix::Scalar>>
+class weakly_damped {
   using S = typename Matrix::Scalar;
-  S most(0);
-  if constexpr (std::is_floating_point_v<S>) {
-    if (j.rows() < 2) return most;
-    const Eigen::RealSchur<Matrix> schur(j, false);
-    if (schur.info() != Eigen::Success) return most;
-    const auto& t = schur.matrixT();
+
+ public:
+  /// Of n components.
+  explicit weakly_damped(Eigen::Index n) : schur_(n) {}
+
+  S fastest(const Matrix& j) {
+    S most(0);
+    if (j.rows() < 2 || schur_.compute(j, false).info() != Eigen::Success) return most;
+    const auto& t = schur_.matrixT();
     const S least = std::sqrt(std::numeric_limits<S>::epsilon()) * j.norm();
     for (Eigen::Index i = 0; i + 1 < t.rows(); ++i) {
       const S half = (t(i, i) - t(i + 1, i + 1)) / 2, square = -(half * half + t(i, i + 1) * t(i + 1, i));
@@ -30,8 +33,17 @@ typename Matrix::Scalar fastest_weakly_damped(const Matrix& j) {
       const S real = (t(i, i) + t(i + 1, i + 1)) / 2, imaginary = std::sqrt(square), size = std::hypot(real, imaginary);
       if (imaginary > 10 * std::abs(real) && size > least && most < size) most = size;
     }
+    return most;
   }
-  return most;
-}
+
+ private:
+  Eigen::RealSchur<Matrix> schur_;
+};
+template <class Matrix>
+class weakly_damped<Matrix, false> {
+ public:
+  explicit weakly_damped(Eigen::Index) {}
+  static typename Matrix::Scalar fastest(const Matrix&) { return typename Matrix::Scalar(0); }
+};
 
 }  // namespace kte::detail
