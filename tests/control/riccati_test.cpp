@@ -22,7 +22,7 @@ MatrixXd matrix(Eigen::Index rows, Eigen::Index cols, std::initializer_list<doub
   for (const double x : by_rows) m(i / cols, i % cols) = x, ++i;
   return m;
 }
-const MatrixXd one = matrix(1, 1, {1}), two_ones = MatrixXd::Identity(2, 2), twice = matrix(2, 2, {0, 1, 0, 0}),
+const MatrixXd unit = matrix(1, 1, {1}), two_ones = MatrixXd::Identity(2, 2), twice = matrix(2, 2, {0, 1, 0, 0}),
                push = matrix(2, 1, {0, 1});
 
 /// Of (1) in control/riccati.hpp, with K, relative to its terms.
@@ -42,13 +42,13 @@ MatrixXd irregular(Eigen::Index rows, Eigen::Index cols, double seed) {
 TEST_CASE("The double integrator, in closed form at all scales") {
   // A cost s^2 of the position squared: X = (s sqrt(2 s), s; s, sqrt(2 s))
   for (const double s : {1e-8, 1e-3, 1.0, 1e4, 1e9}) {
-    const MatrixXd x = care(twice, push, matrix(2, 2, {s * s, 0, 0, 0}), one);
+    const MatrixXd x = care(twice, push, matrix(2, 2, {s * s, 0, 0, 0}), unit);
     CHECK(x(0, 1) == within_relative(s, 8 * eps));
     CHECK(x(1, 1) == within_relative(std::sqrt(2 * s), 8 * eps));
     CHECK(x(0, 0) == within_relative(s * std::sqrt(2 * s), 8 * eps));
     CHECK(x(1, 0) == x(0, 1));
   }
-  const auto g = lqr(twice, push, two_ones, one);
+  const auto g = lqr(twice, push, two_ones, unit);
   CHECK(g.K(0, 0) == within(1, 4 * eps));
   CHECK(g.K(0, 1) == within(std::sqrt(3), 4 * eps));
   // poles of s^2 + sqrt(3) s + 1
@@ -61,16 +61,16 @@ TEST_CASE("One number: the stabilising root, also of unstable and uncertain cost
   for (const double a : {-2.0, 0.0, 3.0})
     for (const double n : {0.0, 0.5}) {
       const double b = 2, q = 5, r = 0.25, p = a - b * n / r, c = q - n * n / r, h = b * b / r;
-      const MatrixXd x = care(one * a, one * b, one * q, one * r, one * n);
+      const MatrixXd x = care(unit * a, unit * b, unit * q, unit * r, unit * n);
       CHECK(x(0, 0) == within_relative((p + std::sqrt(p * p + h * c)) / h, 8 * eps));
-      const MatrixXd y = dare(one * a, one * b, one * q, one * r);
+      const MatrixXd y = dare(unit * a, unit * b, unit * q, unit * r);
       // b^2 y^2 + (r - a^2 r - q b^2) y - q r = 0
       const double half = (r - a * a * r - q * b * b) / 2;
       CHECK(y(0, 0) == within_relative((-half + std::sqrt(half * half + b * b * q * r)) / (b * b), 16 * eps));
     }
   // An indefinite Q, as of games; least eigenvalue of the loop sqrt(a^2 + q) = 1
-  CHECK(care(one * 2, one, one * -3, one)(0, 0) == within(3, 16 * eps));
-  CHECK_THROWS_MATCHES(lqr(one * 2, one, one * -3, one), bad_argument, says("lqr: Q is not positive semidefinite"));
+  CHECK(care(unit * 2, unit, unit * -3, unit)(0, 0) == within(3, 16 * eps));
+  CHECK_THROWS_MATCHES(lqr(unit * 2, unit, unit * -3, unit), bad_argument, says("lqr: Q is not positive semidefinite"));
 }
 
 TEST_CASE("Costs of states with inputs are those of a shifted problem") {
@@ -97,7 +97,7 @@ TEST_CASE("A chain of masses, of 12 states: residuals to rounding, in both kinds
     if (i + 1 < n) A(n + i, i + 1) = 1e4;
   }
   B(2 * n - 1, 0) = 3;
-  const MatrixXd Q = MatrixXd::Identity(2 * n, 2 * n), R = one * 1e-4, N = MatrixXd::Zero(2 * n, 1);
+  const MatrixXd Q = MatrixXd::Identity(2 * n, 2 * n), R = unit * 1e-4, N = MatrixXd::Zero(2 * n, 1);
   const auto g = lqr(A, B, Q, R);
   CHECK(residual(A, B, Q, N, g) < 256 * eps);
   linear_system<> s{A, B, Q, N, Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
@@ -111,11 +111,11 @@ TEST_CASE("What has no solution says why") {
   const auto unreached = [](const char* z) {
     return says(std::string("not stabilisable: inputs do not reach the mode of A with the eigenvalue ") + z);
   };
-  CHECK_THROWS_MATCHES(care(matrix(2, 2, {1, 0, 0, 2}), matrix(2, 1, {1, 0}), two_ones, one), no_solution,
+  CHECK_THROWS_MATCHES(care(matrix(2, 2, {1, 0, 0, 2}), matrix(2, 1, {1, 0}), two_ones, unit), no_solution,
                        unreached("2 +0i"));
-  CHECK_THROWS_MATCHES(dare(matrix(2, 2, {1, 0, 0, 2}), matrix(2, 1, {1, 0}), two_ones, one), no_solution,
+  CHECK_THROWS_MATCHES(dare(matrix(2, 2, {1, 0, 0, 2}), matrix(2, 1, {1, 0}), two_ones, unit), no_solution,
                        unreached("2 +0i"));
-  CHECK_THROWS_MATCHES(care(twice, matrix(2, 1, {1, 0}), two_ones, one), no_solution, unreached("0 +0i"));
+  CHECK_THROWS_MATCHES(care(twice, matrix(2, 1, {1, 0}), two_ones, unit), no_solution, unreached("0 +0i"));
   // The same in coordinates that hide it; a mode that decays by itself is no fault.
   const MatrixXd along = irregular(5, 1, 1);
   const MatrixXd turn = MatrixXd::Identity(5, 5) - 2 / along.squaredNorm() * along * along.transpose();
@@ -130,16 +130,16 @@ TEST_CASE("What has no solution says why") {
 
   const auto axis = says("the Hamiltonian matrix has, up to rounding, an eigenvalue on the imaginary axis");
   const MatrixXd oscillator = matrix(2, 2, {0, 1, -1, 0});
-  CHECK_THROWS_MATCHES(care(oscillator, push, MatrixXd::Zero(2, 2), one), no_solution, axis);
-  CHECK_THROWS_MATCHES(care(twice, push, matrix(2, 2, {0, 0, 0, 1}), one), no_solution, axis);
+  CHECK_THROWS_MATCHES(care(oscillator, push, MatrixXd::Zero(2, 2), unit), no_solution, axis);
+  CHECK_THROWS_MATCHES(care(twice, push, matrix(2, 2, {0, 0, 0, 1}), unit), no_solution, axis);
   const auto circle = says("the symplectic pencil has, up to rounding, an eigenvalue on the unit circle");
-  CHECK_THROWS_MATCHES(dare(oscillator, push, MatrixXd::Zero(2, 2), one), no_solution, circle);
+  CHECK_THROWS_MATCHES(dare(oscillator, push, MatrixXd::Zero(2, 2), unit), no_solution, circle);
 
-  CHECK_THROWS_MATCHES(care(twice, push, two_ones, one * -1), bad_argument, says("R is not positive definite"));
-  CHECK_THROWS_MATCHES(care(twice, push, two_ones, one * 0), bad_argument, says("R is not positive definite"));
-  CHECK_THROWS_MATCHES(care(twice, push, matrix(2, 2, {1, 1, 0, 1}), one), bad_argument, says("Q is not symmetric"));
-  CHECK_THROWS_MATCHES(care(twice, push, one, one), bad_argument, says("Q is 1 x 1, not 2 x 2"));
-  CHECK_THROWS_MATCHES(care(twice, push * std::nan(""), two_ones, one), bad_argument,
+  CHECK_THROWS_MATCHES(care(twice, push, two_ones, unit * -1), bad_argument, says("R is not positive definite"));
+  CHECK_THROWS_MATCHES(care(twice, push, two_ones, unit * 0), bad_argument, says("R is not positive definite"));
+  CHECK_THROWS_MATCHES(care(twice, push, matrix(2, 2, {1, 1, 0, 1}), unit), bad_argument, says("Q is not symmetric"));
+  CHECK_THROWS_MATCHES(care(twice, push, unit, unit), bad_argument, says("Q is 1 x 1, not 2 x 2"));
+  CHECK_THROWS_MATCHES(care(twice, push * std::nan(""), two_ones, unit), bad_argument,
                        says("a number of B is not finite"));
   CHECK_THROWS_MATCHES(care({}, {}, {}, {}), bad_argument, says("there are no states, or no inputs"));
 }
@@ -161,7 +161,7 @@ TEST_CASE("Systems become discrete exactly, at what is no equilibrium too") {
   CHECK((o.A - matrix(2, 2, {c + z * w * n, n, -w * w * n, c - z * w * n})).norm() < 64 * eps * w);
   CHECK((o.B - matrix(2, 1, {1 - c - z * w * n, w * w * n})).norm() < 64 * eps * w);
   CHECK_THROWS_MATCHES(discretize(s, 0), bad_argument, says("dt must be finite and positive, got 0"));
-  CHECK_THROWS_MATCHES(discretize({one * 1e3, one, one, one, one, one}, 1), bad_argument,
+  CHECK_THROWS_MATCHES(discretize({unit * 1e3, unit, unit, unit, unit, unit}, 1), bad_argument,
                        says("grows beyond all numbers"));
-  CHECK_THROWS_AS(discretize({one, push, one, one, one, one}, 1), bad_argument);
+  CHECK_THROWS_AS(discretize({unit, push, unit, unit, unit, unit}, 1), bad_argument);
 }
