@@ -233,6 +233,10 @@ class controlled {
     if constexpr (Part == 2) return decltype(std::declval<m>().internals_of(std::declval<x>()))::RowsAtCompileTime;
   }();
 
+  template <class V>
+  static V blank() {
+    return V::Zero(V::RowsAtCompileTime == Eigen::Dynamic ? 0 : V::RowsAtCompileTime);
+  }
   void check_state(const state& x) const {
     if constexpr (state::RowsAtCompileTime == Eigen::Dynamic)
       check_size(static_cast<std::size_t>(state_size()), x, "x", "numbers of a state");
@@ -261,16 +265,10 @@ class controlled {
   Law law_;
   [[no_unique_address]] Rates law_rates_{};
   law_state start_;
-  rate rate_;
-  // Zeros, as copies are made of these too.
-  template <class V>
-  static V zeros() {
-    V v;
-    v.setZero();
-    return v;
-  }
-  mutable model_state part_ = zeros<model_state>(), moved_ = zeros<model_state>();
-  mutable model_rate rate_part_ = zeros<model_rate>(), changed_ = zeros<model_rate>();
+  rate rate_ = blank<rate>();
+  // To work in.
+  mutable model_state part_ = blank<model_state>(), moved_ = part_;
+  mutable model_rate rate_part_ = blank<model_rate>(), changed_ = rate_part_;
 };
 template <class Model, class Law>
 controlled(Model, Law) -> controlled<Model, Law>;
