@@ -171,6 +171,17 @@ TEST_CASE("derivatives by colours are those by one direction after the other", "
             .maxCoeff() <= 1e-13);
 }
 
+TEST_CASE("what a controller writes is no load from outside", "[statics]") {
+  auto c = truss();
+  c << position_measure_gen("y", "height") << driving_actuator_gen("y", "height") << driving_actuator_gen("y", "push");
+  auto s = c.make_state();
+  s.input("push") = 3;
+  detail::static_problem f(c, s, {}, "");
+  const Eigen::VectorXd y = Eigen::VectorXd::Constant(1, 2.0);
+  CHECK(f.forces(y, 0)[0] == within(-push_at(2) - 2, 1e-12));
+  CHECK(f.forces(y, 1)[0] == within(-push_at(2) - 2 - 3, 1e-12));
+}
+
 TEST_CASE("a pushed beam is unstable beyond Euler's load", "[statics]") {
   const double critical = pi * pi / 4;  // of a cantilever; two beams err by 5e-4
   for (const double part : {0.999, 1.001}) {
