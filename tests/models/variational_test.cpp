@@ -163,7 +163,8 @@ TEST_CASE("Variational integrators of runtime chains step as those of static one
   CHECK((same.interpolate(0.095) - solver.interpolate(0.095)).norm() < 1e-12 * solver.state().norm());
   kte_map_chain rubs;
   rubs << inertia_gen("x", 1.0)
-       << joint_lugre_gen("x", "bristles", {.sigma0 = 1, .coulomb = 1, .stiction = 1, .stribeck_velocity = 1});
+       << joint_lugre_gen("x", "bristles",
+                          {.sigma0 = 1, .sigma1 = 0, .sigma2 = 0, .coulomb = 1, .stiction = 1, .stribeck_velocity = 1});
   const manipulator_dynamics_model kept(rubs);
   CHECK_THROWS_MATCHES(variational2(std::cref(kept), 0.0, kept.make_x(std::array{0.0}, std::array{0.0}), 0.1),
                        bad_argument, says("know no internal states of elements, as that of joint_lugre_gen"));
