@@ -102,6 +102,15 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
     CHECK(pid.law_states_of(x0)[0] == 0.25);
     CHECK(pid.internals() == 1);
     CHECK(pid.velocities_of(x0)[3] == 2);
+    CHECK(pid.getJointStates(pid.state_at(0, x0)) == x0);  // the law at its start
+    using rate_type = typename std::remove_reference_t<decltype(pid)>::rate;
+    const auto last = pid.rates() - 1;
+    const rate_type step = rate_type::Constant(pid.rates(), 0.1);
+    rate_type sizes = step, rest = step;
+    state moved = x0;
+    pid.magnitudes(x0, sizes), pid.displace(x0, step, moved), pid.rounding(x0, step, moved, rest);
+    CHECK(sizes[last] == 0.25);
+    CHECK(rest[last] == 0.1 - ((0.25 + 0.1) - 0.25));
     dormand_prince45 solver(std::ref(pid), 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
     auto sampled = solver;
     solution whole(solver);
@@ -117,6 +126,8 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
   const manipulator_dynamics_model model(gyroscope);
   controlled pid(model, brake_by_integral, speed, std::array{0.25});
   check(pid, 1e-10);
+  auto torque = pid.with_output([](const auto& s) { return s[motor]; });
+  CHECK(torque.computeOutput(0, torque.make_x(q0, v0)) == -d * 2 - i * 0.25);
   manipulator_dynamics_model shared(models::registered(record_of(gyroscope)));
   controlled runtime(std::ref(shared), brake_by_integral, speed, Eigen::Matrix<double, 1, 1>(0.25));
   check(runtime, 1e-10);

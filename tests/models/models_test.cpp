@@ -54,11 +54,18 @@ TEST_CASE("A kinematics model gives poses, Jacobians and their change") {
   CHECK(model.getDependentPoses(m.q)[0].position.x == p.position.x);
   CHECK(model.getJacobianMatrix(m.q) == jacobian(robots::iiwa14, m.q, tool, in_world_axes));
   CHECK(model.getDependentVelocities(m.q, m.v) == model.getJacobianMatrix(m.q) * m.v);
+  const Eigen::VectorXd by_rate = model.getJacobianMatrix(m.q) * m.a +
+                                  model.getJacobianMatrixAndDerivative(m.q, m.v).second * m.v,
+                        accelerations = model.getDependentAccelerations(m.q, m.v, m.a);
+  CHECK((accelerations - by_rate).norm() < 1e-14 * by_rate.norm());
 
   manipulator_kinematics_model runtime(models::registered(record_of(robots::iiwa14)), {std::string(tool.name)});
   CHECK((runtime.getJacobianMatrix(m.q) - model.getJacobianMatrix(m.q)).norm() < 1e-14);
   CHECK((runtime.getDependentVelocities(m.q, m.v) - model.getDependentVelocities(m.q, m.v)).norm() < 1e-13);
+  CHECK((runtime.getDependentAccelerations(m.q, m.v, m.a) - accelerations).norm() < 1e-14 * by_rate.norm());
   CHECK(std::abs(runtime.getDependentPoses(m.q)[0].position.z - p.position.z) < 1e-15);
+  const auto first = runtime.wiring().names[static_cast<std::size_t>(kind::gen)].front();
+  CHECK_THROWS_AS(manipulator_kinematics_model(models::registered(record_of(robots::iiwa14)), {first}), unknown_name);
   CHECK_THROWS_WITH(manipulator_kinematics_model(models::registered(record_of(robots::iiwa14)), {"tol"}),
                     contains_text("nothing of the name 'tol'"));
 

@@ -2,6 +2,7 @@
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/joint_lugre.hpp>
+#include <kte/elements/position_control.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
@@ -92,6 +93,34 @@ TEST_CASE("States of the chain and vectors of a model are the same numbers") {
   CHECK_THROWS_WITH(moving.positions_of(few), contains_text("x has 5 numbers, the chain has "));
   CHECK_THROWS_WITH(moving.velocities_of(few), contains_text("x has 5 numbers, the chain has "));
   CHECK_THROWS_WITH(moving.internals_of(few), contains_text("x has 5 numbers, the chain has "));
+}
+
+TEST_CASE("Inputs of three numbers and the time are put into states of the chain") {
+  static constexpr struct p_ final : vector_key<"p"> {
+  } p;
+  static constexpr struct v_ final : vector_key<"v"> {
+  } v;
+  static constexpr struct a_ final : vector_key<"a"> {
+  } a;
+  manipulator_dynamics_model still(chain(position_control_3D(p, v, a, world, trunk),
+                                         revolute_joint_3D(q, trunk, hip, axis::y), inertia_3D(hip, body),
+                                         driving_actuator_gen(q, chain_time)));
+  kte_map_chain c;
+  c << position_control_3D("p", "v", "a", "world", "trunk") << revolute_joint_3D("q", "trunk", "hip", axis::y)
+    << inertia_3D("hip", body) << driving_actuator_gen("q", "time");
+  manipulator_dynamics_model moving(c);
+  still.input(p) = moving.vector("p") = Eigen::Vector3d(1, 2, 3);
+  const auto x = still.make_x(std::array{0.0}, std::array{0.0});
+  const auto s = still.state_at(0.5, x);
+  const auto& t = moving.state_at(0.5, x);
+  for (const auto& seen : {s[p], t.vector("p")}) {
+    CHECK(seen.x == 1);
+    CHECK(seen.y == 2);
+    CHECK(seen.z == 3);
+  }
+  CHECK(s[chain_time] == 0.5);
+  CHECK(t.input("time") == 0.5);
+  CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is no input from outside"));
 }
 
 TEST_CASE("An internal state belongs to one element") {
