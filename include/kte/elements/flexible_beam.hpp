@@ -188,10 +188,10 @@ struct flexible_beam {
 /// section, and of a beam that is an arc at rest, the angle by which it is turned from end to end (rad).
 ///
 ///   flexible_beam_2D(wall, tip, 0.5, {.EA = 1e6, .EI = 20.0})
-template <class F1, class F2>
+template <class F1, class F2, entry Turn = zero_t>
 constexpr auto flexible_beam_2D(const F1& anchor1, const F2& anchor2, double rest_length,
-                                const planar_beam_section& section, double rest_turn = 0) {
-  return connect(core::flexible_beam<kind::frame_2D>{rest_length, section, rest_turn}, anchor1, anchor2);
+                                const planar_beam_section& section, const Turn& rest_turn = {}) {
+  return connect(core::flexible_beam<kind::frame_2D>{rest_length, section, as<double>(rest_turn)}, anchor1, anchor2);
 }
 /// The same in space; at rest an arc or a helix where a rotation vector is given, as `along_z(0.1)`.
 template <class F1, class F2, class X = double, class Y = X, class Z = Y>
