@@ -8,6 +8,8 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
+#include <cmath>
+
 #include "allocations.hpp"
 #include "catch.hpp"
 #include "random.hpp"
@@ -130,6 +132,10 @@ TEST_CASE("Inputs of three numbers and the time are put into states of the chain
   }
   CHECK(s[chain_time] == 0.5);
   CHECK(t.input("time") == 0.5);
+  const std::vector<double> none(9, std::nan(""));
+  const std::string first = "kte: an input of 'p' must be finite, got nan";
+  CHECK_THROWS_WITH(still.setInput(none), first);
+  CHECK_THROWS_WITH(moving.setInput(none), first);
   CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is no input from outside"));
 }
 
