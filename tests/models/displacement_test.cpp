@@ -45,3 +45,15 @@ TEST_CASE("what rounding takes from a displacement is known to a millionth of it
         }
       }
 }
+
+TEST_CASE("the size of a pose is that of its position and 1 for its rotation") {
+  const std::array<double, 7> q{3, 4, 0, 1, 0, 0, 0};
+  detail::freedom f{};
+  std::array<double, 6> m{};
+  f.what = kind::pose_2D;
+  detail::magnitudes_of<double>(f, q, m);
+  CHECK(m == std::array<double, 6>{5, 5, 1});
+  f.what = kind::pose_3D;
+  detail::magnitudes_of<double>(f, q, m);
+  CHECK(m == std::array<double, 6>{5, 5, 5, 1, 1, 1});
+}

@@ -66,6 +66,7 @@ TEST_CASE("A model gives the rates of a pendulum, and takes inputs") {
   const auto height = model.with_output([](const auto& s) { return s[tip].position.y; });
   CHECK(height.computeOutput(0.0, model.make_x(std::array{0.5}, std::array{0.0})) ==
         within(0.5 * std::sin(0.5), 1e-16));
+  CHECK(height.input()[0] == -1);
   CHECK_THROWS_WITH(model.setInput(std::vector<double>(3)), contains_text("u has 3 numbers, the chain has 1 inputs"));
 }
 

@@ -8,6 +8,8 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
+#include <cmath>
+
 #include "allocations.hpp"
 #include "catch.hpp"
 #include "random.hpp"
@@ -95,6 +97,16 @@ TEST_CASE("States of the chain and vectors of a model are the same numbers") {
   CHECK_THROWS_WITH(moving.internals_of(few), contains_text("x has 5 numbers, the chain has "));
 }
 
+TEST_CASE("The Jacobian of a model has the column of an internal state, by which friction pulls") {
+  const manipulator_dynamics_model model(fixed);
+  const auto x = start(model);
+  auto more = x, less = x;
+  more[15] += 1e-3, less[15] -= 1e-3;  // rates are linear in it
+  const auto by_z = ((model(0, more) - model(0, less)) / 2e-3).eval();
+  CHECK(by_z.segment<7>(7).norm() > 1);
+  CHECK((model.jacobian(0, x).col(14) - by_z).norm() < 1e-10 * by_z.norm());
+}
+
 TEST_CASE("Inputs of three numbers and the time are put into states of the chain") {
   static constexpr struct p_ final : vector_key<"p"> {
   } p;
@@ -120,6 +132,10 @@ TEST_CASE("Inputs of three numbers and the time are put into states of the chain
   }
   CHECK(s[chain_time] == 0.5);
   CHECK(t.input("time") == 0.5);
+  const std::vector<double> none(9, std::nan(""));
+  const std::string first = "kte: an input of 'p' must be finite, got nan";
+  CHECK_THROWS_WITH(still.setInput(none), first);
+  CHECK_THROWS_WITH(moving.setInput(none), first);
   CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is no input from outside"));
 }
 
