@@ -111,14 +111,20 @@ TEST_CASE("Backward differences for another step are those of the same polynomia
 }
 
 TEST_CASE("BDF: the next order is that of the longest step") {
-  const auto next = [](int k, double lower, double same, double higher) {
-    return detail::choose_order<double>(k, 5, [&](int q) { return q < k ? lower : q == k ? same : higher; });
+  double stable = 10;
+  const auto next = [&stable](int k, double lower, double same, double higher) {
+    return detail::choose_order<double>(
+        k, 5, [&](int q) { return q < k ? lower : q == k ? same : higher; },
+        [&](int q) { return q > 2 ? stable : 10.0; });
   };
   CHECK(next(3, 1e-6, 1e-1, 1e-1).order == 2);
   CHECK(next(3, 1e-1, 1e-6, 1e-1).order == 3);
   CHECK(next(3, 1e-1, 1e-1, 1e-8).order == 4);
   CHECK(next(5, 1.0, 0.1, 0.0).order == 5);  // there is none above
   CHECK(next(1, 0.0, 0.1, 1.0).order == 1);
+  stable = 0.5;  // of orders above 2
+  CHECK(next(5, 1e-4, 1e-4, 1e-4).order == 2);
+  CHECK(next(4, 1e-1, 1e-8, 1e-1).factor <= 1);
 }
 
 TEST_CASE("Newton iterations end when little enough is left, or when that is hopeless") {
