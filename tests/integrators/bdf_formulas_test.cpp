@@ -114,7 +114,9 @@ TEST_CASE("BDF: the next order is that of the longest step") {
   double stable = 10;
   const auto next = [&stable](int k, double lower, double same, double higher) {
     return detail::choose_order<double>(
-        k, 5, [&](int q) { return q < k ? lower : q == k ? same : higher; },
+        k, 5, [&](int q) { return q < k    ? lower
+                                  : q == k ? same
+                                           : higher; },
         [&](int q) { return q > 2 ? stable : 10.0; });
   };
   CHECK(next(3, 1e-6, 1e-1, 1e-1).order == 2);
