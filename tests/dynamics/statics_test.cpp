@@ -166,9 +166,8 @@ TEST_CASE("derivatives by colours are those by one direction after the other", "
   CHECK((f.forces(q, 1) - all.tau).cwiseAbs().maxCoeff() <= 1e-13);
   CHECK((Eigen::MatrixXd(f.tangent(q, 1)) - all.by_q).cwiseAbs().maxCoeff() <= 1e-13);
   // Half of the loads: tau is linear in their factor.
-  CHECK((f.forces(q, 0.5) - 0.5 * (Eigen::VectorXd(f.forces(q, 1)) + Eigen::VectorXd(f.forces(q, 0))))
-            .cwiseAbs()
-            .maxCoeff() <= 1e-13);
+  const Eigen::VectorXd half = f.forces(q, 0.5), full = f.forces(q, 1), without = f.forces(q, 0);
+  CHECK((half - 0.5 * (full + without)).cwiseAbs().maxCoeff() <= 1e-13);
 }
 
 TEST_CASE("what a controller writes is no load from outside", "[statics]") {

@@ -117,9 +117,18 @@ class kte_map_chain : public kte_map {
   template <class S = double>
   basic_runtime_state<S> make_state() const;
 
-  void doMotion(runtime_state& s) const override;
-  void clearForce(runtime_state& s) const override;
-  void doForce(runtime_state& s) const override;
+  void doMotion(runtime_state& s) const override {
+    check(s);
+    for (const auto& e : elements_) e->doMotion(s);
+  }
+  void clearForce(runtime_state& s) const override {
+    check(s);
+    for (const auto& e : elements_) e->clearForce(s);
+  }
+  void doForce(runtime_state& s) const override {
+    check(s);
+    for (auto e = elements_.rbegin(); e != elements_.rend(); ++e) (*e)->doForce(s);
+  }
 
   /// The signals that elements write (measures, controls), in their order, as of the last doMotion: a name and the
   /// numbers of each.
@@ -129,11 +138,20 @@ class kte_map_chain : public kte_map {
   };
   std::vector<output> outputs(const runtime_state& s) const;
 
-  std::unique_ptr<kte_map> clone() const override;
-  void for_each_element(const std::function<void(const kte_element&)>& visit) const override;
-  const kte_map* unrecorded() const override;
+  std::unique_ptr<kte_map> clone() const override { return std::make_unique<kte_map_chain>(*this); }
+  void for_each_element(const std::function<void(const kte_element&)>& visit) const override {
+    for (const auto& e : elements_) e->for_each_element(visit);
+  }
+  const kte_map* unrecorded() const override {
+    for (const auto& e : elements_)
+      if (const kte_map* part = e->unrecorded()) return part;
+    return nullptr;
+  }
   /// For elements that hold a chain: it is then a part, without states of its own.
-  void connect(topology& t) override;
+  void connect(topology& t) override {
+    for (const auto& e : elements_) e->connect(t);
+    topology_ = {}, use_ = use::part;
+  }
 
   /// Throws `bad_argument` if it is part of another chain.
   const topology& wiring() const {
@@ -232,31 +250,6 @@ KTE_FUNCTION kte_map_chain& kte_map_chain::append(std::unique_ptr<kte_map> e) {
     add(&e, 1, part.gravity());
   }
   return *this;
-}
-KTE_FUNCTION void kte_map_chain::doMotion(runtime_state& s) const {
-  check(s);
-  for (const auto& e : elements_) e->doMotion(s);
-}
-KTE_FUNCTION void kte_map_chain::clearForce(runtime_state& s) const {
-  check(s);
-  for (const auto& e : elements_) e->clearForce(s);
-}
-KTE_FUNCTION void kte_map_chain::doForce(runtime_state& s) const {
-  check(s);
-  for (auto e = elements_.rbegin(); e != elements_.rend(); ++e) (*e)->doForce(s);
-}
-KTE_FUNCTION std::unique_ptr<kte_map> kte_map_chain::clone() const { return std::make_unique<kte_map_chain>(*this); }
-KTE_FUNCTION void kte_map_chain::for_each_element(const std::function<void(const kte_element&)>& visit) const {
-  for (const auto& e : elements_) e->for_each_element(visit);
-}
-KTE_FUNCTION const kte_map* kte_map_chain::unrecorded() const {
-  for (const auto& e : elements_)
-    if (const kte_map* part = e->unrecorded()) return part;
-  return nullptr;
-}
-KTE_FUNCTION void kte_map_chain::connect(topology& t) {
-  for (const auto& e : elements_) e->connect(t);
-  topology_ = {}, use_ = use::part;
 }
 KTE_FUNCTION handle kte_map_chain::handle_of(std::string_view name, bool (*fits)(kind), const char* wanted) const {
   const topology& t = wiring();
