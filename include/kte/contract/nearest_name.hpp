@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// What a misspelt name may have meant.
 namespace kte::detail {
@@ -22,7 +22,7 @@ constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
     now[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const bool same = a[i - 1] == b[j - 1];
-      now[j] = (std::min)({last[j] + 1, now[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      now[j] = (std::min)((std::min)(last[j], now[j - 1]) + 1, last[j - 1] + (same ? 0 : 1));
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
         now[j] = (std::min)(now[j], before[j - 2] + 1);
     }
@@ -36,7 +36,7 @@ constexpr std::size_t nearest_name(std::string_view written, const Names& known)
   std::size_t best = known.size(), least = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const std::string_view name = known[i];
-    const auto [shorter, longer] = std::minmax({name.size(), written.size()});
+    const std::size_t longer = (std::max)(name.size(), written.size()), shorter = name.size() + written.size() - longer;
     const std::size_t most = (std::max)(longer / 3, std::size_t{1});
     if (longer < 2 || longer - shorter > most) continue;
     const std::size_t d = edit_distance(written, name);
@@ -45,12 +45,12 @@ constexpr std::size_t nearest_name(std::string_view written, const Names& known)
   return best;
 }
 /// Behind a message: ", did you mean 'elbow'?", or nothing.
-inline std::string did_you_mean(std::string_view written, std::span<const std::string> known) {
+inline std::string did_you_mean(std::string_view written, const std::vector<std::string>& known) {
   const std::size_t i = nearest_name(written, known);
   return i == known.size() ? std::string() : ", did you mean '" + known[i] + "'?";
 }
 /// The first eight: "there are 'base', 'elbow'", "there are none".
-inline std::string list_of_names(std::span<const std::string> known) {
+inline std::string list_of_names(const std::vector<std::string>& known) {
   if (known.empty()) return "there are none";
   std::string text = "there are ";
   for (std::size_t i = 0; i < known.size() && i < 8; ++i)

@@ -82,7 +82,8 @@ linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, co
   check_size(static_cast<std::size_t>(m.state_size()), x.derived(), "x", "numbers of a state");
   const typename Model::state at = x;
   linear_system<S> r;
-  r.x_dot = m.computeStateRate(t, at);
+  const auto& rate = m.computeStateRate(t, at);
+  r.x_dot = Eigen::Map<const detail::column<S>>(rate.data(), rate.size());  // of the sizes g++ 12 warns for AVX-512
   const auto both = m.jacobian_with_inputs(t, at);
   r.A = both.leftCols(r.x_dot.size());
   r.B = both.rightCols(m.input().size());

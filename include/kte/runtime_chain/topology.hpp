@@ -217,12 +217,13 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
     const auto it = things_.find(name);
     const thing known = it == things_.end() ? thing{} : it->second[is_frame(writes.what)];
     if (!writes.declares() || !known || known.declared || known.what != writes.what) return;
+    std::vector<std::string_view> names_here;
+    for (const auto& text : to) names_here.emplace_back(text);
     for (const auto& c : elements)
       for (std::size_t q = 0; q < c.ports.size(); ++q)
         if (c.ports[q].what == known.what && c.index[q] == known.index)
           throw bad_wiring("kte: " + describe(c) + ": it reads '" + name + "' before it is written, by " +
-                           describe_element(type, ports, std::vector<std::string_view>(to.begin(), to.end())) +
-                           ": append it behind that");
+                           describe_element(type, ports, names_here) + ": append it behind that");
   };
   detail::wiring_rules rules(base_known_);
   for (std::size_t p = 0; p < ports.size(); ++p) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace kte::tree {
@@ -52,9 +51,15 @@ class ratios {
       own.last = entries_.size();
     }
   }
-  std::span<const entry> of(int coordinate) const {
+  /// (A span takes 200 templates more.)
+  struct range {
+    const entry *first, *last;
+    const entry* begin() const { return first; }
+    const entry* end() const { return last; }
+  };
+  range of(int coordinate) const {
     const row& x = rows_[static_cast<std::size_t>(coordinate)];
-    return std::span(entries_).subspan(x.first, x.last - x.first);
+    return {entries_.data() + x.first, entries_.data() + x.last};
   }
 
  private:

@@ -77,7 +77,7 @@ void derive_signals(const Chain& c, const S& t, const X& x, const U& u, const Ac
     for (int j = (std::max)(first, 2 * n); j < last; ++j) {
       joint_vector<S, n> by_signal;
       for (int i = 0; i < n; ++i) by_signal[i] = rest[i].derivative[static_cast<std::size_t>(j - first)];
-      jacobian.col(j).segment(n, n) = a.by_tau * by_signal;
+      jacobian.col(j).template segment<n>(n).noalias() = a.by_tau * by_signal;
     }
   }
 }
