@@ -19,7 +19,7 @@ namespace bench {
 namespace {
 
 template <class Arm>
-arm_numbers numbers_of(const Arm& arm) {
+arm_numbers arm_numbers_of(const Arm& arm) {
   const auto& limits = arm.limits();
   return {arm.structure().original,
           arm.structure().reach,
@@ -110,9 +110,9 @@ void time(benchmark::State& state, const std::string& model, wanted what, answer
 }  // namespace
 
 const arm_numbers& arm_of(const std::string& model) {
-  static const std::map<std::string, arm_numbers> all{{"3R3R", numbers_of(kte::three_r_three_r())},
-                                                      {"ur5", numbers_of(kte::ur())},
-                                                      {"iiwa14", numbers_of(kte::iiwa14())}};
+  static const std::map<std::string, arm_numbers> all{{"3R3R", arm_numbers_of(kte::three_r_three_r())},
+                                                      {"ur5", arm_numbers_of(kte::ur())},
+                                                      {"iiwa14", arm_numbers_of(kte::iiwa14())}};
   return all.at(model);
 }
 
