@@ -56,6 +56,7 @@ class ratios {
     const entry *first, *last;
     const entry* begin() const { return first; }
     const entry* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
   };
   range of(int coordinate) const {
     const row& x = rows_[static_cast<std::size_t>(coordinate)];
