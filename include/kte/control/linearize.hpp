@@ -5,6 +5,8 @@
 #include <kte/models/controlled.hpp>
 #include <kte/models/state_space.hpp>
 
+#include <algorithm>
+
 /// Linear systems near a state (control/linear_system.hpp): A, B, C, D of x' = f(t, x, u), y = h(t, x, u).
 namespace kte {
 
@@ -83,7 +85,8 @@ linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, co
   const typename Model::state at = x;
   linear_system<S> r;
   const auto& rate = m.computeStateRate(t, at);
-  r.x_dot = Eigen::Map<const detail::column<S>>(rate.data(), rate.size());  // of the sizes g++ 12 warns for AVX-512
+  r.x_dot.resize(rate.size());
+  std::copy_n(rate.data(), rate.size(), r.x_dot.data());  // where `=` makes g++ 12 warn of AVX-512
   const auto both = m.jacobian_with_inputs(t, at);
   r.A = both.leftCols(r.x_dot.size());
   r.B = both.rightCols(m.input().size());
