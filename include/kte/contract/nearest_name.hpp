@@ -29,7 +29,7 @@ constexpr std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row[a.size() % 3][b.size()];
 }
-/// The place of the name that was meant by one that is not among them, or how many there are if there is none: the
+/// The place of the known name that a misspelt one may have meant, or the number of names if there is none: the
 /// nearest, if not more than a letter or a third of them differ.
 template <class Names>
 constexpr std::size_t nearest_name(std::string_view written, const Names& known) {

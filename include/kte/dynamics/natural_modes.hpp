@@ -28,7 +28,7 @@ struct natural_modes_result {
 #ifdef KTE_FUNCTION
 namespace detail {
 
-/// A + shift B = L L^T of which no pivot is lost in rounding.
+/// A + shift B = L L^T; no pivot is lost in rounding.
 inline bool is_well_positive(const Eigen::MatrixXd& a) {
   const Eigen::LLT<Eigen::MatrixXd> factors(a);
   if (factors.info() != Eigen::Success) return false;

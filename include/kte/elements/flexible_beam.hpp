@@ -24,7 +24,7 @@ namespace core {
 ///   V = L EA e^2 / 2 + rho . K rho / (2 L) + 6/L c . K c
 ///         + 6/L (EI_y (s_y - c_y)^2 / f_y + EI_z (s_z - c_z)^2 / f_z)                         (5)
 ///
-/// and c is that of which V without e is least: a linear equation. In the plane it is s_z/(1 + f_z). r_0 is the turn
+/// and c makes V without e least: a linear equation. In the plane it is s_z/(1 + f_z). r_0 is the turn
 /// r at rest of a beam that is an arc or a helix of the length L then, strained by some |r_0|^4/2000.
 ///
 /// The loads are those of V. For small motions they are those of the linear beam, 12 EI/L^3 and so on; a force N along
@@ -160,8 +160,8 @@ struct flexible_beam {
                  std::remove_const_t<decltype(mean)>, std::remove_const_t<decltype(to_sides)>>{
         h, along, chord_y, chord_z, s_y, s_z, c, mean, moment, to_sides, e};
   }
-  /// c, of which V is least: (1 + C G) c = c_0 - C (K (r - r_0) x r)/L, where c_0 is that without moments, C gives way
-  /// to them and G = [r]^T K [r]/L.
+  /// The c that makes V least: (1 + C G) c = c_0 - C (K (r - r_0) x r)/L, where c_0 is that without moments, C gives
+  /// way to them and G = [r]^T K [r]/L.
   template <class R, class C, class Y, class S>
   KTE_INLINE constexpr auto varying(const R& r, const C& c, const Y& y, const Y& z, const S& twist) const {
     if constexpr (Dim == kind::frame_2D) {

@@ -116,7 +116,7 @@ class topology {
   void check(std::string_view type, std::span<const port> ports, std::span<const std::string> to) const;
   int add(const port& x, const std::string& name);
   static std::string text(kind k) { return std::string(to_string(k)); }
-  /// What a name that is none may have meant (contract/nearest_name.hpp).
+  /// What a misspelt name may have meant (contract/nearest_name.hpp).
   std::string instead(std::string_view name, kind k) const {
     const auto& known = names[static_cast<std::size_t>(k)];
     return detail::did_you_mean(name, known) + " (" + detail::list_of_names(known) + ")";

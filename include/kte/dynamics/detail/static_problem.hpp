@@ -78,7 +78,7 @@ class static_problem {
     const Eigen::VectorXd after = forces(q, p + h);
     return (after - forces(q, p - h)) / (2 * h);
   }
-  /// q after a step, of which bodies first slide and then turn. On the screw of both a beam would be shortened by more
+  /// q after a step: bodies first slide and then turn. On the screw of both a beam would be shortened by more
   /// than its bending does, and be pushed, where what is stretched is a good place to go on from.
   Eigen::VectorXd displaced(const Eigen::VectorXd& q, const Eigen::VectorXd& step) const {
     Eigen::VectorXd slide = Eigen::VectorXd::Zero(step.size());

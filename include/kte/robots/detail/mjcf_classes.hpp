@@ -23,7 +23,7 @@ class mjcf_classes {
 
   bool has(const std::string& name) const { return main_.contains(name) || classes_.contains(name); }
   /// The element with the attributes that its class gives it: its own, or else `around`. Empty attributes are as none.
-  /// `kind`: of which elements the defaults are, its own unless told.
+  /// `kind`: the elements whose defaults apply, its own unless told.
   xml_item resolved(const xml_item& x, const std::string& around, const std::string& kind = {}) const {
     const auto own = cleaned(x);
     const auto name = own.text_or("class", around.empty() ? "main" : around.c_str());
