@@ -1,16 +1,16 @@
 /// What kte.wasm is to give: models as files, and what the same calls give here, as JSON on standard output.
 
-#include "player.hpp"
-
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/io/model_writer.hpp>
 #include <kte/manipulators/iiwa14.hpp>
 #include <kte/runtime_chain/from_record.hpp>
-#include "robots/solo12.hpp"
 
 #include <chrono>
 #include <iostream>
 #include <random>
+
+#include "player.hpp"
+#include "robots/solo12.hpp"
 
 namespace {
 
@@ -183,5 +183,9 @@ std::string stiff() {
 
 int main() {
   std::cout << "{\"elements\":" << list_of_texts(kte::element_registry::standard().types()) << ",\"cases\":[\n"
-            << iiwa14() << ",\n" << solo12() << ",\n" << pendulum() << ",\n" << elastic() << ",\n" << stiff() << "]}\n";
+            << iiwa14() << ",\n"
+            << solo12() << ",\n"
+            << pendulum() << ",\n"
+            << elastic() << ",\n"
+            << stiff() << "]}\n";
 }

@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 version=$(sh sources.sh)
 
 compile() {
-  clang++-14 --target=wasm32-wasi -std=c++20 -Os -DNDEBUG -fwasm-exceptions -ffunction-sections -fdata-sections \
+  clang++-14 --target=wasm32-wasi -std=c++20 ${OPTIMISE:--Os} -DNDEBUG -fwasm-exceptions -ffunction-sections -fdata-sections \
     -Wall -Wextra -Ilibrary/include -I../../../include -isystem /usr/include/eigen3 \
     -DKTE_NO_FORCED_INLINE -DEIGEN_DONT_VECTORIZE "-DKTE_PAGE_VERSION=\"$version\"" "$@"
 }

@@ -1,9 +1,9 @@
 /// What a page calls: kte::page::player behind functions of numbers and bytes. Every function gives 0, or 1 where it
 /// has failed; kte_message has the reason. Arguments and results lie in one buffer.
 
-#include "player.hpp"
-
 #include <cstring>
+
+#include "player.hpp"
 
 namespace {
 
@@ -35,7 +35,8 @@ std::span<const double> numbers(std::size_t begin, std::size_t count) { return {
 /// Results, from the start of the buffer on.
 template <class Numbers>
 double* put(double* to, const Numbers& from) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) *to++ = from[static_cast<decltype(from.size())>(i)];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i)
+    *to++ = from[static_cast<decltype(from.size())>(i)];
   return to;
 }
 

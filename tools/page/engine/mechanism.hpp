@@ -46,8 +46,7 @@ class mechanism {
     for (const auto& frame : tracks_) {
       const auto at = forward_kinematics(chain_, state_, frame);
       const auto turn = to_quaternion(at.rotation);
-      poses_.insert(poses_.end(),
-                    {at.position.x, at.position.y, at.position.z, turn.w, turn.x, turn.y, turn.z});
+      poses_.insert(poses_.end(), {at.position.x, at.position.y, at.position.z, turn.w, turn.x, turn.y, turn.z});
     }
     return poses_;
   }
@@ -75,7 +74,8 @@ class mechanism {
   kte_map_chain damped(kte_map_chain c, const double& damping) const {
     for (const auto& f : chain_.wiring().free)
       for (int i = 0; i < f.in_row; ++i) {
-        const auto& name = chain_.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot + i)];
+        const auto& name =
+            chain_.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot + i)];
         switch (f.what) {
           case kind::rotation_3D:
             c << connect(coordinate_damping<kind::rotation_3D>{{}, &damping}, name);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "simulation.hpp"
-
 #include <optional>
+
+#include "simulation.hpp"
 
 namespace kte::page {
 
@@ -25,8 +25,8 @@ class player {
   void advance(double t_end, const More& more) {
     auto& s = running();
     if (!(t_end >= s.time() && t_end - s.time() < 1e9))
-      throw bad_argument("kte: a simulation goes on in time, by less than 1e9 s, not from " +
-                         detail::number(s.time()) + " to " + detail::number(t_end));
+      throw bad_argument("kte: a simulation goes on in time, by less than 1e9 s, not from " + detail::number(s.time()) +
+                         " to " + detail::number(t_end));
     while (s.time() < t_end && more()) s.advance(t_end);
   }
   simulation& running() {

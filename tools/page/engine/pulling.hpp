@@ -10,8 +10,8 @@
 namespace kte::page {
 
 struct pull_numbers {
-  vec3<> point{};   ///< in the frame, m
-  vec3<> target{};  ///< in the world, m
+  vec3<> point{};        ///< in the frame, m
+  vec3<> target{};       ///< in the world, m
   double stiffness = 0;  ///< N/m
   double damping = 0;    ///< N s/m
 };

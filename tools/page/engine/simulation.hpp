@@ -3,9 +3,9 @@
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/rodas.hpp>
 
-#include "mechanism.hpp"
-
 #include <variant>
+
+#include "mechanism.hpp"
 
 namespace kte::page {
 
@@ -14,8 +14,8 @@ namespace kte::page {
 class simulation {
  public:
   static constexpr double tolerance = 1e-6;
-  static constexpr int stretch = 64;    ///< steps
-  static constexpr double worth = 8;    ///< how much longer steps of a stiff method are where it is worth its Jacobians
+  static constexpr int stretch = 64;  ///< steps
+  static constexpr double worth = 8;  ///< how much longer steps of a stiff method are where it is worth its Jacobians
   enum class method : unsigned char { undecided, non_stiff, stiff };
 
   simulation(dynamics_model model, double t, const Eigen::VectorXd& x, method m)
@@ -24,9 +24,7 @@ class simulation {
   }
   simulation(const simulation&) = delete;
 
-  double time() const {
-    return is_stiff() ? std::get<stiff_solver>(solver_).time() : std::get<solver>(solver_).time();
-  }
+  double time() const { return is_stiff() ? std::get<stiff_solver>(solver_).time() : std::get<solver>(solver_).time(); }
   /// (q, v, z)
   const Eigen::VectorXd& state() const {
     return is_stiff() ? std::get<stiff_solver>(solver_).state() : std::get<solver>(solver_).state();
@@ -39,7 +37,8 @@ class simulation {
   void advance(double t_end) {
     const double from = time();
     const bool stiff = is_stiff();
-    const int steps = stiff ? advance(std::get<stiff_solver>(solver_), t_end) : advance(std::get<solver>(solver_), t_end);
+    const int steps =
+        stiff ? advance(std::get<stiff_solver>(solver_), t_end) : advance(std::get<solver>(solver_), t_end);
     if (method_ != method::undecided || steps == 0) return;
     const double length = (time() - from) / steps;
     if (stiff) {
@@ -81,9 +80,9 @@ class simulation {
       s.integrate(t_end, count);
     } else if (const auto report = s.integrate(t_end, element_events(model_).report_to([](const auto&) {}), count);
                report.reason == stop_reason::zeno) {
-      throw integration_failure("kte: " + report.stopped_by_name + ": its law changes ever faster at t = " +
-                                    detail::number(s.time()),
-                                s.time(), failure_reason::other);
+      throw integration_failure(
+          "kte: " + report.stopped_by_name + ": its law changes ever faster at t = " + detail::number(s.time()),
+          s.time(), failure_reason::other);
     }
     return calls - 1;  // at the start, and after each step
   }

@@ -1,6 +1,6 @@
-/// Exceptions of C++ by those of WebAssembly, which Debian's libc++abi for it leaves out: the functions that clang calls
-/// (Itanium C++ ABI: Exception Handling, level II, and "Exception handling tables" of LLVM for WebAssembly). There is
-/// one thread and no foreign exception, and every exception is caught: engine.cpp catches all.
+/// Exceptions of C++ by those of WebAssembly, which Debian's libc++abi for it leaves out: the functions that clang
+/// calls (Itanium C++ ABI: Exception Handling, level II, and "Exception handling tables" of LLVM for WebAssembly).
+/// There is one thread and no foreign exception, and every exception is caught: engine.cpp catches all.
 
 #include <cstdint>
 #include <cstdlib>
@@ -26,9 +26,9 @@ namespace {
 struct header {
   const std::type_info* type;
   void* (*destroy)(void*);
-  int handlers;  ///< that hold it; negative while it is thrown again
-  header* below; ///< the one caught before it
-  void* seen;    ///< as the handler sees it: the base that it catches
+  int handlers;   ///< that hold it; negative while it is thrown again
+  header* below;  ///< the one caught before it
+  void* seen;     ///< as the handler sees it: the base that it catches
   int padding[3];
 };
 static_assert(sizeof(header) % 16 == 0);
