@@ -6,6 +6,9 @@
 #include <kte/manipulators/detail/second_level.hpp>
 #include <kte/manipulators/goals.hpp>
 #include <kte/manipulators/unreachable.hpp>
+#ifdef KTE_COMPILED_HERE
+#  include <kte/manipulators/runtime_manipulator.hpp>
+#endif
 
 namespace kte {
 
