@@ -5,7 +5,7 @@
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 // Explicit methods keep right-hand sides of states of dynamic size behind virtual functions.
 namespace {
