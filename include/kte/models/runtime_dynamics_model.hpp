@@ -131,11 +131,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     }
   }
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
-  const runtime_state& state_at(double t, const state& x) const {
-    computeStateRate(t, x);  // leaves accelerations in the state
-    doMotion(s_), clearForce(s_), doForce(s_);
-    return s_;
-  }
+  const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
   Eigen::VectorXd computeOutput(double t, const state& x) const {
     checked(x);
@@ -183,9 +179,11 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return inverse_dynamics(chain(), s_);
   }
   double capacity(double t, const state& x, std::size_t element) const {
+    const auto& e = wiring().elements.at(element);
+    if (e.stiff) return e.element->capacity(own_state_at(t, x));
     setJointStates(t, x, s_);
     doMotion(s_);
-    return wiring().elements.at(element).element->capacity(s_);
+    return e.element->capacity(s_);
   }
 
   /// Whether it has another output than (q, v).
@@ -198,6 +196,11 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
  private:
+  runtime_state& own_state_at(double t, const state& x) const {
+    computeStateRate(t, x);  // leaves accelerations in the state
+    doMotion(s_), clearForce(s_), doForce(s_);
+    return s_;
+  }
   int place_of_input(std::string_view name, kind k) const {
     const int slot = wiring().find(name, k);
     for (const auto& signal : wiring().signals)
