@@ -128,7 +128,7 @@ TEST_CASE("static and runtime chains of sticking joints", "[elements][sticking_j
   const auto c = slide_on_arm();
   const kte_map_chain r = models::registered(record_of(c));
   CHECK(record_of(r) == record_of(c));
-  const manipulator_dynamics_model fixed(c), at_run_time_unused(c);
+  const manipulator_dynamics_model fixed(c);
   const manipulator_dynamics_model at_run_time(r);
   for (const double m : {-1.0, 0.0, 1.0, 2.0})
     for (const double n : {-1.0, 1.0, 2.0}) {
@@ -176,11 +176,12 @@ TEST_CASE("a sticking joint that is locked is a link, and has a place", "[elemen
   const kte_map_chain r = models::registered(record_of(c));
   const auto less = reduced(c, std::array{0.3, 0.2}, q);
   const auto loose = reduced(r, std::array{0.3, 0.2}, {"q"});
-  const manipulator_dynamics_model fixed(less), at_run_time(c);
+  const manipulator_dynamics_model fixed(less);
+  const manipulator_dynamics_model whole(c);
   const manipulator_dynamics_model of_loose(loose);
   const auto x = fixed.make_x(std::array{0.2}, std::array{-0.7}, std::array{-1.0});
-  const auto held = at_run_time.make_x(std::array{0.3, 0.2}, std::array{0.0, -0.7}, std::array{2.0, -1.0});
-  const double expected = at_run_time(0.0, held)[3];
+  const auto held = whole.make_x(std::array{0.3, 0.2}, std::array{0.0, -0.7}, std::array{2.0, -1.0});
+  const double expected = whole(0.0, held)[3];
   CHECK(fixed(0.0, x)[1] == within(expected, 1e-13));
   CHECK(of_loose(0.0, x)[1] == within(expected, 1e-13));
 }
@@ -206,13 +207,13 @@ TEST_CASE("parameters of sticking joints", "[elements][sticking_joint]") {
     return complaint([&] { sticking_revolute_joint_2D("q", "m", "a", "b", radius, p); });
   };
   const std::string who = "kte: sticking_revolute_joint_2D (coordinate 'q', mode 'm', base 'a', end 'b'): ";
-  CHECK(bearing(0.1, {0.2}) == "");
+  CHECK(bearing(0.125, {0.25}) == "");
   CHECK(dry_friction_parameters{0.2}.static_friction == 0.2);
-  CHECK(bearing(-0.1, {0.2}) == who + "radius must be finite and not negative, got -0.1");
-  CHECK(bearing(0.1, {-0.2}) == who + "friction must be finite and not negative, got -0.2");
-  CHECK(bearing(0.1, {0.2, 0.1}) == who + "static_friction must be finite and not below friction, got 0.1");
-  CHECK(bearing(0.1, {0.2, std::nan("")}) == who + "static_friction must be finite and not below friction, got nan");
-  CHECK(bearing(0.1, {0.2, 0.3, 1.0}) == who + "span must be 0: in the plane a moment turns the joint, got 1");
+  CHECK(bearing(-0.125, {0.25}) == who + "radius must be finite and not negative, got -0.125");
+  CHECK(bearing(0.125, {-0.25}) == who + "friction must be finite and not negative, got -0.25");
+  CHECK(bearing(0.125, {0.25, 0.125}) == who + "static_friction must be finite and not below friction, got 0.125");
+  CHECK(bearing(0.125, {0.25, std::nan("")}) == who + "static_friction must be finite and not below friction, got nan");
+  CHECK(bearing(0.125, {0.25, 0.5, 1.0}) == who + "span must be 0: in the plane a moment turns the joint, got 1");
   CHECK(complaint([] {
           sticking_prismatic_joint_3D("q", "m", "a", "b", axis::x, {0.2, 0.3, -1.0});
         }) ==

@@ -26,7 +26,6 @@ inline constexpr struct wall_    final : frame_2D_key<"wall">   {} wall;
 inline constexpr struct wheel_   final : frame_2D_key<"wheel">  {} wheel;
 inline constexpr struct tip_     final : frame_2D_key<"tip">    {} tip;
 inline constexpr struct upper_   final : frame_2D_key<"upper">  {} upper;
-inline constexpr struct pull_    final : input_key<"pull">      {} pull;
 // clang-format on
 
 constexpr double g = 9.81;
@@ -45,14 +44,16 @@ template <class Model, std::size_t N>
 auto simulated(const Model& model, double t_end, const std::array<double, N>& at, const std::array<double, N>& rate) {
   using state = typename Model::state;
   const state start = settled(model, 0.0, model.make_x(at, rate));
-  prince_dormand87 solver(std::cref(model), 0.0, start, {.absolute = 1e-13, .relative = 1e-13});
+  long long evaluations = 0;
+  const auto counted = [&](double t, const state& x) -> typename Model::rate { return ++evaluations, model(t, x); };
+  prince_dormand87 solver(counted, 0.0, start, {.absolute = 1e-13, .relative = 1e-13});
   auto report = solver.integrate(t_end, element_events(model));
   struct result {
     decltype(report) events;
     state end;
     long long evaluations;
   };
-  return result{std::move(report), solver.state(), solver.evaluations()};
+  return result{std::move(report), solver.state(), evaluations};
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ TEST_CASE("a flywheel runs down on dry bearings and rests", "[models][sticking_j
     CHECK(run.end[0] == within_relative(0.3 + start * stops / 2, 1e-13));
     CHECK(run.end[1] == 0);
     CHECK(run.end[2] == mode::held);
-    CHECK(run.evaluations <= 300);
+    CHECK(run.evaluations <= 450);
     const auto half = simulated(model, stops / 2, std::array{0.3}, std::array{start});
     CHECK(half.end[1] == within_relative(start / 2, 1e-13));
   };
@@ -94,16 +95,17 @@ TEST_CASE("a pendulum stops at an angle and stays there", "[models][sticking_joi
   //
   // with the solution a sin q + b cos q, and exp(-2 k d q). It rests where |cos q| <= R_s/L.
   constexpr double L = 0.5, radius = 0.05, mu = 0.3, mu_s = 0.4, R = mu * radius;
-  const double k = R / std::sqrt(L * L - R * R), pi = std::numbers::pi;
+  const double k = R / std::sqrt(L * L - R * R), bottom = -std::numbers::pi / 2;
   const auto next_rest = [&](double from, double d) {
     const double a = 2 * g / L * (2 * k * k - 1) / (1 + 4 * k * k), b = 2 * k * d * (a - g / L);
     const auto part = [&](double x) { return a * std::sin(x) + b * std::cos(x); };
     const auto u = [&](double x) { return part(x) - part(from) * std::exp(-2 * k * d * (x - from)); };
-    double moving = -pi / 2, still = -pi / 2 + d * std::abs(from + pi / 2);  // u > 0, u < 0
+    const double away = std::abs(from - bottom);
+    double moving = from + 1e-3 * d * away, still = bottom + d * away;  // u > 0, u < 0
     for (int i = 0; i < 100; ++i) (u((moving + still) / 2) > 0 ? moving : still) = (moving + still) / 2;
     return moving;
   };
-  const double start = -pi / 2 + 0.9;
+  const double start = bottom + 0.9;
   std::vector<double> rests;
   for (double at = start, d = -1; std::abs(std::cos(at)) > mu_s * radius / L; d = -d)
     rests.push_back(at = next_rest(at, d));
@@ -272,7 +274,7 @@ TEST_CASE("stiff methods and fixed steps go by modes too", "[models][sticking_jo
               CHECK(solver.state()[0] == within(v * v / (2 * up), 1e-8));
               CHECK(solver.state()[1] == 0);
             };
-            check(bdf(std::cref(model), 0.0, start, {.absolute = 1e-10, .relative = 1e-10}));
+            check(tr_bdf2(std::cref(model), 0.0, start, {.absolute = 1e-10, .relative = 1e-10}));
             check(rodas(std::cref(model), 0.0, start, {.absolute = 1e-10, .relative = 1e-10}));
             check(kennedy_carpenter34(std::cref(model), 0.0, start, {.absolute = 1e-10, .relative = 1e-10}));
             check(runge_kutta4(std::cref(model), 0.0, start, 0.01));
