@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/io/table.hpp>
 #include <kte/view/detail/chain_parts.hpp>
 #include <kte/view/options.hpp>
 #include <kte/view/scene.hpp>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/io/table.hpp>
 #include <kte/view/recorded_scene.hpp>
 
 #include <memory>
