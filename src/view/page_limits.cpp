@@ -9,6 +9,7 @@ namespace kte::view {
 
 namespace {
 std::string megabytes(std::size_t bytes) {
+  if (bytes < std::size_t{1} << 20) return std::to_string(bytes) + " bytes";
   const auto tenths = bytes / 104858;
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MiB";
 }

@@ -108,7 +108,7 @@ TEST_CASE("joints by their kinds, with seats, axes in the base and ranges by sto
   kte_map_chain c;
   c << free_joint_3D("pose", "world", "trunk") << prismatic_joint_3D("x", "trunk", "slider", axis::x).at(along_z(0.2), quarter_turn_z)
     << screw_joint_3D("turn", "slider", "nut", axis::z, 0.01) << planar_joint_3D("plane", "nut", "puck").at(zero3{}, quarter_turn_x)
-    << joint_limit_gen("x", -0.1, 0.4, 1e4, 10.0) << spring_3D("world", "puck", 1.0, 10.0);
+    << joint_limit_gen("x", {.lower = -0.1, .upper = 0.4, .stiffness = 1e4, .damping = 10.0}) << spring_3D("world", "puck", 1.0, 10.0);
   const auto s = scene_of(c);
   std::string kinds;
   for (const auto& j : s.joints) kinds += j.kind + " ";
