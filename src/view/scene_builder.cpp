@@ -1,12 +1,12 @@
 #include "scene_builder.hpp"
 
-#include "element_kinds.hpp"
-#include "element_parameters.hpp"
-#include "model_json.hpp"
-
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+
+#include "element_kinds.hpp"
+#include "element_parameters.hpp"
+#include "model_json.hpp"
 
 namespace kte::view {
 
@@ -172,12 +172,15 @@ class scene_builder {
   // ---- the model
   void add_model() {
     auto& s = out_.picture;
-    const auto cannot = [&s](const std::string& why) { s.notes.push_back(why + ": the page plays, and does not simulate"); };
+    const auto cannot = [&s](const std::string& why) {
+      s.notes.push_back(why + ": the page plays, and does not simulate");
+    };
     if (chain_.unrecorded) return cannot("a part of the chain is neither an element nor a chain");
     model_record m;
     m.gravity = {chain_.gravity.x, chain_.gravity.y, chain_.gravity.z};
     for (const auto& e : chain_.elements) {
-      if (kind_of_element(e.type).as == drawn::unknown) return cannot("'" + e.type + "' is an element of the program's own");
+      if (kind_of_element(e.type).as == drawn::unknown)
+        return cannot("'" + e.type + "' is an element of the program's own");
       if (e.holds_code) return cannot("'" + e.type + "' holds a function of the program");
       auto& r = m.elements.emplace_back();
       r.type = e.type, r.parameters = e.parameters;

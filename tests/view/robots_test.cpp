@@ -37,7 +37,8 @@ TEST_CASE("a robot is drawn with its shapes, meshes and ranges, within which it 
   CHECK(s.q == std::vector{0.25});
   CHECK(s.recordings.at(0).q == std::vector{0.25f});
   REQUIRE(s.shapes.size() == 2);
-  CHECK((s.shapes[0].type == "mesh" && !s.shapes[0].collision && s.shapes[0].colour == std::vector{1.0, 0.0, 0.0, 0.5}));
+  CHECK(
+      (s.shapes[0].type == "mesh" && !s.shapes[0].collision && s.shapes[0].colour == std::vector{1.0, 0.0, 0.0, 0.5}));
   CHECK(s.frames[static_cast<std::size_t>(s.shapes[0].frame)].name == "jib");
   CHECK((s.shapes[1].type == "cylinder" && s.shapes[1].collision && s.shapes[1].size == std::vector{0.1, 2.0}));
   CHECK(s.shapes[1].place == scene::pose{1, 2, 3, 1, 0, 0, 0});
