@@ -62,3 +62,10 @@ TEST_CASE("a page of a robot, and of its motion in a table") {
   CHECK_THAT(rec.contents().notes.at(0), contains_text("mesh 'package://crane/meshes/jib.obj' is not drawn"));
   CHECK_THROWS_AS(rec.row(1, kte_map_chain(other.chain).gravity({1, 0, 0}).make_state()), bad_argument);
 }
+
+TEST_CASE("a robot stands in the first configuration of its file") {
+  const folder in;
+  auto robot = load_robot(in.write("crane.urdf", urdf));
+  robot.configurations = {{"up", {0.75}}, {"down", {0.5}}};
+  CHECK(scene_of(robot).q == std::vector{0.75});
+}
