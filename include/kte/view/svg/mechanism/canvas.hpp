@@ -2,6 +2,8 @@
 
 #include <kte/view/svg/mechanism/mechanism_shapes.hpp>
 #include <kte/view/svg/mechanism/surroundings.hpp>
+#include <kte/view/svg/palette.hpp>
+#include <kte/view/svg/text_width.hpp>
 
 namespace kte::detail {
 

@@ -37,17 +37,18 @@ inline drawn_shape spring_symbol(picture_point from, picture_point to, double ha
   points.push_back(line(5.0 / 6, 0)), points.push_back(line(1, 0));
   return {styles::spring, name, std::move(points)};
 }
-/// A piston in a cylinder that is open at the end.
+/// A piston in a cylinder that is open at the end, in the middle.
 inline std::vector<drawn_shape> damper_symbol(picture_point from, picture_point to, double half_width,
                                               const std::string& name) {
   const symbol_line line(from, to);
-  const double inside = 0.8 * half_width;
-  return {{styles::damper, name, {line(0, 0), line(0.35, 0)}},
+  const double half = line.length() > 0 ? (std::min)(0.2, 2.5 * half_width / line.length()) : 0.2;
+  const double bottom = 0.5 - half, top = 0.5 + half, piston = 0.5 + 0.2 * half, inside = 0.75 * half_width;
+  return {{styles::damper, name, {line(0, 0), line(bottom, 0)}},
           {styles::damper,
            name,
-           {line(0.65, half_width), line(0.35, half_width), line(0.35, -half_width), line(0.65, -half_width)}},
-          {styles::damper, name, {line(0.52, inside), line(0.52, -inside)}},
-          {styles::damper, name, {line(0.52, 0), line(1, 0)}}};
+           {line(top, half_width), line(bottom, half_width), line(bottom, -half_width), line(top, -half_width)}},
+          {styles::damper, name, {line(piston, inside), line(piston, -inside)}},
+          {styles::damper, name, {line(piston, 0), line(1, 0)}}};
 }
 /// A spiral around a joint.
 inline drawn_shape spiral_symbol(picture_point centre, double radius, const std::string& name) {

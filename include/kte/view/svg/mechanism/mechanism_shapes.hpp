@@ -52,9 +52,9 @@ class mechanism_shapes {
   /// Its ellipsoid, and a line to it from its frame where that is elsewhere.
   void put_body(std::vector<drawn_shape>& out, const scene::body& b, const placed_frame& f) const {
     const std::string name = named(four_digits(b.mass) + " kg", b.name);
+    out.push_back(body_symbol(view_, b, f, 0.8 * o_.joint_radius, name));
     if (length(vector(b.centre)) > 0)
       out.push_back({styles::link, name, {view_(f.position), view_(f(vector(b.centre)))}});
-    out.push_back(body_symbol(view_, b, f, 0.8 * o_.joint_radius, name));
   }
   /// From the frame before a joint to where it sits; of sliders the rail.
   void put_seat(std::vector<drawn_shape>& out, const scene::joint& j, const std::vector<placed_frame>& frames) const {

@@ -16,12 +16,12 @@ struct picture_options {
   double every = 0;  ///< s: or at all multiples of it from the first time; 0 and no times: the first time alone
   double from = -std::numeric_limits<double>::infinity();  ///< s: of `every`, trails and moving pictures
   double to = std::numeric_limits<double>::infinity();
-  std::vector<std::string> trails{};             ///< frames whose paths are drawn
-  std::vector<std::string> labels{};             ///< frames whose names are written beside them
-  std::array<double, 3> look_from{-1, -2, 0.8};  ///< the direction of who looks; planar scenes are seen from +z
-  double palest = 0.2;                           ///< opacity of the first of several times
-  double joint_radius = 1.3;                     ///< mm
-  double font_size = 8;                          ///< points of 1/72 inch
+  std::vector<std::string> trails{};            ///< frames whose paths are drawn
+  std::vector<std::string> labels{};            ///< frames whose names are written beside them
+  std::array<double, 3> look_from{1, -2, 0.8};  ///< the direction of who looks; planar scenes are seen from +z
+  double palest = 0.2;                          ///< opacity of the first of several times
+  double joint_radius = 1.3;                    ///< mm
+  double font_size = 8;                         ///< points of 1/72 inch
   std::string font = "sans-serif";
   bool bodies = true, joints = true, ground = true, scale_bar = true;
   std::size_t recording = 0;  ///< of the scene

@@ -41,6 +41,12 @@ inline std::string decimal_text(long long n, int k) {
   return (n < 0 ? "−" : "") + digits;
 }
 
+/// The same without zeros behind the last digit that counts.
+inline std::string shortest_decimal_text(long long n, int k) {
+  while (n != 0 && k < 0 && n % 10 == 0) n /= 10, ++k;
+  return decimal_text(n, k);
+}
+
 /// Numbers m, m + step, ... of a range, in units of 10^power.
 struct decimal_steps {
   long long first, last, step;
@@ -80,7 +86,7 @@ inline tick_list linear_ticks(double low, double high, std::size_t most) {
   const auto s = steps_between(low, high, most);
   tick_list list;
   long long offset = 0;
-  if (s.largest() >= 100000) offset = roundest(s), list.offset = decimal_text(offset, s.power);
+  if (s.largest() >= 100000) offset = roundest(s), list.offset = shortest_decimal_text(offset, s.power);
   const decimal_steps shown{s.first - offset, s.last - offset, s.step, s.power};
   const int order = static_cast<int>(std::to_string(shown.largest()).size()) - 1 + s.power;  // of the largest
   if (shown.largest() > 0 && (order >= 5 || order < -3)) list.exponent = (order >= 0 ? order : order - 2) / 3 * 3;
@@ -113,7 +119,7 @@ inline tick_list logarithmic_ticks(double low, double high, std::size_t most) {
   };
   for (int power = first - 1; power <= last; ++power) {
     const bool major = power % stride == 0;
-    if (power >= first && (major || stride == 1)) add(1, power, major);
+    if (power >= first && (major || last - first <= 40)) add(1, power, major);
     if (stride == 1)
       for (int digit = 2; digit < 10; ++digit) add(digit, power, between && (digit == 2 || digit == 5));
   }

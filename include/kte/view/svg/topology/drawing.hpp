@@ -136,11 +136,24 @@ class topology_drawing {
     out_.set("stroke-dasharray", "1.2 0.9").element("title", joined(g_.ties[i].names)).end();
   }
   const char* colour(std::size_t tie) const { return g_.ties[tie].joint ? "#0072b2" : "#b84d00"; }
+  /// Where on its arc it is free of other texts, as far as that can be.
   void put_tie_name(std::size_t i) {
     const auto c = arc(i);
-    put_text({(c[0].x + 3 * c[1].x + 3 * c[2].x + c[3].x) / 8,
-              (c[0].y + 3 * c[1].y + 3 * c[2].y + c[3].y) / 8 + 0.3 * font_},
-             "middle", tie_name(i), 0.8, colour(i));
+    const double half = label_width(i), up = 0.6 * font_;
+    picture_point best{};
+    std::size_t least = ~std::size_t{0};
+    for (int k = 0; k < 14; ++k) {
+      const double u = 0.5 + (k % 2 == 0 ? 0.025 : -0.025) * k;
+      const double v = 1 - u, a = v * v * v, b = 3 * v * v * u, d = 3 * v * u * u, e = u * u * u;
+      const picture_point p{a * c[0].x + b * c[1].x + d * c[2].x + e * c[3].x,
+                            a * c[0].y + b * c[1].y + d * c[2].y + e * c[3].y};
+      std::size_t covered = 0;
+      for (const auto& t : taken_)
+        if (p.x - half < t.right && p.x + half > t.left && p.y - up < t.high && p.y + up > t.low) ++covered;
+      if (covered < least) least = covered, best = p;
+    }
+    taken_.push_back({best.x - half, best.x + half, best.y - up, best.y + up});
+    put_text({best.x, best.y + 0.3 * font_}, "middle", tie_name(i), 0.8, colour(i));
   }
   /// On white, as lines may be below it.
   void put_text(picture_point p, const char* anchor, const std::string& text, double size, const char* fill) {
@@ -157,6 +170,7 @@ class topology_drawing {
     out_.text(text).end();
   }
   void put_edge(std::size_t i) {
+    take(i);
     const auto& g = g_.groups[at(order_[i])];
     if (g.parent < 0) return;
     const auto p = place(node_of_[at(g.parent)]), q = place(i);
@@ -178,6 +192,13 @@ class topology_drawing {
     const auto acts = acts_of(g);
     put_text({x, middle + (acts.empty() ? 0.35 : -0.1) * font_}, "start", joint_name(g), 1, "#000");
     if (!acts.empty()) put_text({x, middle + 0.85 * font_}, "start", acts, 0.8, "#b84d00");
+  }
+  /// Remembers where the texts of a node are.
+  void take(std::size_t i) {
+    const auto p = place(i);
+    taken_.push_back({p.x - half_width(i), p.x + half_width(i), p.y - box() / 2, p.y + box() / 2});
+    if (g_.groups[at(order_[i])].parent >= 0)
+      taken_.push_back({p.x - radius(), p.x + tree_[i].right, p.y - box() / 2 - 2.2 * font_, p.y - box() / 2});
   }
   void put_box(std::size_t i) {
     const auto& g = g_.groups[at(order_[i])];
@@ -220,6 +241,10 @@ class topology_drawing {
   std::vector<int> order_;            ///< groups by nodes
   std::vector<std::size_t> node_of_;  ///< nodes by groups
   std::vector<tidy_tree::node> tree_;
+  struct rectangle {
+    double left, right, low, high;
+  };
+  std::vector<rectangle> taken_;  ///< by texts
   svg_writer out_;
 };
 

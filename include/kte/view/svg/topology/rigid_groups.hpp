@@ -15,11 +15,11 @@ class rigid_groups {
   static constexpr int none = -1;
   struct group {
     std::string name;
-    std::vector<std::string> frames, loads;  ///< names; what acts on this group alone
+    std::vector<std::string> frames{}, loads{};  ///< names; what acts on this group alone
     double mass = 0;
     int parent = none;
-    int joint = none;               ///< from the parent
-    std::vector<std::string> acts;  ///< what acts on coordinates of the joint
+    int joint = none;                 ///< from the parent
+    std::vector<std::string> acts{};  ///< what acts on coordinates of the joint
   };
   /// Something between two groups beside the tree.
   struct tie {
@@ -62,9 +62,9 @@ class rigid_groups {
     }
     groups[at(group_of_.back())].frames.push_back(f.name);
   }
-  bool is_above(int group, int other) const {
+  bool is_above(int one, int other) const {
     for (int g = other; g != none; g = groups[at(g)].parent)
-      if (g == group) return true;
+      if (g == one) return true;
     return false;
   }
   void put_joint(int joint) {
@@ -89,13 +89,12 @@ class rigid_groups {
     } else if (on.size() == 1) {
       add_once(groups[at(*on.begin())].loads, f.type);
     } else {
-      for (const int c : f.coordinates) {
-        const auto j = joint_of_.find(c);
-        if (j == joint_of_.end()) continue;
-        add_once(groups[at(j->second)].acts, f.type);
-        on.insert(j->second);
-      }
-      if (on.size() >= 2) tie_of(*on.begin(), *on.rbegin(), f.type, false);
+      for (const int c : f.coordinates)
+        if (const auto j = joint_of_.find(c); j != joint_of_.end()) on.insert(j->second);
+      if (on.size() >= 2)
+        tie_of(*on.begin(), *on.rbegin(), f.type, false);
+      else if (on.size() == 1)
+        add_once(groups[at(*on.begin())].acts, f.type);
     }
   }
   void tie_of(int a, int b, const std::string& name, bool joint) {
