@@ -90,9 +90,10 @@ inline tick_list linear_ticks(double low, double high, std::size_t most) {
   const decimal_steps shown{s.first - offset, s.last - offset, s.step, s.power};
   const int order = static_cast<int>(std::to_string(shown.largest()).size()) - 1 + s.power;  // of the largest
   if (shown.largest() > 0 && (order >= 5 || order < -3)) list.exponent = (order >= 0 ? order : order - 2) / 3 * 3;
+  const int digits = shown.largest() == 0 ? 0 : s.power - list.exponent;
   for (long long n = s.first; n <= s.last; n += s.step) {
     const double x = decimal_number(n, s.power);
-    if (std::isfinite(x)) list.ticks.push_back({x, {decimal_text(n - offset, s.power - list.exponent)}});
+    if (std::isfinite(x)) list.ticks.push_back({x, {decimal_text(n - offset, digits)}});
   }
   return list;
 }
