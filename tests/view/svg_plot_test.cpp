@@ -59,12 +59,12 @@ TEST_CASE("units that are not known are left out, and rates of unknown coordinat
   CHECK_FALSE(has(all, "elbow/v (rad/s)"));
   CHECK(has(texts(plot(run(), {"elbow/v"}, {.units = {{"elbow", "m"}}})), "elbow/v (m/s)"));
   CHECK(has(texts(plot(run(), {"elbow/v"}, {.units = {{"elbow/v", "rpm"}}})), "elbow/v (rpm)"));
-  CHECK(detail::meaning_of_column("base:joint/ang_acceleration/y", {}) ==
-        detail::column_meaning{"rad/s²", "angular acceleration"});
-  CHECK(detail::meaning_of_column("coordinate:q/f", {{"q", "m"}}) == detail::column_meaning{"N", "force"});
-  CHECK(detail::meaning_of_column("pull/x", {{"pull", "N"}}) == detail::column_meaning{"N", ""});
-  CHECK(detail::meaning_of_column("tip/rotation/w", {}) == detail::column_meaning{"", "quaternion"});
-  CHECK(detail::meaning_of_column("velocity", {}) == detail::column_meaning{});
+  CHECK(detail::svg::meaning_of_column("base:joint/ang_acceleration/y", {}) ==
+        detail::svg::column_meaning{"rad/s²", "angular acceleration"});
+  CHECK(detail::svg::meaning_of_column("coordinate:q/f", {{"q", "m"}}) == detail::svg::column_meaning{"N", "force"});
+  CHECK(detail::svg::meaning_of_column("pull/x", {{"pull", "N"}}) == detail::svg::column_meaning{"N", ""});
+  CHECK(detail::svg::meaning_of_column("tip/rotation/w", {}) == detail::svg::column_meaning{"", "quaternion"});
+  CHECK(detail::svg::meaning_of_column("velocity", {}) == detail::svg::column_meaning{});
 }
 
 TEST_CASE("one panel for all, one for each, all columns, another column across") {

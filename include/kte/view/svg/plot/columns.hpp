@@ -5,7 +5,7 @@
 #include <kte/view/svg/plot/options.hpp>
 
 /// Which columns of a table are plotted, and where.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 struct plot_column {
   std::string name;
@@ -90,4 +90,4 @@ class plot_columns {
   const plot_options& options_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg
