@@ -1,0 +1,51 @@
+// Puts the viewer, three.js, uPlot and the engine into one page: share/kte/page.html.
+
+import { build } from 'esbuild';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+
+const here = new URL('./', import.meta.url);
+const share = new URL('../../share/kte/', here);
+const read = (path) => readFileSync(new URL(path, here), 'utf8');
+
+const bundled = await build({
+  entryPoints: [new URL('src/main.js', here).pathname],
+  outdir: 'out',
+  bundle: true,
+  write: false,
+  minify: true,
+  format: 'iife',
+  target: ['chrome90', 'firefox113', 'safari16'],
+  legalComments: 'none',
+  logLevel: 'warning',
+});
+const output = (ending) => bundled.outputFiles.find((file) => file.path.endsWith(ending)).text;
+
+const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
+
+const version = (name) => JSON.parse(read(`node_modules/${name}/package.json`)).version;
+const licences = ['three', 'uplot']
+  .map((name) => `${name} ${version(name)} (npm)\n\n${read(`node_modules/${name}/LICENSE`).trim()}\n`)
+  .concat(existsSync(new URL('engine/licences.txt', here)) ? [read('engine/licences.txt').trim() + '\n'] : [])
+  .join(`\n${'-'.repeat(80)}\n\n`);
+
+const escaped = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
+const style = (await build({ stdin: { contents: output('.css') + read('style.css'), loader: 'css' }, minify: true, write: false })).outputFiles[0].text;
+
+const parts = {
+  '/*STYLE*/': style.trim(),
+  '<!--LICENCES-->': escaped(licences),
+  '<!--CODE-->': packed(output('.js')),
+  '<!--ENGINE-->': packed(readFileSync(new URL('engine/kte.wasm', here))),
+};
+let page = read('page.html');
+for (const [place, text] of Object.entries(parts)) {
+  if (page.split(place).length !== 2) throw new Error(`page.html: ${place} is not there once`);
+  page = page.replace(place, () => text);
+}
+
+mkdirSync(share, { recursive: true });
+writeFileSync(new URL('page.html', share), page);
+writeFileSync(new URL('page.licences.txt', share), licences);
+const kilobytes = (n) => `${Math.round(n / 1000)} kB`;
+console.log(`share/kte/page.html: ${kilobytes(page.length)}, of which the engine ${kilobytes(parts['<!--ENGINE-->'].length)}`);
