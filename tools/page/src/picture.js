@@ -114,7 +114,7 @@ export class Picture {
     }
     if (this.ghost) {
       this.ghost.root.visible = shown;
-      for (const layer of ['visual', 'links', 'joints', 'bodies', 'forces']) this.ghost.show(layer, this.layers[layer]);
+      for (const layer of ['visual', 'links', 'joints', 'bodies', 'shaped bodies', 'forces']) this.ghost.show(layer, this.layers[layer]);
     }
   }
 

@@ -34,7 +34,7 @@ export class Viewer {
     this.player = new Player(() => this.request());
     this.announcer = new Announcer();
     this.theme = new Theme((name) => this.set_theme(name));
-    this.layers = shown_at_first(scene);
+    this.layers = { ...shown_at_first };
     this.sources.update(this.sources.main?.start ?? 0);
     this.begin_picture(say);
     this.begin_panels();

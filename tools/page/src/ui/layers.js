@@ -10,22 +10,21 @@ const all = [
   ['joints', 'Joints', (scene) => scene.joints.length > 0],
   ['ranges', 'Ranges and positions of joints', (scene) => scene.joints.length > 0],
   ['bodies', 'Bodies by their inertia', (scene) => scene.bodies.length > 0],
+  ['shaped bodies', 'Inertia of bodies with shapes', (scene) => scene.bodies.length > 0 && scene.shapes.some((s) => s.role !== 'collision')],
   ['forces', 'Springs, dampers, beams, contacts', (scene) => scene.forces.length > 0],
   ['frames', 'Axes of all frames', (scene) => scene.frames.length > 0],
   ['labels', 'Names of frames', (scene) => scene.frames.length > 0],
 ];
 
-// Shown at first: inertias are in the way of the shapes that stand for the same bodies.
-export function shown_at_first(scene) {
-  const shaped = new Set(scene.shapes.filter((s) => s.role !== 'collision' && s.type !== 'plane').map((s) => s.frame));
-  const hides = scene.bodies.length > 0 && scene.bodies.filter((b) => shaped.has(b.frame)).length > scene.bodies.length / 2;
-  return { visual: true, collision: false, links: true, joints: true, ranges: true, bodies: !hides, forces: true, frames: false, labels: false };
-}
+// Shown at first.
+export const shown_at_first = {
+  visual: true, collision: false, links: true, joints: true, ranges: true, bodies: true, 'shaped bodies': false, forces: true, frames: false, labels: false,
+};
 
 export function fill_layers(scene, shown, change) {
   for (const [name, text, exists] of all) {
     if (!exists(scene)) continue;
-    const box = element('input', { type: 'checkbox', id: `layer-${name}`, checked: shown[name] });
+    const box = element('input', { type: 'checkbox', id: `layer-${name.replace(' ', '-')}`, checked: shown[name] });
     box.addEventListener('change', () => change(name, box.checked));
     by_id('layers').append(element('label', { class: 'check' }, box, element('span', { text })));
   }

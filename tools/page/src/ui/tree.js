@@ -6,7 +6,7 @@ import { palettes } from '../view/palette.js';
 import { by_id, element } from './element.js';
 import { mark } from './marks.js';
 
-const deepest_indent = 14, most_unfolded = 300, most_rows = 4000;
+const most_unfolded = 300, most_rows = 4000;
 
 export function item_of(scene, kind, index) {
   const lists = { frame: scene.frames, joint: scene.joints, body: scene.bodies, force: scene.forces };
@@ -23,6 +23,8 @@ export class Tree {
     this.collect(outline(scene));
     const many = this.rows.length > most_unfolded;
     for (const entry of this.rows) entry.folded = many && entry.depth >= 4;
+    // long chains are deep: names must fit in beside them
+    this.indent = Math.min(13, 110 / this.rows.reduce((most, entry) => Math.max(most, entry.depth), 1));
     this.query = '';
     by_id('search').addEventListener('input', (event) => this.search(event.target.value));
     this.list.addEventListener('mouseleave', () => pointed(null));
@@ -78,7 +80,7 @@ export class Tree {
       'aria-selected': String(entry === this.current),
       onclick: () => this.choose(entry), ondblclick: () => this.calls.followed(row), onmouseenter: () => this.calls.pointed(row),
     });
-    item.style.paddingLeft = `${4 + 13 * (this.query ? 0 : Math.min(depth, deepest_indent))}px`;
+    item.style.paddingLeft = `${4 + (this.query ? 0 : Math.min(110, this.indent * depth))}px`;
     const folds = row.children.length > 0 && !this.query;
     if (folds) item.setAttribute('aria-expanded', String(!entry.folded));
     const fold = element('span', { class: 'fold', 'aria-hidden': 'true', text: folds ? (entry.folded ? '\u25b6' : '\u25bc') : '' });

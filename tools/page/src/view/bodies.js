@@ -6,6 +6,7 @@ import { octahedron, sphere } from './solids.js';
 
 export function add_bodies(mechanism) {
   const { scene, materials, unit } = mechanism;
+  const shaped = new Set(scene.shapes.filter((shape) => shape.role !== 'collision' && shape.type !== 'plane').map((shape) => shape.frame));
   scene.bodies.forEach((body, index) => {
     const of = { kind: 'body', index, frame: body.frame };
     const group = new Group();
@@ -20,6 +21,7 @@ export function add_bodies(mechanism) {
     } else {
       group.add(part(sphere(), materials.of('mass'), of, 0.55 * unit));
     }
-    mechanism.add_to_frame('bodies', body.frame, group);
+    // where a shape stands for the body, its inertia is of a layer of its own
+    mechanism.add_to_frame(shaped.has(body.frame) ? 'shaped bodies' : 'bodies', body.frame, group);
   });
 }

@@ -2,7 +2,9 @@
 
 import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { extent_along } from './bounds.js';
 
+const margin = 1.2;  // around what is fitted
 const offset = new Vector3(), step = new Vector3();
 
 // A direction at right angles to up.
@@ -47,30 +49,44 @@ export class Camera {
     camera.updateProjectionMatrix();
   }
 
-  // Shows all of a sphere, in 3D from the front, the right and above.
-  fit({ box, sphere }) {
+  // Shows all points of the motion, in 3D from the front, the right and above.
+  fit(bounds) {
     const { camera, controls } = this;
-    const radius = Math.max(sphere.radius, 1e-6);
-    controls.target.copy(sphere.center);
+    const radius = Math.max(bounds.sphere.radius, 1e-6);
+    controls.target.copy(bounds.sphere.center);
     if (this.planar) {
-      const size = box.getSize(step);
-      const wide = Math.abs(this.up.y) >= Math.abs(this.up.x) ? [size.x, size.y] : [size.y, size.x];
-      this.half = 0.5 * 1.25 * Math.max(Math.min(1, this.aspect) * Math.max(wide[1], wide[0] / this.aspect), 1e-3 * radius);
+      const right = offset.set(this.up.y, -this.up.x, 0);
+      const [left_end, right_end] = extent_along(bounds, right), [bottom, top] = extent_along(bounds, this.up);
+      const square = Math.min(1, this.aspect);  // project() divides by it
+      this.half = Math.max(0.5 * margin * square * Math.max(top - bottom, (right_end - left_end) / this.aspect), 1e-3 * radius);
       camera.zoom = 1;
-      camera.position.copy(sphere.center).add(step.set(0, 0, 20 * radius));
+      camera.position.copy(bounds.sphere.center).add(step.set(0, 0, 20 * radius));
       camera.near = radius;
       camera.far = 60 * radius;
     } else {
-      const half_angle = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, this.aspect));
-      const distance = (1.08 * radius) / Math.sin(half_angle);
       const right = sideways(this.up), front = step.crossVectors(right, this.up);
       offset.copy(right).multiplyScalar(0.62).addScaledVector(front, 0.85).addScaledVector(this.up, 0.42).normalize();
-      camera.position.copy(sphere.center).addScaledVector(offset, distance);
+      const distance = this.distance_for(bounds, offset);
+      camera.position.copy(bounds.sphere.center).addScaledVector(offset, distance);
       camera.near = distance / 500;
       camera.far = distance * 60;
     }
     this.project();
     controls.update();
+  }
+
+  // From where the camera, looking along -backward to the centre, has all points in its view.
+  distance_for({ points, sphere }, backward) {
+    const tall = Math.tan((this.camera.fov * Math.PI) / 360) / margin, wide = tall * this.aspect;
+    if (points.length === 0) return (margin * sphere.radius) / Math.min(tall, wide);
+    const right = new Vector3().crossVectors(this.up, backward).normalize(), above = new Vector3().crossVectors(backward, right);
+    const p = new Vector3();
+    let distance = 0.2 * sphere.radius;
+    for (let i = 0; i < points.length; i += 3) {
+      p.fromArray(points, i).sub(sphere.center);
+      distance = Math.max(distance, p.dot(backward) + Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(above)) / tall));
+    }
+    return distance;
   }
 
   // Moves with what is followed.

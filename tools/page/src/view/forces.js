@@ -9,6 +9,10 @@ import { box, coil, cone, cylinder, disc, octahedron, rod, sphere, spiral, torus
 
 const between = new Set(['spring', 'damper', 'loop', 'other']);
 
+function distance(w, [a, b]) {
+  return Math.hypot(w[7 * a] - w[7 * b], w[7 * a + 1] - w[7 * b + 1], w[7 * a + 2] - w[7 * b + 2]);
+}
+
 // Draws what acts between two frames, `side` beside the line between them so that a spring and a damper are both seen.
 function add_between(mechanism, force, of, side) {
   const { materials, unit } = mechanism;
@@ -20,8 +24,8 @@ function add_between(mechanism, force, of, side) {
   };
   const draw = {
     spring() {
-      const mesh = make(coil(), 'spring');
-      return (...ends) => span(mesh, ...ends, 0.55 * unit);
+      const radius = 0.55 * unit, mesh = make(coil(distance(mechanism.initial, force.frames) / radius), 'spring');
+      return (...ends) => span(mesh, ...ends, radius);
     },
     damper() {
       const body = make(cylinder(), 'damper'), shaft = make(rod(), 'damper_rod');
@@ -87,12 +91,6 @@ function add_at(mechanism, kind, frame, axis, of, place = [0, 0, 0]) {
   mechanism.add_to_frame('forces', frame, align(group, axis));
 }
 
-// True where the mechanism's initial poses hold the two frames apart.
-function apart(mechanism, [a, b]) {
-  const w = mechanism.initial;
-  return Math.hypot(w[7 * a] - w[7 * b], w[7 * a + 1] - w[7 * b + 1], w[7 * a + 2] - w[7 * b + 2]) > 1e-6 * mechanism.scene.size;
-}
-
 export function add_forces(mechanism) {
   const { scene } = mechanism;
   const beside = new Map();  // how many are drawn between two frames already
@@ -100,7 +98,7 @@ export function add_forces(mechanism) {
     const frames = force.frames;
     const of = { kind: 'force', index, frame: frames.at(-1) ?? -1 };
     if (force.kind === 'beam' && frames.length >= 2) return add_beam(mechanism, force, of);
-    if (frames.length === 2 && (between.has(force.kind) || (force.kind === 'bushing' && apart(mechanism, frames)))) {
+    if (frames.length === 2 && (between.has(force.kind) || (force.kind === 'bushing' && distance(mechanism.initial, frames) > 1e-6 * scene.size))) {
       const pair = [...frames].sort((x, y) => x - y).join();
       const n = beside.get(pair) ?? 0;
       beside.set(pair, n + 1);

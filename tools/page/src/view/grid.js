@@ -24,7 +24,7 @@ float lines(float size, float width) {
   return covered * (1.0 - smoothstep(0.25, 0.7, max(slope.x, slope.y)));
 }
 void main() {
-  float strength = max(0.34 * lines(cell, 1.0), 0.6 * lines(10.0 * cell, 1.2));
+  float strength = max(0.26 * lines(cell, 1.0), 0.5 * lines(10.0 * cell, 1.2));
   float fade = 1.0 - smoothstep(0.25, 1.0, length(place) / extent);
   gl_FragColor = vec4(colour, strength * fade);
   #include <colorspace_fragment>

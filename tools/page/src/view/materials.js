@@ -3,7 +3,7 @@
 import { DoubleSide, MeshBasicMaterial, MeshStandardMaterial } from 'three';
 import { opacities, palettes } from './palette.js';
 
-const flat = new Set(['range']);  // not lit
+const flat = new Set(['range', 'plane']);  // not lit
 
 export class Materials {
   constructor(theme) {

@@ -29,23 +29,28 @@ export function sector(inner, outer, from, to) {
 }
 
 class Helix extends Curve {
-  constructor(turns, lead) {
+  constructor(turns, lead, length) {
     super();
     this.turns = turns;
     this.lead = lead;  // share of the length that is straight at each end
+    this.length = length;
   }
 
   getPoint(s, target = new Vector3()) {
     const u = Math.min(1, Math.max(0, (s - this.lead) / (1 - 2 * this.lead)));
     const radius = Math.min(1, s / this.lead, (1 - s) / this.lead);
     const angle = 2 * Math.PI * this.turns * u;
-    return target.set(radius * Math.cos(angle), radius * Math.sin(angle), s);
+    return target.set(radius * Math.cos(angle), radius * Math.sin(angle), s * this.length);
   }
 }
 
-// A coil of radius 1 from z = 0 to 1; `wire` is its thickness in radii.
-export const coil = () => once('coil', () => new TubeGeometry(new Helix(7, 0.1), 220, 0.1, 6));
-export const screw = () => once('screw', () => new TubeGeometry(new Helix(3, 0.02), 120, 0.14, 6).translate(0, 0, -0.5));
+// A coil of radius 1 from z = 0 to 1 whose wire is round where its length is `slender` radii.
+export const coil = (slender) => {
+  const length = Math.min(60, Math.max(2, Math.round(slender)));
+  const turns = Math.min(14, Math.max(4, Math.round(0.55 * length)));
+  return once(`coil ${length}`, () => new TubeGeometry(new Helix(turns, 0.1, length), 36 * turns, 0.12, 7).scale(1, 1, 1 / length));
+};
+export const screw = () => once('screw', () => new TubeGeometry(new Helix(3, 0.02, 4), 120, 0.12, 6).scale(1, 1, 0.25).translate(0, 0, -0.5));
 
 // A flat spiral of radius 1.
 export const spiral = () => once('spiral', () => {

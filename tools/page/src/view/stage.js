@@ -3,6 +3,7 @@
 import {
   Color, DirectionalLight, HemisphereLight, Mesh, PCFShadowMap, PlaneGeometry, Raycaster, Scene, ShadowMaterial, Vector2, Vector3, WebGLRenderer,
 } from 'three';
+import { extent_along } from './bounds.js';
 import { Camera } from './camera.js';
 import { Grid } from './grid.js';
 import { palettes } from './palette.js';
@@ -29,25 +30,16 @@ export class Stage {
 
   // Lights and ground for the space that the mechanism takes.
   furnish(bounds) {
-    const { box, sphere } = bounds;
+    const { sphere } = bounds;
     const radius = Math.max(sphere.radius, 1e-6);
-    const lowest = Math.min(this.up.dot(box.min), this.up.dot(box.max), this.lowest_corner(box));
-    const height = this.planar ? -radius : lowest > -0.05 * radius ? 0 : lowest;
+    const [lowest] = extent_along(bounds, this.up);
+    const height = this.planar ? -radius : lowest > -0.08 * radius ? 0 : lowest;
     this.grid = new Grid((this.planar ? 12 : 7) * Math.max(radius, sphere.center.length() / 3), this.planar ? [0, 0, 1] : this.up.toArray(), height, this.theme);
     this.world.add(this.grid.object);
     this.sky.position.copy(this.planar ? new Vector3(0, 0, 1) : this.up);
     this.sun.position.copy(sphere.center).addScaledVector(this.planar ? new Vector3(-0.4, 0.7, 1).normalize() : this.sun_direction(), 6 * radius);
     this.sun.target.position.copy(sphere.center);
     if (!this.planar) this.cast_shadows(sphere, radius, height);
-  }
-
-  lowest_corner(box) {
-    let lowest = Infinity;
-    for (let i = 0; i < 8; ++i) {
-      point.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z);
-      lowest = Math.min(lowest, this.up.dot(point));
-    }
-    return lowest;
   }
 
   sun_direction() {

@@ -10,5 +10,5 @@ export function symbol_size(scene, world) {
   });
   const seen = lengths.filter((x) => x > 1e-6 * scene.size).sort((a, b) => a - b);
   const typical = seen.length ? seen[seen.length >> 1] : scene.size;
-  return Math.min(0.055 * scene.size, Math.max(0.13 * typical, 0.012 * scene.size));
+  return Math.min(0.045 * scene.size, Math.max(0.2 * typical, 0.012 * scene.size));
 }
