@@ -33,7 +33,8 @@ export class Picture {
     this.labels = new Labels(by_id('labels'), this.stage);
     this.trail = new Trail(this.stage);
     this.pull_line = new PullLine(this.stage, this.materials, this.mechanism.unit);
-    this.followed = this.trailed = -1;
+    this.followed = this.trailed = -1;  // frames
+    this.last = null;                   // where the one followed was
     this.triads = new Map();
     for (const [name, shown] of Object.entries(layers)) this.show_layer(name, shown);
     this.stage.resize();
@@ -87,6 +88,7 @@ export class Picture {
     this.pointer_triad = null;
     if (row && row.frame >= 0) {
       this.pointer_triad = triad(1.3 * this.mechanism.unit, row.frame);
+      this.pointer_triad.traverse((object) => { object.raycast = () => {}; });
       this.mechanism.node(row.frame).add(this.pointer_triad);
     }
     this.highlight.set(row && ((of) => (row.kind === 'frame' ? of.frame === row.index && of.kind !== 'frame' && of.kind !== 'joint' : of.kind === row.kind && of.index === row.index)));
@@ -94,7 +96,7 @@ export class Picture {
 
   follow(frame) {
     this.followed = frame;
-    this.last = null;
+    this.last = frame < 0 ? null : [...this.poses.world.subarray(7 * frame, 7 * frame + 3)];
   }
 
   set_trail(frame, recording) {
@@ -141,10 +143,9 @@ export class Picture {
   shift_camera() {
     if (this.followed < 0) return;
     const w = this.poses.world, i = 7 * this.followed;
-    const now = this.last ?? [w[i], w[i + 1], w[i + 2]];
+    const now = this.last;
     const moved = now[0] !== w[i] || now[1] !== w[i + 1] || now[2] !== w[i + 2];
     if (moved) this.stage.camera.shift(w[i] - now[0], w[i + 1] - now[1], w[i + 2] - now[2]);
     for (let n = 0; n < 3; ++n) now[n] = w[i + n];
-    this.last = now;
   }
 }

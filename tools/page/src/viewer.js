@@ -353,7 +353,8 @@ export class Viewer {
       this.simulation_panel?.update(simulation);
     }
     this.details.update(this.poses.world);
-    this.drawn = (this.drawn ?? 0) + 1;
+    this.drawn = (this.drawn ?? 0) + 1;  // pictures
+    if (this.drawn === 1) performance.mark('kte-first-picture');
     if (moving) this.request();
   }
 

@@ -31,6 +31,7 @@ export class Plot {
       ],
       series: [{}, ...series.map((s) => ({ stroke: s.colour, width: 1.6, dash: s.dashed ? [5, 4] : undefined, points: { show: times.length < 2 } }))],
     }, [times, ...series.map((s) => s.values)], host);
+    host.querySelector('canvas').setAttribute('aria-hidden', 'true');  // the box says what it is, the key its values
     this.now = element('div', { class: 'now' });
     this.uplot.over.append(this.now);
     this.scrub(seek);
