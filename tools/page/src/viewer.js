@@ -62,7 +62,7 @@ export class Viewer {
     this.transport = new Transport(this.player, { seek: (t) => this.seek(t), play: () => this.play() });
     this.tree = new Tree(scene, { pointed: (row) => this.point_at(row), chosen: (row) => this.choose(row), followed: (row) => this.follow(row.frame) });
     const state = this.picture ?? { followed: -1, trailed: -1, triads: new Map() };
-    this.details = new Details(scene, state, {
+    this.details = new Details(scene, state, this.poses.world, {
       follow: (frame) => this.follow(frame), trail: (frame) => this.trail(frame),
       triad: (frame, on) => { this.picture?.show_triad(frame, on); this.request(); },
     });
@@ -103,7 +103,7 @@ export class Viewer {
   fill_notes() {
     const notes = by_id('notes');
     const said = this.notes.length ? this.notes : ['All that the scene has is drawn.'];
-    notes.replaceChildren(...said.map((note) => element('li', { class: 'name', text: shown(note, 2000) })));
+    notes.replaceChildren(...said.map((note) => element('li', { class: 'name', text: shown(note, 1000) })));
     if (this.notes.length) by_id('tab-notes').textContent = `Notes (${this.notes.length})`;
   }
 
@@ -175,13 +175,14 @@ export class Viewer {
 
   follow(frame) {
     this.picture?.follow(frame);
-    if (this.details.row) this.details.show(this.details.row);
+    this.details.show(this.details.row);
     this.announcer.say(frame < 0 ? 'Following nothing' : `Following ${shown(this.scene.frames[frame].name)}`);
     this.request();
   }
 
   trail(frame) {
     this.picture?.set_trail(frame, this.sources.main);
+    this.details.show(this.details.row);
     this.request();
   }
 
@@ -352,7 +353,7 @@ export class Viewer {
       this.sliders?.update(sources.q);
       this.simulation_panel?.update(simulation);
     }
-    this.details.update(this.poses.world);
+    this.details.update();
     this.drawn = (this.drawn ?? 0) + 1;  // pictures
     if (this.drawn === 1) performance.mark('kte-first-picture');
     if (moving) this.request();

@@ -25,8 +25,10 @@ function facts(scene, row) {
 }
 
 export class Details {
-  // follow(frame or -1), trail(frame or -1), triad(frame, shown)
-  constructor(scene, state, calls) {
+  // world: poses of all frames as they are drawn; calls: follow(frame or -1), trail(frame or -1), triad(frame, shown)
+  constructor(scene, state, world, calls) {
+    this.row = null;
+    this.world = world;
     this.scene = scene;
     this.state = state;
     this.calls = calls;
@@ -60,11 +62,12 @@ export class Details {
         toggle('Trail', 'Its path', state.trailed === frame, (on) => calls.trail(on ? frame : -1)),
         toggle('Axes', 'Its x, y and z axes', state.triads.has(frame), (on) => calls.triad(frame, on))));
     this.text = '';
+    this.update();
   }
 
-  update(world) {
-    if (!this.row || this.box.hidden) return;
-    const i = 7 * this.row.frame;
+  update() {
+    if (!this.row) return;
+    const i = 7 * this.row.frame, { world } = this;
     const text = triple([world[i], world[i + 1], world[i + 2]].map((x) => Math.round(x * 1e5) / 1e5), 'm');
     if (text !== this.text) this.position.textContent = this.text = text;
   }

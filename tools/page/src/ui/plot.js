@@ -11,6 +11,7 @@ export class Plot {
   // series: [{name, values, colour, dashed}], all at `times`
   constructor(container, times, unit, series, theme, seek) {
     this.times = times;
+    this.time = times[0] ?? 0;
     this.series = series;
     const dark = theme === 'dark';
     const soft = dark ? '#a0abba' : '#5a6675', line = dark ? '#2a313b' : '#e6eaf0';
@@ -23,6 +24,7 @@ export class Plot {
     this.uplot = new uPlot({
       width: Math.max(120, container.clientWidth), height,
       legend: { show: false },
+      hooks: { draw: [() => this.place(this.time)] },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       scales: { x: { time: false } },
       axes: [
@@ -63,9 +65,16 @@ export class Plot {
     if (width > 0 && width !== this.uplot.width) this.uplot.setSize({ width, height });
   }
 
-  update(time) {
+  // The line at the present time; scales are known when the plot has been drawn.
+  place(time) {
+    if (!this.now) return;
     const x = this.uplot.valToPos(time, 'x');
     this.now.style.transform = `translateX(${Number.isFinite(x) ? x.toFixed(1) : -10}px)`;
+  }
+
+  update(time) {
+    this.time = time;
+    this.place(time);
     this.series.forEach((s, i) => {
       const value = value_at(this.times, s.values, time);
       const text = value === null ? '' : number(value);

@@ -16,6 +16,7 @@ export function triad(unit, frame) {
     tip.position.set(...axis).multiplyScalar(1.8 * unit);
     group.add(tip);
   });
+  for (const object of group.children) object.castShadow = false;
   return group;
 }
 
