@@ -338,6 +338,95 @@ class Panels(PageTest):
         self.assertIn('Permission is hereby granted', self.text('#licences'))
 
 
+class Engine(PageTest):
+    def open(self, **changes):
+        self.window.open(scenes.pendulum(model=scenes.pendulum_model(), **changes))
+        self.window.run("document.getElementById('tab-move').click()")
+        self.window.wait("kte_page.sliders || document.getElementById('engine-state').textContent.startsWith('No')")
+
+    def tip(self):
+        self.window.wait('!kte_page.requested || kte_page.simulation.running')
+        return self.window.run('return [...kte_page.poses.world.subarray(14, 17)]')
+
+    def test_sliders_pose_the_mechanism(self):
+        self.open()
+        self.assertEqual(self.window.run("return document.querySelectorAll('#sliders input').length"), 1)
+        self.window.run('''
+            const slider = document.querySelector('#sliders input');
+            slider.value = '-1';
+            slider.dispatchEvent(new Event('input'));''')
+        tip = self.tip()
+        x = self.window.run('return kte_page.sources.q[0]')
+        self.assertAlmostEqual(x, -1, delta=2e-3)
+        self.assertAlmostEqual(tip[0], scenes.math.cos(x), delta=1e-9)
+        self.assertAlmostEqual(tip[1], scenes.math.sin(x), delta=1e-9)
+        self.assertIn('rad', self.text('#sliders output'))
+        self.assertTrue(far(self.window.colour(tip), self.window.colour(beside)))
+        self.window.run("document.getElementById('reset').click()")
+        self.assertAlmostEqual(self.tip()[0], scenes.pendulum_tip(0)[0], delta=1e-6)
+
+    def test_simulation_is_that_of_a_pendulum(self):
+        self.open()
+        self.window.run("document.getElementById('simulate').click()")
+        self.window.wait('kte_page.simulation.time > 0.6')
+        self.window.run("document.getElementById('simulate').click()")
+        t, q = self.window.run('''
+            const { simulation } = kte_page, r = simulation.recording, i = r.index_at(0.6);
+            return [[...r.t.subarray(0, r.count)], [...r.q.subarray(0, r.count)]];''')
+        # by Runge and Kutta
+        x, v, at, h = scenes.pendulum_angle(0), 0.0, 0.0, 1e-4
+        rate = lambda a: -9.81 * scenes.math.cos(a)
+        for time_wanted, got in zip(t, q):
+            while at < time_wanted - h / 2:
+                k1, l1 = v, rate(x)
+                k2, l2 = v + h / 2 * l1, rate(x + h / 2 * k1)
+                k3, l3 = v + h / 2 * l2, rate(x + h / 2 * k2)
+                k4, l4 = v + h * l3, rate(x + h * k3)
+                x, v, at = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), v + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4), at + h
+            self.assertAlmostEqual(got, x, delta=1e-3)
+        self.assertGreater(max(q) - min(q), 0.5)
+        self.assertIn('energy', self.text('#simulation-state'))
+        # it can be played as a recording, and gone on with
+        self.window.key('Home')
+        self.assertEqual(self.time(), 0)
+        self.assertEqual(self.window.run('return kte_page.sources.main === kte_page.simulated'), True)
+        self.window.run("document.getElementById('simulate').click()")
+        self.window.wait(f'kte_page.simulation.time > {t[-1]} + 0.1')
+        self.window.run("document.getElementById('simulate').click()")
+
+    def test_a_drag_pulls_and_damping_damps(self):
+        self.open(state={'q': [-scenes.math.pi / 2], 'v': [0]})
+        self.window.run("document.getElementById('simulate').click()")
+        self.window.wait('kte_page.simulation.time > 0.1')
+        x, y = self.middle([0, -1, 0])
+        side, _ = self.middle([0.6, -0.8, 0])
+        self.window.mouse('mousePressed', x, y)
+        for i in range(1, 11):
+            self.window.mouse('mouseMoved', x + (side - x) * i / 10, y)
+        self.window.wait('kte_page.sources.q[0] > -1.2')
+        self.assertTrue(self.window.run('return kte_page.picture.pull_line.object.visible'))
+        camera = self.window.run('return kte_page.picture.stage.camera.controls.target.toArray()')
+        self.window.mouse('mouseReleased', side, y)
+        self.assertEqual(self.window.run('return kte_page.picture.stage.camera.controls.target.toArray()'), camera)
+        self.window.run('''
+            const slider = document.getElementById('damping');
+            slider.value = '0.9';
+            slider.dispatchEvent(new Event('input'));''')
+        self.window.wait('Math.abs(kte_page.sources.q[0] + Math.PI / 2) < 0.02 && Math.abs(kte_page.simulation.v[0]) < 0.02')
+        self.window.run("document.getElementById('simulate').click()")
+
+    def test_why_there_are_no_sliders(self):
+        for model, word in ((None, 'without its model'), ('{"kte_model": 7}', 'kte: ')):
+            self.window.open(scenes.pendulum(model=model))
+            self.window.run("document.getElementById('tab-move').click()")
+            self.window.wait("document.getElementById('engine-state').textContent.startsWith('No sliders')")
+            self.assertIn(word, self.text('#engine-state'))
+            self.assertEqual(self.window.run("return document.querySelectorAll('#sliders input').length"), 0)
+            self.window.run('kte_page.play()')
+            self.window.wait('kte_page.player.time > 0.1')
+            self.window.run('kte_page.play()')
+
+
 class Robust(PageTest):
     def test_hostile_names(self):
         self.window.open(scenes.hostile(), '')

@@ -2,6 +2,7 @@
 
 import array
 import base64
+import json
 import math
 
 
@@ -66,6 +67,16 @@ def pendulum(seconds=4, rate=50, model=None, **changes):
         recordings=[run], state={'q': [angles[0]], 'v': [0]})
     scene.update(changes)
     return scene
+
+
+def pendulum_model():
+    """The pendulum as a model file; frames and the coordinate have the names of the scene."""
+    elements = [
+        {'type': 'revolute_joint_2D', 'version': 1, 'ports': {'coordinate': 'angle', 'base': 'base', 'end': 'arm'}, 'parameters': {'axis': '0 0 1'}},
+        {'type': 'rigid_link_2D', 'version': 1, 'ports': {'base': 'arm', 'end': 'tip'},
+         'parameters': {'position': '1 0 0', 'rotation': '1 0 0 0 1 0 0 0 1'}},
+        {'type': 'inertia_2D', 'version': 1, 'ports': {'frame': 'tip'}, 'parameters': {'mass': '1', 'com': '0 0 0', 'inertia': '0 0 0 0 0 0'}}]
+    return json.dumps({'kte_model': {'version': 1, 'gravity': '0 -9.81 0', 'elements': elements}})
 
 
 def robot(joints=30, seconds=60, rate=100):

@@ -1,7 +1,7 @@
 // Puts the viewer, three.js, uPlot and the engine into one page: share/kte/page.html.
 
 import { build } from 'esbuild';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
 const here = new URL('./', import.meta.url);
@@ -24,10 +24,11 @@ const output = (ending) => bundled.outputFiles.find((file) => file.path.endsWith
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
 
 const version = (name) => JSON.parse(read(`node_modules/${name}/package.json`)).version;
-const licences = ['three', 'uplot']
-  .map((name) => `${name} ${version(name)} (npm)\n\n${read(`node_modules/${name}/LICENSE`).trim()}\n`)
-  .concat(existsSync(new URL('engine/licences.txt', here)) ? [read('engine/licences.txt').trim() + '\n'] : [])
-  .join(`\n${'-'.repeat(80)}\n\n`);
+const licences = [
+  `kte ${read('../../CMakeLists.txt').match(/project\(kte VERSION ([\d.]+)/)[1]}\n\n${read('../../LICENSE').trim()}\n`,
+  ...['three', 'uplot'].map((name) => `${name} ${version(name)} (npm)\n\n${read(`node_modules/${name}/LICENSE`).trim()}\n`),
+  read('licences/engine.txt'),
+].join(`\n${'-'.repeat(80)}\n\n`);
 
 const escaped = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
 const style = (await build({ stdin: { contents: output('.css') + read('style.css'), loader: 'css' }, minify: true, write: false })).outputFiles[0].text;

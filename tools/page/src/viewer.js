@@ -31,6 +31,7 @@ export class Viewer {
     this.scene = scene;
     this.notes = scene.notes.map(String);
     this.sources = new Sources(scene);
+    this.posed = false;  // by sliders
     this.player = new Player(() => this.request());
     this.announcer = new Announcer();
     this.theme = new Theme((name) => this.set_theme(name));
@@ -280,10 +281,10 @@ export class Viewer {
     }
   }
 
+  // The sliders' configuration.
   pose(q) {
     this.player.play(false);
-    if (this.simulation.running) this.pause_simulation();
-    this.simulation.recording = null;
+    this.stop_simulation();
     this.sources.mode = 'pose';
     this.sources.q.set(q);
     this.posed = true;
@@ -295,19 +296,22 @@ export class Viewer {
     if (simulation.running) return this.pause_simulation();
     this.player.play(false);
     this.attempt(() => {
-      if (!simulation.recording) {
-        const v = sources.mode === 'pose' ? new Float64Array(this.scene.state.v.length) : Float64Array.from(this.scene.state.v);
-        simulation.start(sources.mode === 'pose' ? sources.q : Float64Array.from(this.scene.state.q), v);
-        sources.recordings = [...sources.recordings.filter((recording) => recording !== this.simulated), simulation.recording];
-        this.simulated = simulation.recording;
-        this.choice.main = sources.recordings.length - 1;
-        if (this.choice.other >= this.choice.main) this.choice.other = -1;
-      }
+      if (!simulation.recording) this.start_simulation();
       sources.mode = 'simulate';
       simulation.running = true;
     });
+    this.choice.main = sources.recordings.indexOf(this.simulated);
+    if (this.choice.other === this.choice.main) this.choice.other = -1;
     this.show_recordings();
     return this.request();
+  }
+
+  start_simulation() {
+    const { simulation, sources, scene } = this;
+    const v = this.posed ? new Float64Array(scene.state.v.length) : Float64Array.from(scene.state.v);
+    simulation.start(this.posed ? sources.q : Float64Array.from(scene.state.q), v);
+    sources.recordings = [...sources.recordings.filter((recording) => recording !== this.simulated), simulation.recording];
+    this.simulated = simulation.recording;
   }
 
   pause_simulation() {
@@ -320,12 +324,18 @@ export class Viewer {
     if (this.picture && this.picture.trailed >= 0) this.trail(this.picture.trailed);
   }
 
-  reset_simulation() {
+  // The next run begins anew.
+  stop_simulation() {
     if (this.simulation.running) this.pause_simulation();
     this.simulation.recording = null;
+  }
+
+  reset_simulation() {
+    this.player.play(false);
+    this.stop_simulation();
     this.sources.mode = 'pose';
     this.sources.q.set(this.scene.state.q);
-    this.sources.mode = 'pose';
+    this.posed = false;
     this.request();
   }
 
@@ -347,7 +357,7 @@ export class Viewer {
     this.attempt_quietly(() => sources.update(player.time, simulation));
     if (this.picture) this.picture.draw(player.time, this.pull);
     else this.poses.update(sources.tracks);
-    this.transport.update();
+    this.transport.update(moving);
     this.plots.update(player.time);
     if (document.body.dataset.panel === 'move') {
       this.sliders?.update(sources.q);

@@ -2,8 +2,9 @@
 
 import { GrowingRecording } from '../scene/growing_recording.js';
 
-const longest_step = 1 / 20;      // s of the clock in one step; slower machines simulate slower
-const most_milliseconds = 14;     // of work in one step
+const longest_step = 1 / 15;   // s of the clock between two pictures; slower machines simulate slower
+const sample = 1 / 60;         // s of the clock between samples of the recording
+const most_milliseconds = 24;  // of work between two pictures
 
 export class Simulation {
   constructor(scene, engine) {
@@ -34,7 +35,12 @@ export class Simulation {
 
   advance(elapsed, speed) {
     if (!this.running) return;
-    this.engine.step(Math.min(elapsed, longest_step) * speed, most_milliseconds);
-    this.read();
+    const end = this.time + Math.min(elapsed, longest_step) * speed, latest = performance.now() + most_milliseconds;
+    while (this.running && this.time < end) {
+      const left = latest - performance.now();
+      if (left <= 0) break;
+      this.engine.step(Math.min(sample * speed, end - this.time), left);
+      this.read();
+    }
   }
 }

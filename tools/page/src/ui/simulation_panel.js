@@ -23,7 +23,7 @@ export class SimulationPanel {
     this.box.append(
       element('div', { class: 'buttons' }, this.run, this.reset), this.status,
       element('div', { class: 'slider' }, element('span', { text: 'Damping of all coordinates' }), output, input),
-      element('p', { class: 'hint', text: 'While it runs, drag a body to pull it. It starts from the initial state, or at rest from where the sliders have put it.' }));
+      element('p', { class: 'hint', text: 'While it runs, drag a body to pull it. It starts from the initial state, or at rest where the sliders have put it.' }));
     this.update(null);
   }
 

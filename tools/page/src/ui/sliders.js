@@ -14,8 +14,6 @@ export class Sliders {
     this.q = Float64Array.from(scene.state.q);
     const free = scene.coordinates.filter((c) => !c.follows && c.q >= 0);
     for (const coordinate of free) for (const part of slider_parts(coordinate, scene.size)) this.add(part, moved);
-    this.box.append(element('div', { class: 'buttons' },
-      element('button', { type: 'button', text: 'Initial pose', onclick: () => moved(Float64Array.from(scene.state.q)) })));
   }
 
   add(part, moved) {

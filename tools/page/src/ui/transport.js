@@ -38,8 +38,8 @@ export class Transport {
     this.update();
   }
 
-  update() {
-    const { time, end, length, playing } = this.player;
+  update(playing = this.player.playing) {
+    const { time, end, length } = this.player;
     this.scrub.value = time;
     const text = `${seconds(time, length)} / ${seconds(end, length)} s`;
     if (this.time.value !== text) {
