@@ -1,5 +1,6 @@
 """The page that kte::write_page fills, in a headless Chromium: python3 page_test.py [-k NAME]."""
 
+import hashlib
 import time
 import unittest
 
@@ -234,6 +235,15 @@ class Playing(PageTest):
         self.assertGreater(worst, 0)
         self.assertIn('measured', self.text('#plots'))
 
+    def test_a_bad_column_is_said(self):
+        scene = scenes.pendulum()
+        scene['recordings'][0]['columns'] = [{'name': 'short', 'unit': 'N', 'data': 'AAAA'}]
+        self.window.open(scene)
+        self.window.run('''
+            document.getElementById('columns').open = true;
+            document.querySelectorAll('#column-list input')[1].click();''')
+        self.window.wait("document.getElementById('plots').textContent.includes('short is not plotted')")
+
     def test_gaps_in_columns(self):
         scene = scenes.pendulum(seconds=0.08)
         scene['recordings'][0]['columns'] = [{'name': 'gap', 'unit': 'N', 'data': scenes.packed('f', [1, float('nan'), 2, 3, float('inf')])}]
@@ -465,12 +475,39 @@ class Robust(PageTest):
         text = browser.page_file.read_text(encoding='utf-8')
         self.assertNotIn('src="http', text)
 
+    def test_the_page_is_made_of_its_sources(self):
+        self.window.open(None)
+        folder = browser.folder.parent.parent / 'tools' / 'page'
+        files = [f for part in ('src', 'licences') for f in (folder / part).rglob('*') if f.is_file()]
+        files += [folder / name for name in ('page.html', 'style.css', 'bundle.mjs', 'package-lock.json', 'engine/engine.js', 'engine/kte.wasm')]
+        total = hashlib.sha256()
+        for path in sorted(files, key=lambda f: f.relative_to(folder).as_posix()):
+            total.update(f'{path.relative_to(folder).as_posix()}\n'.encode())
+            total.update(path.read_bytes())
+        self.assertEqual(self.window.run("return document.querySelector('meta[name=kte-sources]').content"), total.hexdigest(),
+                         'remake share/kte/page.html by tools/page/build.sh')
+
     def test_size_of_the_page(self):
         text = browser.page_file.read_text(encoding='utf-8')
         engine = len(text.split('id="kte-engine">')[1].split('<')[0])
         self.assertLess(len(text) - engine, 1e6)
         self.assertLess(engine, 1.5e6)
         self.assertNotIn('</script>', text.split('id="kte-scene">')[1].split('null')[0])
+
+
+class WithoutWebGL(unittest.TestCase):
+    def test_names_and_plots_stay(self):
+        window = browser.Browser(1280, 800, '--disable-3d-apis')
+        try:
+            window.open(scenes.pendulum())
+            text = window.run("return document.getElementById('message').textContent")
+            self.assertIn('There is no 3D view', text)
+            self.assertEqual(window.run("return document.querySelectorAll('#tree .name').length"), 5)
+            window.key('End')
+            self.assertAlmostEqual(window.run('return kte_page.player.time'), 4)
+            self.assertEqual(window.run("return document.querySelectorAll('.plot').length"), 1)
+        finally:
+            window.close()
 
 
 if __name__ == '__main__':

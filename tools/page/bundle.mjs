@@ -1,7 +1,8 @@
 // Puts the viewer, three.js, uPlot and the engine into one page: share/kte/page.html.
 
 import { build } from 'esbuild';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
 const here = new URL('./', import.meta.url);
@@ -33,7 +34,15 @@ const licences = [
 const escaped = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
 const style = (await build({ stdin: { contents: output('.css') + read('style.css'), loader: 'css' }, minify: true, write: false })).outputFiles[0].text;
 
+// A sum of all that the page is made of, which tests/page compares.
+const made_of = ['src', 'licences'].flatMap((folder) => readdirSync(new URL(folder, here), { recursive: true, withFileTypes: true })
+  .filter((entry) => entry.isFile()).map((entry) => `${entry.parentPath ?? entry.path}/${entry.name}`.slice(here.pathname.length)))
+  .concat('page.html', 'style.css', 'bundle.mjs', 'package-lock.json', 'engine/engine.js', 'engine/kte.wasm').sort();
+const sum = createHash('sha256');
+for (const path of made_of) sum.update(`${path}\n`).update(readFileSync(new URL(path, here)));
+
 const parts = {
+  '<!--SOURCES-->': sum.digest('hex'),
   '/*STYLE*/': style.trim(),
   '<!--LICENCES-->': escaped(licences),
   '<!--CODE-->': packed(output('.js')),

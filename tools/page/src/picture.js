@@ -27,7 +27,7 @@ export class Picture {
     this.stage = new Stage(by_id('canvas'), scene.up, scene.planar, theme, changed);
     this.materials = new Materials(theme);
     this.poses.update(sources.tracks);
-    this.mechanism = new Mechanism(scene, this.materials, this.poses.world.slice(), notes);
+    this.mechanism = new Mechanism(scene, this.materials, this.poses.world.slice(), sources.known_q(), notes);
     this.stage.world.add(this.mechanism.root);
     this.highlight = new Highlight(this.mechanism, this.materials.of('highlight'));
     this.labels = new Labels(by_id('labels'), this.stage);
@@ -36,6 +36,7 @@ export class Picture {
     this.followed = this.trailed = -1;  // frames
     this.last = null;                   // where the one followed was
     this.triads = new Map();
+    this.pointed = null;  // row of the tree
     for (const [name, shown] of Object.entries(layers)) this.show_layer(name, shown);
     this.stage.resize();
     this.bounds = this.find_bounds();
@@ -44,6 +45,7 @@ export class Picture {
     this.fit();
     by_id('scale').textContent = `grid ${number(this.stage.grid.cell)} m`;
     new ResizeObserver(changed).observe(by_id('view'));
+    by_id('canvas').addEventListener('webglcontextrestored', changed);
   }
 
   find_bounds() {
@@ -84,6 +86,8 @@ export class Picture {
 
   // A row of the tree in another colour, and the axes of its frame; null for none.
   point_at(row) {
+    if (row?.kind === this.pointed?.kind && row?.index === this.pointed?.index) return;
+    this.pointed = row;
     this.pointer_triad?.removeFromParent();
     this.pointer_triad = null;
     if (row && row.frame >= 0) {
@@ -108,7 +112,7 @@ export class Picture {
   // The mechanism of the recording that is compared with.
   show_other(shown) {
     if (shown && !this.ghost) {
-      this.ghost = new Mechanism(this.scene, this.materials, this.mechanism.initial, []);
+      this.ghost = new Mechanism(this.scene, this.materials, this.mechanism.initial, this.mechanism.initial_q, []);
       this.ghost.paint(this.materials.of('ghost'));
       for (const layer of ['ranges', 'frames', 'collision']) this.ghost.show(layer, false);
       this.ghost.root.traverse((object) => { object.castShadow = false; });

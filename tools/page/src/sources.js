@@ -30,6 +30,11 @@ export class Sources {
     if (this.other) this.other.poses_at(time, this.other_tracks);
   }
 
+  // The q of the poses that update() left; null where the recording has none.
+  known_q() {
+    return this.mode !== 'play' || !this.main || this.main.q ? this.q.slice() : null;
+  }
+
   // Times that the recordings shown cover.
   range() {
     const shown = [this.main, this.other].filter(Boolean);

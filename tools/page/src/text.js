@@ -26,7 +26,7 @@ export function number(x, digits = 4) {
   if (!Number.isFinite(x)) return '\u2013';
   const magnitude = Math.abs(x);
   let text;
-  if (magnitude !== 0 && (magnitude >= 1e6 || magnitude < 1e-4)) text = x.toExponential(digits - 1).replace('e+', 'e');
+  if (magnitude !== 0 && (magnitude >= 1e6 || magnitude < 1e-4)) text = x.toExponential(digits - 1).replace(/\.?0*e\+?/, 'e');
   else text = String(Number(x.toPrecision(digits)));
   return text.replace(/-/g, '\u2212');
 }

@@ -11,7 +11,7 @@ class Column {
     this.read = read;
   }
 
-  // Values at the times of the recording; null where there is no number.
+  // Values at the times of the recording; null where there is no number. Throws where the scene has bad ones.
   get data() {
     if (!this.values) {
       const values = this.read();

@@ -65,24 +65,32 @@ export class Plots {
     const { main, other } = this;
     const times = other ? merged_times(main.t.subarray(0, main.count), other.t.subarray(0, other.count)) : main.t.subarray(0, main.count);
     const by_unit = new Map(), differences = new Map();
-    const add = (map, unit, series) => map.set(unit, [...(map.get(unit) ?? []), series]);
     const columns_of_other = new Map((other?.columns ?? []).map((column) => [column.name, column]));
     this.chosen.forEach((name, i) => {
       const column = this.columns.find((c) => c.name === name);
       if (!column) return;
-      const colour = series_colour(this.theme, i);
-      const values = other ? resampled(main.t.subarray(0, main.count), column.data, times) : column.data;
-      add(by_unit, column.unit, { name, values, colour });
-      const twin = columns_of_other.get(name);
-      if (!twin) return;
-      const others = resampled(other.t.subarray(0, other.count), twin.data, times);
-      add(by_unit, column.unit, { name: `${name} (${other.name})`, values: others, colour, dashed: true });
-      if (this.wants_difference) add(differences, column.unit, { name: `\u0394 ${name}`, values: difference(values, others), colour });
+      try {
+        this.add_series(by_unit, differences, column, columns_of_other.get(name), times, series_colour(this.theme, i));
+      } catch (error) {
+        this.container.append(element('p', { class: 'hint', text: `${shown(name)} is not plotted: ${error.message}` }));
+      }
     });
     for (const map of [by_unit, differences]) {
       for (const [unit, series] of map) this.plots.push(new Plot(this.container, times, unit, series, this.theme, this.seek));
     }
-    if (this.plots.length === 0) this.container.append(element('p', { class: 'hint', text: 'Choose columns above.' }));
+    if (this.container.childElementCount === 0) this.container.append(element('p', { class: 'hint', text: 'Choose columns above.' }));
+  }
+
+  // A column, its twin of the other recording if there is one, and their difference.
+  add_series(by_unit, differences, column, twin, times, colour) {
+    const { main, other } = this, { name, unit } = column;
+    const add = (map, series) => map.set(unit, [...(map.get(unit) ?? []), series]);
+    const values = other ? resampled(main.t.subarray(0, main.count), column.data, times) : column.data;
+    add(by_unit, { name, values, colour });
+    if (!twin) return;
+    const others = resampled(other.t.subarray(0, other.count), twin.data, times);
+    add(by_unit, { name: `${name} (${other.name})`, values: others, colour, dashed: true });
+    if (this.wants_difference) add(differences, { name: `\u0394 ${name}`, values: difference(values, others), colour });
   }
 
   update(time) {

@@ -111,7 +111,7 @@ export function add_forces(mechanism) {
     // what acts on coordinates is drawn on their joints
     for (const joint of scene.joints.filter((j) => j.coordinates.some((k) => force.coordinates.includes(k)))) {
       const axis = joint_axis(joint);
-      add_at(mechanism, force.kind, joint.before, axis, { ...of, frame: joint.after }, joint_seat(scene, joint, axis, mechanism.initial).place);
+      add_at(mechanism, force.kind, joint.before, axis, { ...of, frame: joint.after }, joint_seat(mechanism, joint, axis).place);
     }
     return undefined;
   });

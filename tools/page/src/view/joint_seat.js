@@ -3,20 +3,20 @@
 import { to_local } from '../scene/pose.js';
 import { angle_about, distance_along } from './joint_angle.js';
 
-// The first value of a coordinate of one number of this joint, of the given kind; null if there is none.
-function first_value(scene, joint, kind) {
+// The value in q of a coordinate of one number of this joint, of the given kind; null if there is none.
+function value_of(scene, joint, kind, q) {
   const k = joint.coordinates.find((i) => scene.coordinates[i].kind === kind && scene.coordinates[i].size === 1);
-  const q = k === undefined ? undefined : scene.state.q[scene.coordinates[k].q];
-  return Number.isFinite(q) ? q : null;
+  const x = k === undefined ? undefined : q?.[scene.coordinates[k].q];
+  return Number.isFinite(x) ? x : null;
 }
 
 // {place: in axes of `before`, for a distance of zero; angle_zero, distance_zero: what the poses show at q = 0}
-export function joint_seat(scene, joint, axis, initial) {
+export function joint_seat({ scene, initial, initial_q }, joint, axis) {
   const { before, after } = joint;
   const place = to_local(new Float64Array(3), initial, 7 * before, initial.subarray(7 * after, 7 * after + 3));
-  const along = first_value(scene, joint, 'length');
+  const along = value_of(scene, joint, 'length', initial_q);
   if (along !== null) for (let n = 0; n < 3; ++n) place[n] -= along * axis[n];
-  const turn = first_value(scene, joint, 'angle');
+  const turn = value_of(scene, joint, 'angle', initial_q);
   return {
     place,
     angle_zero: turn === null ? 0 : angle_about(initial, before, after, axis) - turn,

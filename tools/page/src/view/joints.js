@@ -71,7 +71,7 @@ export function add_joints(mechanism) {
     const kind = Object.hasOwn(symbols, joint.kind) ? joint.kind : 'other';
     symbols[kind](mechanism, of, axis, group);
     if (kind === 'free') return mechanism.add_to_frame('joints', joint.after, group);
-    const seat = joint_seat(scene, joint, axis, mechanism.initial);
+    const seat = joint_seat(mechanism, joint, axis);
     group.position.set(...seat.place);
     mechanism.add_to_frame('joints', joint.before, group);
     if (kind === 'revolute' || kind === 'screw' || kind === 'cylindrical') add_angle_range(mechanism, joint, of, axis, seat);

@@ -12,23 +12,23 @@ import { add_triads } from './triads.js';
 const position = new Vector3(), rotation = new Quaternion(), ones = new Vector3(1, 1, 1);
 
 export class Mechanism {
-  // initial: world poses of all frames, 7 numbers each; unit: size of symbols, m; notes: gets what cannot be drawn
-  constructor(scene, materials, initial, notes) {
+  // initial: world poses of all frames, 7 numbers each, and the q that they belong to, null if unknown; notes: gets what
+  // cannot be drawn
+  constructor(scene, materials, initial, initial_q, notes) {
     this.scene = scene;
     this.materials = materials;
     this.initial = initial;
-    this.unit = symbol_size(scene, initial);
+    this.initial_q = initial_q;
+    this.unit = symbol_size(scene, initial);  // m
     this.root = new Group();
     this.nodes = new Map();   // frame: its group
     this.layers = new Map();  // name: objects
-    this.hidden = new Set();
     this.updates = [];
     add_links(this);
     add_joints(this);
     add_bodies(this);
     add_forces(this);
     add_shapes(this, notes);
-    add_triads(this);
     this.update(initial);
   }
 
@@ -78,8 +78,7 @@ export class Mechanism {
   }
 
   show(layer, visible) {
-    if (visible) this.hidden.delete(layer);
-    else this.hidden.add(layer);
+    if (layer === 'frames' && visible && !this.layers.has('frames')) add_triads(this);
     for (const object of this.layer(layer)) object.visible = visible;
   }
 
