@@ -10,6 +10,7 @@ import { Materials } from './view/materials.js';
 import { Mechanism } from './view/mechanism.js';
 import { PullLine } from './view/pull_line.js';
 import { Stage } from './view/stage.js';
+import { Thrift } from './view/thrift.js';
 import { Trail } from './view/trail.js';
 import { triad } from './view/triads.js';
 
@@ -25,6 +26,7 @@ export class Picture {
     this.other_poses = new FramePoses(scene.frames);
     this.spare_poses = new FramePoses(scene.frames);
     this.stage = new Stage(by_id('canvas'), scene.up, scene.planar, theme, changed);
+    this.thrift = new Thrift(this.stage);
     this.materials = new Materials(theme);
     this.poses.update(sources.tracks);
     this.mechanism = new Mechanism(scene, this.materials, this.poses.world.slice(), sources.known_q(), notes);

@@ -354,6 +354,7 @@ export class Viewer {
     else player.advance(elapsed);
     const moving = player.playing || (simulation?.running ?? false);
     this.last_tick = moving ? now : 0;
+    if (moving) this.picture?.thrift.tell(elapsed);
     this.attempt_quietly(() => sources.update(player.time, simulation));
     if (this.picture) this.picture.draw(player.time, this.pull);
     else this.poses.update(sources.tracks);

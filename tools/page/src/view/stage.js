@@ -65,6 +65,17 @@ export class Stage {
     this.world.add(this.shadow);
   }
 
+  drop_shadows() {
+    this.sun.castShadow = false;
+    if (this.shadow) this.shadow.visible = false;
+  }
+
+  set_pixel_ratio(ratio) {
+    if (ratio >= this.renderer.getPixelRatio()) return;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.width, this.height, false);
+  }
+
   set_theme(theme) {
     this.theme = theme;
     this.world.background = new Color(palettes[theme].background);
