@@ -188,7 +188,8 @@ int simulate(options& o) {
     if (d.inputs) d.inputs->put_inputs(t, u);
     if (d.pd) d.pd->put_forces(t, x, nq, u);
   };
-  plant p(chain, law, o.pd.empty());
+  const bool has_law = !o.pd.empty() || !o.input.empty();
+  plant p(chain, has_law ? plant::law(law) : nullptr, o.pd.empty());
   if (m.model) kte::detail::restore_inputs(*m.model, p.model());
   d.constant = p.model().input();
   summary s;
