@@ -1,0 +1,5 @@
+#pragma once
+
+/// Pictures of mechanisms: scenes, recordings for them, and pages that show them moving (needs the library kte::view;
+/// docs/view.md).
+#include <kte/view/write_page.hpp>
