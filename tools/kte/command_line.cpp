@@ -31,8 +31,8 @@ class parsed_command final : public command {
     return *this;
   }
   command& words(const std::string& n, std::vector<std::string>& to, const std::string& help) override {
-    arguments.push_back({n + "...", "", help, true, true});
-    app_.add_option(n, to)->required();
+    arguments.push_back({n + "...", "", help, true, false});
+    app_.add_option(n, to);
     return *this;
   }
   command& flag(const std::string& n, bool& to, const std::string& help) override {

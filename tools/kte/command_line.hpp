@@ -31,7 +31,7 @@ class command {
 
   /// A name that comes without a dash.
   virtual command& word(const std::string& name, std::string& to, const std::string& help, bool needed = true) = 0;
-  /// Several of these, one at least.
+  /// Any number of these, as the last.
   virtual command& words(const std::string& name, std::vector<std::string>& to, const std::string& help) = 0;
   virtual command& flag(const std::string& name, bool& to, const std::string& help) = 0;
   virtual command& text(const std::string& name, const std::string& value, std::string& to, const std::string& help) = 0;

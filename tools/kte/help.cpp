@@ -21,7 +21,16 @@ std::vector<argument> options_of(const command& c) {
   all.push_back(help_option);
   return all;
 }
-std::string with_value(const argument& a) { return a.name + (a.value.empty() ? "" : " " + a.value); }
+/// The names of an option, "-o" and "--output".
+std::vector<std::string> names_of(const argument& a) {
+  const auto comma = a.name.find(',');
+  if (comma == a.name.npos) return {a.name};
+  return {a.name.substr(0, comma), a.name.substr(comma + 1)};
+}
+std::string with_value(const argument& a) {
+  const auto names = names_of(a);
+  return names[0] + (names.size() > 1 ? ", " + names[1] : "") + (a.value.empty() ? "" : " " + a.value);
+}
 
 std::string usage_of(const command& c) {
   std::string s = "kte " + c.name;
@@ -100,7 +109,8 @@ std::string list_of(const command_line& line, const std::string& name) {
   if (name.empty())
     for (const auto& c : line.commands()) s += c->name + '\n';
   else
-    for (const auto& a : options_of(named(line, name))) s += a.name + '\n';
+    for (const auto& a : options_of(named(line, name)))
+      for (const auto& n : names_of(a)) s += n + '\n';
   return s;
 }
 

@@ -22,8 +22,31 @@ std::string table_name(const std::string& name) {
   return out.empty() ? "_" : out;
 }
 
-recorded_state::recorded_state(const kte::kte_map_chain& c, const std::vector<std::string>& names) {
-  const kte::detail::recording all(kte::detail::slots_of(c), names);
+namespace {
+/// What is always recorded.
+std::vector<std::string> usual_names(const kte::kte_map_chain& c) {
+  std::vector<std::string> all;
+  const auto& names = c.wiring().names;
+  for (std::size_t k = 0; k < kte::kinds; ++k) {
+    const auto what = static_cast<kte::kind>(k);
+    if (kte::is_frame(what)) continue;
+    for (const auto& name : names[k]) {
+      if (!kte::is_coordinate(what)) {
+        all.push_back("signal:" + name);
+        continue;
+      }
+      for (const char* const part : {"", "/v", "/a", "/f"}) all.push_back("coordinate:" + name + part);
+    }
+  }
+  return all;
+}
+}  // namespace
+
+recorded_state::recorded_state(const kte::kte_map_chain& c, const std::vector<std::string>& more) {
+  auto names = usual_names(c);
+  names.insert(names.end(), more.begin(), more.end());
+  // Without names a recorder has everything.
+  const auto all = names.empty() ? kte::detail::recording({}, {}) : kte::detail::recording(kte::detail::slots_of(c), names);
   std::map<std::pair<kte::kind, int>, kte::detail::freedom> free;
   for (const auto& f : c.wiring().free) free[{f.what, f.slot}] = f;
   cells_ = all.cells;
@@ -47,7 +70,8 @@ recorded_state::recorded_state(const kte::kte_map_chain& c, const std::vector<st
     const auto f = free.find({cell.what, cell.slot});
     const bool is_state = f != free.end() && (group == 'q' || group == 'v');
     for (std::size_t i = 0; i < cell.count; ++i) {
-      recorded_column x{name_of(all.columns[columns_.size() + 1])};
+      const auto& whole = all.columns[columns_.size() + 1];
+      recorded_column x{name_of(whole), whole};
       if (is_state) {
         x.is = group == 'q' ? recorded_column::part::q : recorded_column::part::v;
         x.index = (group == 'q' ? f->second.q : f->second.v) + before + static_cast<int>(cell.first + i);

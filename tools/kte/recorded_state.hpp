@@ -11,7 +11,8 @@ namespace kte_tool {
 /// What a column of a recording is: number `index` of q or v, or something else of the chain.
 struct recorded_column {
   enum class part { q, v, other };
-  std::string name;  ///< as in tables: without blanks, commas, quotes
+  std::string name;   ///< as in tables: without blanks, commas, quotes
+  std::string whole;  ///< as recorders of the library call it
   part is = part::other;
   int index = -1;
 };
@@ -19,8 +20,8 @@ struct recorded_column {
 /// The numbers of a state of a chain that a recording has.
 class recorded_state {
  public:
-  /// Those of `kte::recorder` without names, or of names. Throws `unknown_name`.
-  explicit recorded_state(const kte::kte_map_chain& c, const std::vector<std::string>& names = {});
+  /// Those of coordinates, inputs and internal states, and more by the names of `kte::recorder`. Throws `unknown_name`.
+  explicit recorded_state(const kte::kte_map_chain& c, const std::vector<std::string>& more = {});
 
   /// But for t.
   const std::vector<recorded_column>& columns() const { return columns_; }

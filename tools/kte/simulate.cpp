@@ -25,7 +25,7 @@ struct options {
   std::string start, configuration, pd, input, record;
   std::vector<std::string> columns;
   std::optional<double> kp, kd;
-  bool motors = false, json = false;
+  bool motors = false, frames = false, json = false;
 };
 
 /// q and v at the start.
@@ -153,7 +153,7 @@ void check_settings(const options& o) {
   positive("--time", o.run.end), positive("--tolerance", o.run.tolerance);
   positive("--step", o.run.step), positive("--every", o.run.every);
   if (o.pd.empty() && (o.kp || o.kd)) throw usage_error("--kp and --kd are gains of --pd");
-  if (o.record.empty() && !o.columns.empty()) throw usage_error("--column is of --record");
+  if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
   if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
 }
 
@@ -224,7 +224,11 @@ int simulate(options& o) {
   p.set_inputs(0, x);
   x = kte::settled(p.model(), 0.0, x);
   std::optional<recording_file> out;
-  if (!o.record.empty()) out.emplace(o.record, chain, o.columns);
+  auto columns = o.columns;
+  if (o.frames)
+    for (const auto k : {kte::kind::frame_2D, kte::kind::frame_3D})
+      for (const auto& name : chain.wiring().names[static_cast<std::size_t>(k)]) columns.push_back("frame:" + name);
+  if (!o.record.empty()) out.emplace(o.record, chain, columns);
   const auto began = std::chrono::steady_clock::now();
   try {
     s.run = run(p, x, o.run, [&](double t, const plant::state& at) {
@@ -268,9 +272,9 @@ void add_simulate(command_line& line) {
       .number("--tolerance", "X", o->run.tolerance, "absolute and relative, of each step; 1e-9 if left out")
       .number("--step", "S", o->run.step, "of solvers of a fixed step, s; 0.001 if left out")
       .text("--record", "FILE", o->record,
-            "what coordinates and frames do, and energies: .csv, .npy, .mcap (Foxglove, PlotJuggler), .ssv, .tsv")
-      .texts("--column", "NAME", o->columns,
-             "only this, as tool/position or elbow/v, beside energies; repeatable")
+            "what coordinates and inputs do, and energies: .csv, .npy, .mcap (Foxglove, PlotJuggler), .ssv, .tsv")
+      .texts("--column", "NAME", o->columns, "also this, as tool/position or tool/velocity/x; repeatable")
+      .flag("--frames", o->frames, "also where all frames are")
       .number("--every", "S", o->run.every, "time from row to row of the recording, s; 0.01 if left out")
       .flag("--json", o->json, "the result as JSON")
       .runs([o] { return simulate(*o); });
