@@ -24,7 +24,8 @@ int plot(options& o) {
   if (o.out.empty()) o.out = std::filesystem::path(o.recording).stem().string() + ".svg";
   const auto extension = kte::detail::lower_extension(o.out);
   if (extension != ".svg")
-    throw kte::bad_argument("kte: '" + o.out + "': pictures are SVG, and end in .svg; programs like rsvg-convert make "
+    throw kte::bad_argument("kte: '" + o.out +
+                            "': pictures are SVG, and end in .svg; programs like rsvg-convert make "
                             "others of them");
   kte::write_plot(o.out, kte::read_table(o.recording), o.columns, o.plot);
   say("wrote " + o.out);

@@ -107,10 +107,9 @@ std::string text_of(const options& o, const mechanism& m, const summary& s) {
     return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
            short_number(e.kinetic) + ", potential " + short_number(e.potential) + '\n';
   };
-  std::string t = m.file + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " +
-                  std::to_string(n.steps) + " steps, " + std::to_string(n.rejected) + " rejected, " +
-                  std::to_string(n.evaluations) + " evaluations" +
-                  (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
+  std::string t = m.file + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " + std::to_string(n.steps) +
+                  " steps, " + std::to_string(n.rejected) + " rejected, " + std::to_string(n.evaluations) +
+                  " evaluations" + (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
                   short_number(s.seconds) + " s of time\n";
   t += s.control;
   t += energy("start", s.before) + energy("end", s.after);
@@ -210,8 +209,7 @@ int simulate(options& o) {
       if (d.pd->joints().size() > before)
         s.control += (before ? ", '" : ": '") + e.name + "' " + short_number(kp) + " and " + short_number(kd);
     }
-    if (d.pd->joints().empty())
-      throw kte::bad_file("kte: " + o.pd + ":1: has no target of a coordinate of one number");
+    if (d.pd->joints().empty()) throw kte::bad_file("kte: " + o.pd + ":1: has no target of a coordinate of one number");
     s.control += " (N/m or Nm/rad, and their rates)\n";
   }
 
@@ -261,7 +259,8 @@ void add_simulate(command_line& line) {
       .text("--configuration", "NAME", o->configuration, "q at the start: one that has a name in the file (MJCF)")
       .text("--pd", "TABLE", o->pd,
             "PD control to targets over time: columns t, q_0, ..., v_0, ...; linear between rows, forces within limits")
-      .number("--kp", "GAIN", o->kp, "of --pd, Nm/rad or N/m; if left out 100/s^2 times the mass that a coordinate feels")
+      .number("--kp", "GAIN", o->kp,
+              "of --pd, Nm/rad or N/m; if left out 100/s^2 times the mass that a coordinate feels")
       .number("--kd", "GAIN", o->kd, "of --pd, Nms/rad or Ns/m; if left out 20/s times that mass")
       .text("--input", "TABLE", o->input,
             "inputs over time: columns t, names of inputs, tau_0, ... of forces on coordinates; linear between rows")

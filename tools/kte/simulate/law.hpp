@@ -92,7 +92,8 @@ class input_table {
       if (name == "t") continue;
       int u = place_of_input(model, name);
       for (std::size_t i = 0; i < order.v.size(); ++i)
-        if (name == "tau_" + std::to_string(i)) u = place_of_input(model, force_of[static_cast<std::size_t>(order.v[i])]);
+        if (name == "tau_" + std::to_string(i))
+          u = place_of_input(model, force_of[static_cast<std::size_t>(order.v[i])]);
       if (u < 0) refuse(table, name, model, order.v.size());
       places_.emplace_back(column, u);
     }
@@ -108,7 +109,8 @@ class input_table {
  private:
   [[noreturn]] static void refuse(const evaluate::state_table& table, const std::string& name,
                                   const plant::model_type& model, std::size_t forces) {
-    std::string known = forces == 0 ? "" : " tau_0 to tau_" + std::to_string(forces - 1) + " (of coordinates of one number)";
+    std::string known =
+        forces == 0 ? "" : " tau_0 to tau_" + std::to_string(forces - 1) + " (of coordinates of one number)";
     kte::detail::for_each_input(model, [&](std::string_view input, int, int n) {
       if (n == 1 && !input.starts_with("tau/")) known.append(known.empty() ? " '" : ", '").append(input).append("'");
     });
