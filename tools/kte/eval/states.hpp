@@ -31,6 +31,9 @@ class state_table {
   }
 
   std::size_t rows() const { return rows_.size(); }
+  /// The columns by their names.
+  const std::map<std::string, std::size_t, std::less<>>& names() const { return names_; }
+  const std::filesystem::path& path() const { return path_; }
   /// Which columns are prefix0, prefix1 ... up to count; none at all gives none, if they need not be there. Throws
   /// `kte::bad_file` with the names of those that are missing, and where there are more.
   std::vector<std::size_t> columns(const std::string& prefix, std::size_t count, bool needed) const {

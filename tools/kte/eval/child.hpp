@@ -19,12 +19,15 @@ struct child_end {
 };
 
 /// Runs a program of a path, or where there is no slash of $PATH, with arguments; standard output goes to `output`. If
-/// it is to confirm its end, the number of a pipe is its first argument. Throws `kte::bad_file` if it does not start.
-inline child_end run_child(const std::string& program, std::vector<std::string> arguments, int output, bool confirm) {
+/// it is to confirm its end, the number of a pipe is its first argument. Given an open file, that is run, whatever the
+/// path is by now. Throws `kte::bad_file` if it does not start.
+inline child_end run_child(const std::string& program, std::vector<std::string> arguments, int output, bool confirm,
+                           int open_program = -1) {
+  constexpr int pipe_of_child = 3, program_of_child = 4, above_these = 10;
   int ends[2] = {-1, -1};
   if (confirm && pipe2(ends, O_CLOEXEC) != 0) kte::detail::raise_file("make a pipe for", program, errno);
   const int read_end = ends[0], write_end = ends[1];
-  constexpr int pipe_of_child = 3;
+  const int moved = open_program < 0 ? -1 : fcntl(open_program, F_DUPFD_CLOEXEC, above_these);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   if (output != STDOUT_FILENO) posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
@@ -32,14 +35,17 @@ inline child_end run_child(const std::string& program, std::vector<std::string> 
     posix_spawn_file_actions_adddup2(&actions, write_end, pipe_of_child);
     arguments.insert(arguments.begin(), std::to_string(pipe_of_child));
   }
+  if (moved >= 0) posix_spawn_file_actions_adddup2(&actions, moved, program_of_child);
+  const std::string path = moved >= 0 ? "/proc/self/fd/" + std::to_string(program_of_child) : program;
   arguments.insert(arguments.begin(), program);
   std::vector<char*> pointers;
   for (auto& a : arguments) pointers.push_back(a.data());
   pointers.push_back(nullptr);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
+  const int error = posix_spawnp(&child, path.c_str(), &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (confirm) close(write_end);
+  if (moved >= 0) close(moved);
   char byte = 0;
   const bool confirmed = confirm && error == 0 && read(read_end, &byte, 1) == 1;
   if (confirm) close(read_end);

@@ -2,7 +2,7 @@
 
 #include <kte/static_chain/layout.hpp>
 
-#include "evaluate/states.hpp"
+#include "eval/states.hpp"
 
 namespace evaluate {
 
@@ -32,13 +32,14 @@ struct column_order {
 /// The states of a table in the order of a chain.
 class state_columns {
  public:
-  state_columns(const state_table& t, const column_order& order)
+  /// Columns of a and tau may be missing unless they are needed.
+  state_columns(const state_table& t, const column_order& order, bool needs_a = false, bool needs_tau = false)
       : table_(t),
         order_(order),
         q_(t.columns("q_", order.q.size(), true)),
         v_(t.columns("v_", order.v.size(), true)),
-        a_(t.columns("a_", order.v.size(), false)),
-        tau_(t.columns("tau_", order.v.size(), false)) {}
+        a_(t.columns("a_", order.v.size(), needs_a)),
+        tau_(t.columns("tau_", order.v.size(), needs_tau)) {}
 
   bool has_a() const { return !a_.empty(); }
   bool has_tau() const { return !tau_.empty(); }

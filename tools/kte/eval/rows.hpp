@@ -7,8 +7,8 @@
 #include <sstream>
 #include <type_traits>
 
-#include "evaluate/columns.hpp"
-#include "evaluate/options.hpp"
+#include "eval/columns.hpp"
+#include "eval/options.hpp"
 
 namespace evaluate {
 
@@ -61,8 +61,8 @@ class row_writer {
       : model_(model),
         table_(table),
         order_(model.layout(), coordinates),
-        columns_(table, order_),
-        o_(o),
+        ops_(operations::of(o.ops, o.derivatives)),
+        columns_(table, order_, ops_.asked && (ops_.id || ops_.did), ops_.asked && (ops_.fd || ops_.dfd)),
         out_(o.digits) {}
 
   /// All rows, or nothing: throws with the line of the state at fault.
@@ -88,8 +88,9 @@ class row_writer {
 
  private:
   void say_what_is_left_out() const {
-    if (!columns_.has_a()) std::fprintf(stderr, "evaluate: no columns a_0 ..., so inverse dynamics is left out\n");
-    if (!columns_.has_tau()) std::fprintf(stderr, "evaluate: no columns tau_0 ..., so forward dynamics is left out\n");
+    if (ops_.asked) return;
+    if (!columns_.has_a()) std::fprintf(stderr, "kte: no columns a_0 ..., so inverse dynamics is left out\n");
+    if (!columns_.has_tau()) std::fprintf(stderr, "kte: no columns tau_0 ..., so forward dynamics is left out\n");
   }
   static std::string index(std::size_t i) { return "_" + std::to_string(i); }
   template <class X>
@@ -103,13 +104,20 @@ class row_writer {
         out_.put(name + index(i) + index(j), m(order_.v[i], order_.v[j]));
   }
   void row(const vector& q, const vector& v, const vector& a, const vector& tau) {
-    if (columns_.has_a()) put_vector("id", model_.inverse_dynamics(q, v, a));
-    if (columns_.has_tau()) put_vector("fd", model_.forward_dynamics(q, v, tau));
-    put_matrix("M", model_.mass_matrix(q), true);
-    const auto energy = model_.energy(q, v);
-    out_.put("kinetic", energy.kinetic), out_.put("potential", energy.potential);
-    const auto com = model_.centre_of_mass(q).position;
-    out_.put("com_x", com.x), out_.put("com_y", com.y), out_.put("com_z", com.z);
+    const vector rest(v.size(), S(0));
+    if (ops_.id && columns_.has_a()) put_vector("id", model_.inverse_dynamics(q, v, a));
+    if (ops_.fd && columns_.has_tau()) put_vector("fd", model_.forward_dynamics(q, v, tau));
+    if (ops_.m) put_matrix("M", model_.mass_matrix(q), true);
+    if (ops_.g) put_vector("g", model_.inverse_dynamics(q, rest, rest));
+    if (ops_.h) put_vector("h", model_.inverse_dynamics(q, v, rest));
+    if (ops_.energy) {
+      const auto energy = model_.energy(q, v);
+      out_.put("kinetic", energy.kinetic), out_.put("potential", energy.potential);
+    }
+    if (ops_.com) {
+      const auto com = model_.centre_of_mass(q).position;
+      out_.put("com_x", com.x), out_.put("com_y", com.y), out_.put("com_z", com.z);
+    }
     model_.for_each_frame(q, [this](const std::string& name, const auto& pose, const auto& jacobian) {
       const auto& [R, p] = pose;
       out_.put(name + "_x", p.x), out_.put(name + "_y", p.y), out_.put(name + "_z", p.z);
@@ -122,12 +130,11 @@ class row_writer {
         for (std::size_t j = 0; j < order_.v.size(); ++j)
           out_.put(name + "_J" + index(k) + index(j), jacobian(static_cast<int>(k), order_.v[j]));
     });
-    if (!o_.derivatives) return;
-    if (columns_.has_a()) {
+    if (ops_.did && columns_.has_a()) {
       const auto& d = model_.inverse_derivatives(q, v, a);
       put_matrix("did_dq", d.by_q), put_matrix("did_dv", d.by_v);
     }
-    if (columns_.has_tau()) {
+    if (ops_.dfd && columns_.has_tau()) {
       const auto& d = model_.forward_derivatives(q, v, tau);
       put_matrix("dfd_dq", d.by_q), put_matrix("dfd_dv", d.by_v);
     }
@@ -136,8 +143,8 @@ class row_writer {
   Model& model_;
   const state_table& table_;
   column_order order_;
+  operations ops_;
   state_columns columns_;
-  const options& o_;
   output<S> out_;
 };
 
