@@ -1,6 +1,19 @@
 /// What a page calls: kte::page::player behind functions of numbers and bytes. Every function gives 0, or 1 where it
 /// has failed; kte_message has the reason. Arguments and results lie in one buffer.
 
+// What makes and connects elements, and they are many, is compiled to be small; the loops of algorithms to be fast.
+#pragma clang attribute push(__attribute__((minsize)), apply_to = function)
+#include <kte/contract/element.hpp>
+#include <kte/contract/record.hpp>
+#pragma clang attribute pop
+#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
+#pragma clang attribute push(__attribute__((minsize)), apply_to = function)
+#include <kte/elements/registry.hpp>
+#include <kte/io/model_reader.hpp>
+#pragma clang attribute pop
+
 #include <cstring>
 
 #include "player.hpp"
