@@ -74,7 +74,7 @@ export class Tree {
     const { row, depth } = entry;
     const name = shown(this.name_of(row));
     const joint = row.kind === 'joint' ? this.scene.joints[row.index] : null;
-    const kind = joint ? String(joint.kind) : row.kind === 'body' ? 'body' : '';
+    const kind = joint ? shown(joint.kind, 20) : '';
     const item = element('li', {
       role: 'treeitem', tabindex: '-1', 'aria-level': String(depth + 1), 'aria-label': `${name}, ${joint ? `${kind} joint` : row.kind}`,
       'aria-selected': String(entry === this.current),
