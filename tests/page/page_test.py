@@ -84,17 +84,19 @@ class Drawing(PageTest):
         self.assertAlmostEqual(x[0], base[0], delta=0.01)
 
     def test_all_of_a_motion_is_in_view(self):
-        self.window.open(scenes.robot(seconds=2))
-        for t in (0, 1, 2):
-            self.seek(t)
-            inside = self.window.run('''
-                kte_page.picture.draw(kte_page.player.time, null);
-                const { stage, poses } = kte_page.picture, w = poses.world;
-                return [...Array(poses.count).keys()].every((i) => {
-                  const at = stage.project(w[7 * i], w[7 * i + 1], w[7 * i + 2], {});
-                  return at.x > 0 && at.x < stage.width && at.y > 0 && at.y < stage.height;
-                });''')
-            self.assertTrue(inside, f'at {t} s')
+        for scene in (scenes.robot(seconds=2), scenes.pendulum(seconds=2), scenes.pendulum(seconds=2, dimension=3)):
+            self.window.open(scene)
+            for t in (0, 1, 1.57, 2):
+                self.seek(t)
+                inside = self.window.run('''
+                    kte_page.sources.update(kte_page.player.time);
+                    kte_page.picture.draw(kte_page.player.time, null);
+                    const { stage, poses } = kte_page.picture, w = poses.world;
+                    return [...Array(poses.count).keys()].every((i) => {
+                      const at = stage.project(w[7 * i], w[7 * i + 1], w[7 * i + 2], {});
+                      return at.x > 0 && at.x < stage.width && at.y > 0 && at.y < stage.height;
+                    });''')
+                self.assertTrue(inside, f'{scene["title"]} at {t} s')
 
     def test_shapes_meshes_and_forces(self):
         triangle = {'name': 'tetrahedron', 'positions': scenes.packed('f', [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
@@ -181,7 +183,10 @@ class Playing(PageTest):
         self.window.key('/')
         self.assertEqual(self.window.run('return document.activeElement.id'), 'search')
         self.window.key(' ')
+        self.window.key('l')
         self.assertFalse(self.window.run('return kte_page.player.playing'), 'a space in a field is a space')
+        self.assertTrue(self.window.run('return kte_page.player.loop'), 'a letter in a field is a letter')
+        self.assertEqual(self.window.run("return document.getElementById('search').value"), ' l')
 
     def test_end_and_repeat(self):
         self.window.open(scenes.pendulum(seconds=0.4), '#t=0.3')
