@@ -314,6 +314,25 @@ class Panels(PageTest):
         self.assertFalse(far(self.window.colour(tip), ground))
         self.assertEqual(self.window.run("return [...document.querySelectorAll('.label')].map((e) => e.textContent)"), ['base', 'arm', 'tip'])
 
+    def test_views_and_saved_picture(self):
+        self.window.open(scenes.robot(seconds=1))
+        press = "[...document.querySelectorAll('#views button')].find((b) => b.textContent === arguments[0]).click()"
+        axis = {'Front': 1, 'Side': 0, 'Top': 2}
+        for name, along in axis.items():
+            self.window.run(press, name)
+            at = self.window.run('return kte_page.picture.stage.camera.camera.getWorldDirection(new kte_page.picture.stage.up.constructor()).toArray()')
+            self.assertAlmostEqual(abs(at[along]), 1, delta=1e-3, msg=name)
+        self.window.driver.execute_cdp_cmd('Browser.setDownloadBehavior', {'behavior': 'allow', 'downloadPath': self.window.files.name})
+        self.window.run(press, 'Save picture')
+        path = browser.pathlib.Path(self.window.files.name) / 'Robot of 30 joints.png'
+        for _ in range(100):
+            if path.exists():
+                break
+            time.sleep(0.05)
+        data = path.read_bytes()
+        self.assertEqual(data[:8], b'\x89PNG\r\n\x1a\n')
+        self.assertGreater(len(data), 5000)
+
     def test_light_and_dark(self):
         for scheme, bright in (('light', True), ('dark', False)):
             self.window.media(prefers_color_scheme=scheme)
