@@ -312,6 +312,12 @@ class Panels(PageTest):
         self.assertTrue(far(self.window.colour(tip), ground))
         self.window.run("document.getElementById('tab-show').click(); document.getElementById('layer-links').click(); document.getElementById('layer-labels').click()")
         self.assertFalse(far(self.window.colour(tip), ground))
+        axis = [x + 0.05 * y for x, y in zip(scenes.pendulum_tip(0), [-scenes.pendulum_tip(0)[1], scenes.pendulum_tip(0)[0], 0])]
+        self.assertFalse(far(self.window.colour(axis), ground))
+        self.window.run("document.getElementById('layer-frames').click()")
+        self.assertTrue(far(self.window.colour(axis), ground))
+        self.window.run("document.getElementById('layer-frames').click()")
+        self.assertFalse(far(self.window.colour(axis), ground))
         self.assertEqual(self.window.run("return [...document.querySelectorAll('.label')].map((e) => e.textContent)"), ['base', 'arm', 'tip'])
 
     def test_views_and_saved_picture(self):
