@@ -88,7 +88,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   /// The same, with a time, if there is one, as it is in the state.
   void setJointStates(const state& x, runtime_state& s) const;
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
-  const runtime_state& state_at(double t, const state& x) const;
+  const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
   Eigen::VectorXd computeOutput(double t, const state& x) const;
   /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
@@ -126,6 +126,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   int place_of_input(std::string_view name, kind k) const;
   /// doMotion of the elements that keep them, and of what these depend on.
   void rates_of_internals() const;
+  runtime_state& own_state_at(double t, const state& x) const;
 
   // To work in, also through std::cref; who calls one model in two threads needs two.
   mutable runtime_state s_;
@@ -248,8 +249,7 @@ KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(cons
       s.get<kind::input>(signal.slot) = u_[signal.u];
   }
 }
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::state_at(double t, const state& x) const
-    -> const runtime_state& {
+KTE_FUNCTION runtime_state& manipulator_dynamics_model<kte_map_chain>::own_state_at(double t, const state& x) const {
   computeStateRate(t, x);  // leaves accelerations in the state
   doMotion(s_), clearForce(s_), doForce(s_);
   return s_;
@@ -294,9 +294,11 @@ KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<kte_map_chain>::n
 }
 KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::capacity(double t, const state& x,
                                                                         std::size_t element) const {
+  const auto& e = wiring().elements.at(element);
+  if (e.stiff) return e.element->capacity(own_state_at(t, x));
   setJointStates(t, x, s_);
   doMotion(s_);
-  return wiring().elements.at(element).element->capacity(s_);
+  return e.element->capacity(s_);
 }
 KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::rates_of_internals() const {
   for (const int keeper : wiring().keepers) detail::move_element(wiring(), s_, keeper);
