@@ -361,6 +361,40 @@ class Panels(PageTest):
             self.assertGreater(min(box), 200, name)
         self.assertTrue(far(self.window.colour(scenes.pendulum_tip(0)), self.window.colour(beside)))
 
+    def test_touch(self):
+        self.window.size(400, 800)
+        self.window.open(scenes.pendulum(dimension=3))
+
+        def drag(start, end):
+            for kind, points in (('touchStart', [start]), ('touchMove', [end]), ('touchEnd', [])):
+                self.window.driver.execute_cdp_cmd('Input.dispatchTouchEvent', {'type': kind, 'touchPoints': [{'x': x, 'y': y} for x, y in points]})
+
+        where = 'return kte_page.picture.stage.camera.camera.position.toArray()'
+        before = self.window.run(where)
+        drag((200, 200), (260, 200))
+        self.assertGreater(sum(abs(a - b) for a, b in zip(before, self.window.run(where))), 0.1)
+        self.window.run("document.querySelector('.u-over').scrollIntoView()")
+        left, top, width, height = self.window.run("const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+        drag((left + width / 4, top + height / 2), (left + width / 2, top + height / 2))
+        self.assertAlmostEqual(self.time(), 2, delta=0.2)
+
+    def test_all_is_reached_by_the_keyboard(self):
+        self.window.open(scenes.pendulum())
+        self.window.run("document.getElementById('fit').focus()")
+        reached = set()
+        for _ in range(40):
+            self.window.key('Tab')
+            reached.add(self.window.run("const e = document.activeElement; return e.id || e.getAttribute('role') || e.tagName"))
+        for name in ('canvas', 'theme', 'help', 'tab-plots', 'search', 'treeitem', 'SUMMARY', 'play', 'scrub', 'speed', 'loop'):
+            self.assertIn(name, reached)
+        self.window.run("document.getElementById('tab-plots').focus()")
+        for name in ('move', 'show', 'notes', 'plots'):
+            self.window.key('ArrowRight')
+            self.assertEqual(self.window.run('return [document.body.dataset.panel, document.activeElement.id]'), [name, f'tab-{name}'])
+        self.assertEqual(self.time(), 0)
+        outline = self.window.run("return getComputedStyle(document.getElementById('tab-plots')).outlineStyle")
+        self.assertEqual(outline, 'solid')
+
     def test_names_for_screen_readers(self):
         self.window.open(scenes.pendulum())
         nameless = self.window.run('''
