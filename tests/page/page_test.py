@@ -211,6 +211,28 @@ class Playing(PageTest):
         now = self.window.run("return document.querySelector('.now').getBoundingClientRect().left")
         self.assertAlmostEqual(now, box[0] + box[2] / 4, delta=3)
 
+    def test_wheel_zooms_in_on_a_plot(self):
+        self.window.open(scenes.pendulum())
+        box = self.window.run("const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+        scale = 'const { min, max } = kte_page.plots.plots[0].uplot.scales.x; return [min, max]'
+        self.assertEqual(self.window.run(scale), [0, 4])
+        for _ in range(5):
+            self.window.driver.execute_cdp_cmd('Input.dispatchMouseEvent', {
+                'type': 'mouseWheel', 'x': box[0] + box[2] / 2, 'y': box[1] + box[3] / 2, 'deltaX': 0, 'deltaY': -100})
+        self.window.wait('!kte_page.requested && kte_page.plots.span > 0')
+        low, high = self.window.run(scale)
+        self.assertAlmostEqual(high - low, 4 * 0.8**5, delta=1e-6)
+        self.assertAlmostEqual((low + high) / 2, 2, delta=0.1)
+        self.seek(3.9)
+        self.window.wait('!kte_page.requested')
+        low, high = self.window.run(scale)
+        self.assertLess(low, 3.9, 'the present time comes into sight')
+        self.assertGreaterEqual(high, 3.9)
+        self.assertLessEqual(high, 4)
+        self.window.run('kte_page.plots.zoom(Infinity, 0)')
+        self.window.wait('!kte_page.requested')
+        self.assertEqual(self.window.run(scale), [0, 4])
+
     def test_one_sample_and_equal_times(self):
         self.window.open(scenes.pendulum(seconds=0))
         self.assertTrue(self.window.run("return document.body.classList.contains('still')"))
