@@ -287,10 +287,18 @@ class Panels(PageTest):
         self.window.open(scenes.pendulum())
         names = self.window.run("return [...document.querySelectorAll('#tree .name')].map((e) => e.textContent)")
         self.assertEqual(names, ['base', 'hinge', 'arm', 'tip', 'bob'])
+        row = self.window.run("const b = document.querySelectorAll('#tree li')[1].getBoundingClientRect(); return [b.left + 60, b.top + 10]")
+        highlighted = '''
+            const found = new Set(), { mechanism, materials } = kte_page.picture;
+            mechanism.root.traverse((o) => { if (o.material === materials.of('highlight')) found.add(`${o.userData.kind} ${o.userData.index}`); });
+            return [...found];'''
+        self.window.mouse('mouseMoved', *row, 'none')
+        self.assertEqual(self.window.run(highlighted), ['joint 0'])
         x, y = self.middle(scenes.pendulum_tip(0))
         self.window.mouse('mouseMoved', x, y, 'none')
         self.window.wait("document.querySelector('#tree .pointed .name')?.textContent === 'bob'")
         self.assertEqual(self.text('#pointed'), 'body bob')
+        self.assertEqual(self.window.run(highlighted), ['body 0'])
         self.window.click(x, y)
         self.window.wait("document.querySelector('#details h2')?.textContent === 'bob'")
         self.assertIn('1 kg', self.text('#details'))
