@@ -143,8 +143,11 @@ class scene_builder {
     for (const int i : c.coordinates) {
       auto& q = s.coordinates[size(i)];
       if (q.kind != "number") continue;
-      if (k.kind == "revolute" || k.kind == "screw") q.kind = "angle", q.unit = "rad";
-      if (k.kind == "prismatic") q.kind = "length", q.unit = "m";
+      const bool turns = k.kind == "revolute" || k.kind == "screw";
+      if (turns || k.kind == "prismatic") {
+        q.kind = std::string(turns ? "angle" : "length");
+        q.unit = std::string(turns ? "rad" : "m");
+      }
     }
     s.joints.push_back(std::move(j));
     if (k.kind != "free" && (is_placed(e) || k.kind == "prismatic" || k.kind == "planar" || k.as == drawn::unknown))
