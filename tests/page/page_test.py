@@ -84,17 +84,19 @@ class Drawing(PageTest):
         self.assertAlmostEqual(x[0], base[0], delta=0.01)
 
     def test_all_of_a_motion_is_in_view(self):
-        self.window.open(scenes.robot(seconds=2))
-        for t in (0, 1, 2):
-            self.seek(t)
-            inside = self.window.run('''
-                kte_page.picture.draw(kte_page.player.time, null);
-                const { stage, poses } = kte_page.picture, w = poses.world;
-                return [...Array(poses.count).keys()].every((i) => {
-                  const at = stage.project(w[7 * i], w[7 * i + 1], w[7 * i + 2], {});
-                  return at.x > 0 && at.x < stage.width && at.y > 0 && at.y < stage.height;
-                });''')
-            self.assertTrue(inside, f'at {t} s')
+        for scene in (scenes.robot(seconds=2), scenes.pendulum(seconds=2), scenes.pendulum(seconds=2, dimension=3)):
+            self.window.open(scene)
+            for t in (0, 1, 1.57, 2):
+                self.seek(t)
+                inside = self.window.run('''
+                    kte_page.sources.update(kte_page.player.time);
+                    kte_page.picture.draw(kte_page.player.time, null);
+                    const { stage, poses } = kte_page.picture, w = poses.world;
+                    return [...Array(poses.count).keys()].every((i) => {
+                      const at = stage.project(w[7 * i], w[7 * i + 1], w[7 * i + 2], {});
+                      return at.x > 0 && at.x < stage.width && at.y > 0 && at.y < stage.height;
+                    });''')
+                self.assertTrue(inside, f'{scene["title"]} at {t} s')
 
     def test_shapes_meshes_and_forces(self):
         triangle = {'name': 'tetrahedron', 'positions': scenes.packed('f', [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
@@ -181,7 +183,10 @@ class Playing(PageTest):
         self.window.key('/')
         self.assertEqual(self.window.run('return document.activeElement.id'), 'search')
         self.window.key(' ')
+        self.window.key('l')
         self.assertFalse(self.window.run('return kte_page.player.playing'), 'a space in a field is a space')
+        self.assertTrue(self.window.run('return kte_page.player.loop'), 'a letter in a field is a letter')
+        self.assertEqual(self.window.run("return document.getElementById('search').value"), ' l')
 
     def test_end_and_repeat(self):
         self.window.open(scenes.pendulum(seconds=0.4), '#t=0.3')
@@ -288,7 +293,7 @@ class Panels(PageTest):
 
     def test_follow_trail_and_axes(self):
         self.window.open(scenes.pendulum())
-        self.window.run("kte_page.tree.choose_item('frame', 2)")
+        self.window.run("kte_page.tree.choose_item({ kind: 'frame', index: 2 })")
         for name in ('Follow', 'Trail', 'Axes'):
             self.window.run("[...document.querySelectorAll('#details button')].find((b) => b.textContent === arguments[0]).click()", name)
         before = self.middle(scenes.pendulum_tip(0))
@@ -352,10 +357,10 @@ class Engine(PageTest):
     def open(self, **changes):
         self.window.open(scenes.pendulum(model=scenes.pendulum_model(), **changes))
         self.window.run("document.getElementById('tab-move').click()")
-        self.window.wait("kte_page.sliders || document.getElementById('engine-state').textContent.startsWith('No')")
+        self.window.wait("kte_page.simulating.sliders || document.getElementById('engine-state').textContent.startsWith('No')")
 
     def tip(self):
-        self.window.wait('!kte_page.requested || kte_page.simulation.running')
+        self.window.wait('!kte_page.requested || kte_page.simulating.simulation.running')
         return self.window.run('return [...kte_page.poses.world.subarray(14, 17)]')
 
     def test_sliders_pose_the_mechanism(self):
@@ -378,10 +383,10 @@ class Engine(PageTest):
     def test_simulation_is_that_of_a_pendulum(self):
         self.open()
         self.window.run("document.getElementById('simulate').click()")
-        self.window.wait('kte_page.simulation.time > 0.6')
+        self.window.wait('kte_page.simulating.simulation.time > 0.6')
         self.window.run("document.getElementById('simulate').click()")
         t, q = self.window.run('''
-            const { simulation } = kte_page, r = simulation.recording, i = r.index_at(0.6);
+            const { simulation } = kte_page.simulating, r = simulation.recording, i = r.index_at(0.6);
             return [[...r.t.subarray(0, r.count)], [...r.q.subarray(0, r.count)]];''')
         # by Runge and Kutta
         x, v, at, h = scenes.pendulum_angle(0), 0.0, 0.0, 1e-4
@@ -399,15 +404,15 @@ class Engine(PageTest):
         # it can be played as a recording, and gone on with
         self.window.key('Home')
         self.assertEqual(self.time(), 0)
-        self.assertEqual(self.window.run('return kte_page.sources.main === kte_page.simulated'), True)
+        self.assertEqual(self.window.run('return kte_page.sources.main === kte_page.simulating.recording'), True)
         self.window.run("document.getElementById('simulate').click()")
-        self.window.wait(f'kte_page.simulation.time > {t[-1]} + 0.1')
+        self.window.wait(f'kte_page.simulating.simulation.time > {t[-1]} + 0.1')
         self.window.run("document.getElementById('simulate').click()")
 
     def test_a_drag_pulls_and_damping_damps(self):
         self.open(state={'q': [-scenes.math.pi / 2], 'v': [0]})
         self.window.run("document.getElementById('simulate').click()")
-        self.window.wait('kte_page.simulation.time > 0.1')
+        self.window.wait('kte_page.simulating.simulation.time > 0.1')
         x, y = self.middle([0, -1, 0])
         side, _ = self.middle([0.6, -0.8, 0])
         self.window.mouse('mousePressed', x, y)
@@ -422,7 +427,7 @@ class Engine(PageTest):
             const slider = document.getElementById('damping');
             slider.value = '0.9';
             slider.dispatchEvent(new Event('input'));''')
-        self.window.wait('Math.abs(kte_page.sources.q[0] + Math.PI / 2) < 0.02 && Math.abs(kte_page.simulation.v[0]) < 0.02')
+        self.window.wait('Math.abs(kte_page.sources.q[0] + Math.PI / 2) < 0.02 && Math.abs(kte_page.simulating.simulation.v[0]) < 0.02')
         self.window.run("document.getElementById('simulate').click()")
 
     def test_why_there_are_no_sliders(self):
@@ -510,6 +515,7 @@ class WithoutWebGL(unittest.TestCase):
             self.assertEqual(window.run("return document.querySelectorAll('#tree .name').length"), 5)
             window.key('End')
             window.wait("Math.abs(kte_page.player.time - 4) < 1e-9 && document.querySelectorAll('.plot').length === 1")
+            self.assertEqual(window.console(), [])
         finally:
             window.close()
 

@@ -4,7 +4,7 @@ import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'th
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { extent_along } from './bounds.js';
 
-const margin = 1.2;  // around what is fitted
+const margin = 1.15;  // around what is fitted
 const offset = new Vector3(), step = new Vector3();
 
 // A direction at right angles to up.
