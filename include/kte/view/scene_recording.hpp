@@ -36,8 +36,7 @@ class scene_recording : public recorded_scene {
     out = numbers.v.data();
     for (const auto& f : freedoms())
       detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_v(c, put); });
-    out = numbers.cells.data();
-    for (const auto& c : cells()) detail::with_kind(c.what, [&]<kind K>() { out = read<K>(c, s, out); });
+    detail::read_recorded(cells(), s, numbers.cells.data());
     add(static_cast<double>(t));
   }
 
@@ -83,12 +82,6 @@ class scene_recording : public recorded_scene {
     const auto &c = x.rotation.cos, &s = x.rotation.sin;
     put(x.position.x), put(x.position.y), put(0);
     put(c), put(-s), put(0), put(s), put(c), put(0), put(0), put(0), put(1);
-  }
-  template <kind K, class State>
-  static double* read(const detail::recorded& c, const State& s, double* out) {
-    double numbers[4];
-    detail::quantities<K, typename State::scalar>[c.quantity].read(s.template get<K>(c.slot), numbers);
-    return std::copy_n(numbers + c.first, c.count, out);
   }
   template <kind K, class State>
   static void put_thing(const detail::thing_source& from, std::size_t row, double t, State& s) {
