@@ -44,7 +44,7 @@ class Browser:
         options.binary_location = chromium
         for flag in ['--headless=new', '--no-sandbox', '--no-first-run', '--disable-quic', '--disable-background-networking',
                      '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--use-angle=swiftshader',
-                     '--enable-unsafe-swiftshader', '--host-resolver-rules=MAP * ~NOTFOUND', '--hide-scrollbars',
+                     '--enable-unsafe-swiftshader', '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1', '--hide-scrollbars',
                      f'--window-size={width},{height}', *flags]:
             options.add_argument(flag)
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})

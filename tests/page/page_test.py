@@ -312,7 +312,32 @@ class Panels(PageTest):
         self.assertTrue(far(self.window.colour(tip), ground))
         self.window.run("document.getElementById('tab-show').click(); document.getElementById('layer-links').click(); document.getElementById('layer-labels').click()")
         self.assertFalse(far(self.window.colour(tip), ground))
+        axis = [x + 0.05 * y for x, y in zip(scenes.pendulum_tip(0), [-scenes.pendulum_tip(0)[1], scenes.pendulum_tip(0)[0], 0])]
+        self.assertFalse(far(self.window.colour(axis), ground))
+        self.window.run("document.getElementById('layer-frames').click()")
+        self.assertTrue(far(self.window.colour(axis), ground))
+        self.window.run("document.getElementById('layer-frames').click()")
+        self.assertFalse(far(self.window.colour(axis), ground))
         self.assertEqual(self.window.run("return [...document.querySelectorAll('.label')].map((e) => e.textContent)"), ['base', 'arm', 'tip'])
+
+    def test_views_and_saved_picture(self):
+        self.window.open(scenes.robot(seconds=1))
+        press = "[...document.querySelectorAll('#views button')].find((b) => b.textContent === arguments[0]).click()"
+        axis = {'Front': 1, 'Side': 0, 'Top': 2}
+        for name, along in axis.items():
+            self.window.run(press, name)
+            at = self.window.run('return kte_page.picture.stage.camera.camera.getWorldDirection(new kte_page.picture.stage.up.constructor()).toArray()')
+            self.assertAlmostEqual(abs(at[along]), 1, delta=1e-3, msg=name)
+        self.window.driver.execute_cdp_cmd('Browser.setDownloadBehavior', {'behavior': 'allow', 'downloadPath': self.window.files.name})
+        self.window.run(press, 'Save picture')
+        path = browser.pathlib.Path(self.window.files.name) / 'Robot of 30 joints.png'
+        for _ in range(100):
+            if path.exists():
+                break
+            time.sleep(0.05)
+        data = path.read_bytes()
+        self.assertEqual(data[:8], b'\x89PNG\r\n\x1a\n')
+        self.assertGreater(len(data), 5000)
 
     def test_light_and_dark(self):
         for scheme, bright in (('light', True), ('dark', False)):
@@ -335,6 +360,40 @@ class Panels(PageTest):
             box = self.window.run(f"const b = document.getElementById('panel-{name}').getBoundingClientRect(); return [b.width, b.height]")
             self.assertGreater(min(box), 200, name)
         self.assertTrue(far(self.window.colour(scenes.pendulum_tip(0)), self.window.colour(beside)))
+
+    def test_touch(self):
+        self.window.size(400, 800)
+        self.window.open(scenes.pendulum(dimension=3))
+
+        def drag(start, end):
+            for kind, points in (('touchStart', [start]), ('touchMove', [end]), ('touchEnd', [])):
+                self.window.driver.execute_cdp_cmd('Input.dispatchTouchEvent', {'type': kind, 'touchPoints': [{'x': x, 'y': y} for x, y in points]})
+
+        where = 'return kte_page.picture.stage.camera.camera.position.toArray()'
+        before = self.window.run(where)
+        drag((200, 200), (260, 200))
+        self.assertGreater(sum(abs(a - b) for a, b in zip(before, self.window.run(where))), 0.1)
+        self.window.run("document.querySelector('.u-over').scrollIntoView()")
+        left, top, width, height = self.window.run("const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+        drag((left + width / 4, top + height / 2), (left + width / 2, top + height / 2))
+        self.assertAlmostEqual(self.time(), 2, delta=0.2)
+
+    def test_all_is_reached_by_the_keyboard(self):
+        self.window.open(scenes.pendulum())
+        self.window.run("document.getElementById('fit').focus()")
+        reached = set()
+        for _ in range(40):
+            self.window.key('Tab')
+            reached.add(self.window.run("const e = document.activeElement; return e.id || e.getAttribute('role') || e.tagName"))
+        for name in ('canvas', 'theme', 'help', 'tab-plots', 'search', 'treeitem', 'SUMMARY', 'play', 'scrub', 'speed', 'loop'):
+            self.assertIn(name, reached)
+        self.window.run("document.getElementById('tab-plots').focus()")
+        for name in ('move', 'show', 'notes', 'plots'):
+            self.window.key('ArrowRight')
+            self.assertEqual(self.window.run('return [document.body.dataset.panel, document.activeElement.id]'), [name, f'tab-{name}'])
+        self.assertEqual(self.time(), 0)
+        outline = self.window.run("return getComputedStyle(document.getElementById('tab-plots')).outlineStyle")
+        self.assertEqual(outline, 'solid')
 
     def test_names_for_screen_readers(self):
         self.window.open(scenes.pendulum())

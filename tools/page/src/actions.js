@@ -1,6 +1,6 @@
 // What keys, buttons and the pointer do.
 
-import { by_id } from './ui/element.js';
+import { by_id, element } from './ui/element.js';
 import { listen_to_keys } from './ui/keys.js';
 import { Pointer } from './ui/pointer.js';
 
@@ -33,7 +33,20 @@ export function listen(viewer) {
     orbit: camera((c, left, up) => c.orbit(left, up)), zoom: camera((c, factor) => c.zoom(factor)),
     fit, help, search, theme: () => theme.toggle(),
   });
-  if (picture) listen_to_pointer(viewer);
+  if (!picture) return;
+  listen_to_pointer(viewer);
+  fill_views(viewer);
+}
+
+// From the front, the side, above; and a file of what is drawn.
+function fill_views(viewer) {
+  const { picture, scene } = viewer;
+  const sides = scene.planar ? [['All']] : [['All'], ['Front', [0, 1, 0]], ['Side', [1, 0, 0]], ['Top', [0, 1e-4, 1]]];
+  const box = by_id('views').querySelector('.buttons');
+  for (const [text, from] of sides) {
+    box.append(element('button', { type: 'button', text, onclick: () => { picture.fit(from); viewer.request(); } }));
+  }
+  box.append(element('button', { type: 'button', text: 'Save picture', title: 'A PNG file of what is drawn', onclick: () => picture.save(String(scene.title ?? '')) }));
 }
 
 // Rows of the tree are frames, joints and bodies; all else belongs to its frame.

@@ -68,7 +68,7 @@ export class Viewer {
     fill_legend(scene, this.theme.name);
     fill_notes(this.notes);
     this.tabs = new Tabs((name) => {
-      if (name === 'move') this.simulating.load();
+      if (name === 'move') this.load_engine();
       this.request();
     });
     const moves = this.sources.range()[1] > this.sources.range()[0];
@@ -161,7 +161,7 @@ export class Viewer {
   }
 
   play() {
-    if (this.sources.mode === 'simulate') return this.simulating.run();
+    if (this.sources.mode === 'simulate') return this.run_simulation();
     this.leave_simulation();
     this.player.play();
     return this.announcer.time(this.player);
@@ -172,6 +172,16 @@ export class Viewer {
     this.sources.mode = 'play';
   }
 
+  // ---- what simulates: {running, time, poses, q}, and how bodies are pulled
+  get simulation() { return this.simulating.simulation; }
+  set simulation(simulation) { this.simulating.simulation = simulation; }
+  get pull() { return this.simulating.pull; }
+  set pull(pull) { this.simulating.pull = pull; }
+
+  load_engine() { this.simulating.load(); }
+  run_simulation() { return this.simulating.run(); }
+  advance_simulation(elapsed, now) { this.simulating.advance(elapsed, now); }
+
   // ---- the clock of the screen
   request() {
     if (this.requested) return;
@@ -181,9 +191,9 @@ export class Viewer {
 
   tick(now) {
     this.requested = false;
-    const elapsed = Math.min(0.1, this.last_tick ? (now - this.last_tick) / 1000 : 0);
+    const elapsed = Math.min(0.5, this.last_tick ? (now - this.last_tick) / 1000 : 0);
     const { player, simulating, sources } = this;
-    if (simulating.running) simulating.advance(elapsed, now);
+    if (simulating.running) this.advance_simulation(elapsed, now);
     else player.advance(elapsed);
     const moving = player.playing || simulating.running;
     this.last_tick = moving ? now : 0;

@@ -6,7 +6,7 @@ import { palettes } from '../view/palette.js';
 import { by_id, element } from './element.js';
 import { mark } from './marks.js';
 
-const most_unfolded = 300, most_rows = 4000;
+const most_unfolded = 1500, most_rows = 4000;
 
 export function item_of(scene, kind, index) {
   const lists = { frame: scene.frames, joint: scene.joints, body: scene.bodies, force: scene.forces };
