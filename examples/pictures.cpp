@@ -64,14 +64,13 @@ kte::scene reach() {
 
 int main(int count, char** arguments) {
   const std::filesystem::path folder = count > 1 ? arguments[1] : ".";
-  const auto pendulum = swing(8, 25);
-  kte::write_moving_picture(folder / "double_pendulum.svg", pendulum,
+  kte::write_moving_picture(folder / "double_pendulum.svg", swing(8, 25),
                             {.width = 85, .title = "A double pendulum, simulated by kte", .trails = {"tip"}});
-  kte::write_picture(folder / "double_pendulum_times.svg", pendulum, {.every = 0.12, .to = 0.8, .trails = {"tip"}});
-  kte::write_plot(folder / "double_pendulum_plot.svg", table_of(swing(8, 200).recordings[0]),
-                  {"upper", "lower", "tip/velocity"}, {.units = kte::units_of(pendulum)});
-  kte::write_picture(folder / "iiwa14_reach.svg", reach(),
-                     {.every = 0.4, .trails = {"tool"}, .labels = {"tool"}, .bodies = false});
+  const auto fine = swing(8, 200);
+  kte::write_picture(folder / "double_pendulum_times.svg", fine, {.every = 0.12, .to = 0.8, .trails = {"tip"}});
+  kte::write_plot(folder / "double_pendulum_plot.svg", table_of(fine.recordings[0]), {"upper", "lower", "tip/velocity"},
+                  {.units = kte::units_of(fine)});
+  kte::write_picture(folder / "iiwa14_reach.svg", reach(), {.every = 0.4, .trails = {"tool"}, .bodies = false});
   kte::write_topology(folder / "solo12_topology.svg", robots::solo12);
   std::printf("Wrote 5 pictures in '%s'.\n", folder.string().c_str());
 }

@@ -66,6 +66,7 @@ class moving_shapes {
     for (std::size_t i = 0; i < at.front().size(); ++i) {
       const auto& first = at.front()[i];
       begin_shape(out, first);
+      if (!first.name.empty()) out.element("title", first.name);
       const auto shape = [&](std::size_t k) -> const drawn_shape& { return at[k][i]; };
       if (first.radius > 0) {
         animate(out, "cx", at.size(), seconds, [&](std::size_t k) { return decimal(shape(k).points[0].x); });

@@ -11,7 +11,7 @@ namespace kte {
 /// Which curves share a panel.
 enum class panels {
   by_unit,  ///< those of one quantity: all angles, all velocities
-  one,      ///< all
+  single,   ///< all
   each      ///< none
 };
 

@@ -203,7 +203,7 @@ class topology_drawing {
   void put_box(std::size_t i) {
     const auto& g = g_.groups[at(order_[i])];
     const auto p = place(i);
-    const bool ground = order_[i] == 0;
+    const bool ground = g.parent < 0 && g.mass == 0;
     out_.begin("rect").set("x", p.x - half_width(i)).set("y", p.y - box() / 2).set("width", 2 * half_width(i));
     out_.set("height", box()).set("rx", ground ? 0 : 0.5 * font_).set("stroke", "#2b3a4a").set("stroke-width", 0.3);
     out_.set("fill", ground ? "#d9d9d9" : g.mass > 0 ? "#fbe5bd" : "#fff");
