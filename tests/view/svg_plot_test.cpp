@@ -68,8 +68,8 @@ TEST_CASE("units that are not known are left out, and rates of unknown coordinat
 }
 
 TEST_CASE("one panel for all, one for each, all columns, another column across") {
-  CHECK(texts(plot(run(), {}, {.share = panels::single})).size() > 6);
-  CHECK(has(texts(plot(run(), {}, {.label = "value", .share = panels::single})), "value"));
+  CHECK(texts(plot(run(), {}, {.share = panels::together})).size() > 6);
+  CHECK(has(texts(plot(run(), {}, {.label = "value", .share = panels::together})), "value"));
   const auto each = texts(plot(run(), {"tool/position"}, {.share = panels::each}));
   CHECK(has(each, "tool/position/x (m)"));
   CHECK(has(each, "tool/position/y (m)"));
@@ -214,7 +214,7 @@ TEST_CASE("hostile names do no harm") {
                             "\n"};
   table t{{"t\"<>&"}, {{0, 1, 2}}};
   for (const auto& n : names) t.names.push_back(n), t.columns.push_back({1, 2, 3});
-  for (const auto share : {panels::single, panels::each}) {
+  for (const auto share : {panels::together, panels::each}) {
     const auto text = plot(t, {},
                            {.font = "\"><x",
                             .title = names[0] + names[4],
