@@ -57,6 +57,7 @@ inline std::string printed_unit(std::string unit) {
 /// What recorders mean by the name of a column, or of a thing with a unit of its own.
 inline column_meaning meaning_by_name(std::string_view name, const unit_map& units) {
   if (name == "t" || name == "time") return {"s", "time"};
+  if (name == "energy" || name.starts_with("energy/")) return {"J", "energy"};
   const auto unit_of = [&units](std::string_view thing) {
     auto u = units.find(thing);
     for (const std::string_view prefix : {"coordinate:", "signal:"})
