@@ -74,4 +74,5 @@ int main(int count, char** arguments) {
   kte::write_picture(folder / "iiwa14_reach.svg", reach(), {.every = 0.4, .trails = {"tool"}, .bodies = false});
   kte::write_topology(folder / "solo12_topology.svg", robots::solo12);
   std::printf("Wrote 5 pictures in '%s'.\n", folder.string().c_str());
+  return 0;
 }
