@@ -63,13 +63,14 @@ server::server(session& s, std::string page, std::vector<std::string> columns, i
     return HandlerResponse::Handled;
   });
   const char* const local = "127.0.0.1";
+  const int wanted = port;
   if (port == 0)
     port = bind_to_any_port(local);
   else if (!bind_to_port(local, port))
     port = -1;
   if (port < 0)
-    detail::raise<bad_argument>("kte: a live page cannot listen at this port of 127.0.0.1: another program does, or it "
-                                "is not allowed");
+    detail::raise<bad_argument>("kte: a live page cannot listen at " +
+                                (wanted == 0 ? "127.0.0.1" : "port " + std::to_string(wanted) + " of 127.0.0.1: another program does, or it is not allowed"));
   const auto number = ':' + std::to_string(port);
   hosts_ = {local + number, "localhost" + number};
   url_ = "http://" + hosts_[0] + '/' + token_ + '/';
