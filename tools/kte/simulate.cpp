@@ -107,14 +107,14 @@ std::string text_of(const options& o, const mechanism& m, const summary& s) {
     return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
            short_number(e.kinetic) + ", potential " + short_number(e.potential) + '\n';
   };
-  std::string t = m.file + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " + std::to_string(n.steps) +
+  std::string t = printable(m.file) + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " + std::to_string(n.steps) +
                   " steps, " + std::to_string(n.rejected) + " rejected, " + std::to_string(n.evaluations) +
                   " evaluations" + (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
                   short_number(s.seconds) + " s of time\n";
   t += s.control;
   t += energy("start", s.before) + energy("end", s.after);
   t += "change of energy: " + short_number(total(s.after) - total(s.before)) + " J\n";
-  if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + o.record + '\n';
+  if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + printable(o.record) + '\n';
   t += "state at the end\n";
   char digits[64];
   for (const auto& e : kte::layout(m.chain())) {
