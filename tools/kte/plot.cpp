@@ -18,7 +18,7 @@ struct options {
 
 int plot(options& o) {
   if (o.each && o.one) throw usage_error("--each and --one are one too many");
-  if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::one;
+  if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::together;
   if (o.from) o.plot.from = *o.from;
   if (o.to) o.plot.to = *o.to;
   if (o.out.empty()) o.out = std::filesystem::path(o.recording).stem().string() + ".svg";
