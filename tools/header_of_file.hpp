@@ -7,7 +7,8 @@
 /// Of `kte-header` and `kte convert`.
 namespace kte_tool {
 
-/// A robot or model of a file as a C++ header, under a name; `bytes` is what is in the file. warn(note) for what is odd.
+/// A robot or model of a file as a C++ header, under a name; `bytes` is what is in the file. warn(note) for what is
+/// odd.
 template <class Warn>
 std::string header_of_file(std::string_view bytes, const std::filesystem::path& file, const std::string& name,
                            const kte::robot_options& options, const Warn& warn) {

@@ -62,6 +62,7 @@
 #include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
+#include <kte/elements/sticking_joint.hpp>
 #include <kte/elements/table_spring.hpp>
 #include <kte/elements/torque_speed_motor.hpp>
 #include <kte/elements/torsion_damper.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
-/// Pictures of mechanisms: scenes, recordings for them, and pages that show them moving (needs the library kte::view;
-/// docs/view.md).
+/// Pictures of mechanisms: scenes, recordings for them, SVG, and pages that show them moving (needs the library
+/// kte::view; docs/view.md).
+#include <kte/view/pictures.hpp>
 #include <kte/view/write_page.hpp>

@@ -7,11 +7,11 @@ namespace kte::view {
 /// How an element is drawn.
 enum class drawn {
   joint,
-  link,   ///< a line between the frame that it reads and the one that it writes
+  link,  ///< a line between the frame that it reads and the one that it writes
   body,
-  base,   ///< by its frame alone
+  base,  ///< by its frame alone
   force,
-  unknown ///< an element that is none of the library's
+  unknown  ///< an element that is none of the library's
 };
 struct element_kind {
   std::string_view stem;  ///< its type without _gen, _2D, _3D

@@ -1,12 +1,12 @@
 #include "element_parameters.hpp"
 
-#include "element_kinds.hpp"
-
 #include <kte/math/quaternion.hpp>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+
+#include "element_kinds.hpp"
 
 namespace kte::view {
 

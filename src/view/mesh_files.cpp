@@ -1,11 +1,11 @@
 #include "mesh_files.hpp"
 
-#include "triangles.hpp"
-
 #include <kte/robots/detail/file_places.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 
 #include <set>
+
+#include "triangles.hpp"
 
 namespace kte::view {
 
@@ -17,7 +17,8 @@ std::string bytes_text(std::uintmax_t n) { return std::to_string(n >> 20) + " Mi
 }  // namespace
 
 int mesh_files::index_of(const std::string& name, const vec3<>& scale, std::string_view from) {
-  const auto [known, fresh] = known_.emplace(std::pair(std::string(from) + '\n' + name, std::array{scale.x, scale.y, scale.z}), -1);
+  const auto [known, fresh] =
+      known_.emplace(std::pair(std::string(from) + '\n' + name, std::array{scale.x, scale.y, scale.z}), -1);
   if (fresh) known->second = read(name, scale, from);
   return known->second;
 }
@@ -54,11 +55,13 @@ int mesh_files::read(const std::string& name, const vec3<>& scale, std::string_v
     return cannot(name, "of meshes, .stl, .obj and .msh are read");
   const auto path = find(name, from);
   if (path.empty())
-    return cannot(name, "it is not found, neither in the folders around the robot's file nor in those of "
-                        "robot_options::search_path");
+    return cannot(name,
+                  "it is not found, neither in the folders around the robot's file nor in those of "
+                  "robot_options::search_path");
   std::error_code none;
   const auto size = std::filesystem::file_size(path, none);
-  if (!none && size > largest_file) return cannot(name, "its file has " + bytes_text(size) + ", above " + bytes_text(largest_file));
+  if (!none && size > largest_file)
+    return cannot(name, "its file has " + bytes_text(size) + ", above " + bytes_text(largest_file));
   try {
     const auto mesh = detail::placed_mesh(detail::read_mesh(path), {}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, scale);
     if (mesh.faces.empty()) return cannot(name, "it has vertices, but no faces");

@@ -1,8 +1,8 @@
 #include "model_json.hpp"
 
-#include "json_text.hpp"
-
 #include <kte/io/record_writer.hpp>
+
+#include "json_text.hpp"
 
 namespace kte::view {
 

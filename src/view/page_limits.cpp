@@ -1,9 +1,9 @@
 #include "page_limits.hpp"
 
-#include "triangles.hpp"
-
 #include <algorithm>
 #include <numeric>
+
+#include "triangles.hpp"
 
 namespace kte::view {
 

@@ -1,6 +1,3 @@
-#include "mesh_files.hpp"
-#include "scene_builder.hpp"
-
 #include <kte/math/quaternion.hpp>
 #include <kte/robots/description.hpp>
 
@@ -8,6 +5,9 @@
 #include <cmath>
 #include <set>
 #include <unordered_map>
+
+#include "mesh_files.hpp"
+#include "scene_builder.hpp"
 
 namespace kte::view {
 
@@ -66,7 +66,8 @@ void add_shapes(scene& s, const detail::chain_parts& chain) {
   std::set<int> seen, unseen;  // frames that have a shape to see, or one that cannot be drawn
   for (const auto& part : chain.shapes) {
     const auto& x = *part.shape;
-    const auto what = place_text(x) + "shape" + (x.name.empty() ? "" : " '" + x.name + "'") + " of '" + std::string(part.frame) + "'";
+    const auto what =
+        place_text(x) + "shape" + (x.name.empty() ? "" : " '" + x.name + "'") + " of '" + std::string(part.frame) + "'";
     const auto at = frames.find(part.frame);
     if (at == frames.end()) {
       s.notes.push_back(what + " is not drawn: the chain has no frame of this name");

@@ -1,12 +1,12 @@
 #include "scene_builder.hpp"
 
-#include "element_kinds.hpp"
-#include "element_parameters.hpp"
-#include "model_json.hpp"
-
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+
+#include "element_kinds.hpp"
+#include "element_parameters.hpp"
+#include "model_json.hpp"
 
 namespace kte::view {
 
@@ -143,8 +143,11 @@ class scene_builder {
     for (const int i : c.coordinates) {
       auto& q = s.coordinates[size(i)];
       if (q.kind != "number") continue;
-      if (k.kind == "revolute" || k.kind == "screw") q.kind = "angle", q.unit = "rad";
-      if (k.kind == "prismatic") q.kind = "length", q.unit = "m";
+      const bool turns = k.kind == "revolute" || k.kind == "screw";
+      if (turns || k.kind == "prismatic") {
+        q.kind = std::string(turns ? "angle" : "length");
+        q.unit = std::string(turns ? "rad" : "m");
+      }
     }
     s.joints.push_back(std::move(j));
     if (k.kind != "free" && (is_placed(e) || k.kind == "prismatic" || k.kind == "planar" || k.as == drawn::unknown))
@@ -172,12 +175,15 @@ class scene_builder {
   // ---- the model
   void add_model() {
     auto& s = out_.picture;
-    const auto cannot = [&s](const std::string& why) { s.notes.push_back(why + ": the page plays, and does not simulate"); };
+    const auto cannot = [&s](const std::string& why) {
+      s.notes.push_back(why + ": the page plays, and does not simulate");
+    };
     if (chain_.unrecorded) return cannot("a part of the chain is neither an element nor a chain");
     model_record m;
     m.gravity = {chain_.gravity.x, chain_.gravity.y, chain_.gravity.z};
     for (const auto& e : chain_.elements) {
-      if (kind_of_element(e.type).as == drawn::unknown) return cannot("'" + e.type + "' is an element of the program's own");
+      if (kind_of_element(e.type).as == drawn::unknown)
+        return cannot("'" + e.type + "' is an element of the program's own");
       if (e.holds_code) return cannot("'" + e.type + "' holds a function of the program");
       auto& r = m.elements.emplace_back();
       r.type = e.type, r.parameters = e.parameters;

@@ -47,7 +47,8 @@ void check(const scene& s) {
     check_indices(j.coordinates, coordinates, of + "coordinate");
   }
   for (const auto& l : s.links)
-    check_index(l.from, frames, "a " + l.type + ": its frame"), check_index(l.to, frames, "a " + l.type + ": its frame");
+    check_index(l.from, frames, "a " + l.type + ": its frame"),
+        check_index(l.to, frames, "a " + l.type + ": its frame");
   for (const auto& b : s.bodies) check_index(b.frame, frames, "body '" + b.name + "': its frame");
   for (const auto& f : s.forces) {
     check_indices(f.frames, frames, f.type + " '" + f.name + "': its frame");
@@ -58,7 +59,8 @@ void check(const scene& s) {
     if (x.mesh >= 0) check_index(x.mesh, s.meshes.size(), "a shape: its mesh");
   }
   for (const auto& m : s.meshes) {
-    if (m.positions.size() % 3 != 0 || m.indices.size() % 3 != 0) fail("mesh '" + m.name + "' has a part of a triangle");
+    if (m.positions.size() % 3 != 0 || m.indices.size() % 3 != 0)
+      fail("mesh '" + m.name + "' has a part of a triangle");
     for (const auto i : m.indices)
       if (i >= m.positions.size() / 3) fail("mesh '" + m.name + "' has no vertex " + std::to_string(i));
   }

@@ -1,7 +1,7 @@
-#include "scene_checks.hpp"
-#include "json_text.hpp"
-
 #include <bit>
+
+#include "json_text.hpp"
+#include "scene_checks.hpp"
 
 namespace kte {
 
@@ -20,9 +20,8 @@ class scene_writer {
     number("tracks", s_.tracks);
     each("coordinates", s_.coordinates, [this](const scene::coordinate& c) { coordinate(c); });
     each("joints", s_.joints, [this](const scene::joint& j) { joint(j); });
-    each("links", s_.links, [this](const scene::link& l) {
-      text("type", l.type), number("from", l.from), number("to", l.to);
-    });
+    each("links", s_.links,
+         [this](const scene::link& l) { text("type", l.type), number("from", l.from), number("to", l.to); });
     each("bodies", s_.bodies, [this](const scene::body& b) { body(b); });
     each("forces", s_.forces, [this](const scene::force& f) {
       text("type", f.type), text("kind", f.kind), text("name", f.name);
@@ -84,9 +83,8 @@ class scene_writer {
       out_.null();
     else
       out_.numbers_in_base64(std::span<const float>(r.q));
-    each("columns", r.columns, [this](const scene::column& c) {
-      text("name", c.name), text("unit", c.unit), base64("data", c.data);
-    });
+    each("columns", r.columns,
+         [this](const scene::column& c) { text("name", c.name), text("unit", c.unit), base64("data", c.data); });
   }
 
   template <class List, class Write>

@@ -1,12 +1,11 @@
-#include <kte/view/recorded_scene.hpp>
-
-#include "quantity_units.hpp"
-
 #include <kte/contract/nearest_name.hpp>
+#include <kte/view/recorded_scene.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "quantity_units.hpp"
 
 namespace kte {
 
@@ -77,8 +76,8 @@ detail::replay_plan recorded_scene::replay(const chain_parts& chain, const table
   detail::replay_plan plan{{}, taker.find("t")};
   if (plan.time == nullptr)
     detail::raise<unknown_name>("kte: the table has no column 't', the time, s" +
-                                detail::did_you_mean("t", numbers.names) + " (" +
-                                detail::list_of_names(numbers.names) + ")");
+                                detail::did_you_mean("t", numbers.names) + " (" + detail::list_of_names(numbers.names) +
+                                ")");
   check_finite("t", *plan.time);
   std::string missing;
   for (const auto& e : chain.layout) {
@@ -89,8 +88,8 @@ detail::replay_plan recorded_scene::replay(const chain_parts& chain, const table
     plan.sources.push_back({f.what, f.slot, std::move(columns)});
   }
   if (!missing.empty())
-    detail::raise<unknown_name>("kte: the table has no columns of coordinates by which the mechanism moves: " + missing +
-                                " (" + detail::list_of_names(numbers.names) + ")");
+    detail::raise<unknown_name>("kte: the table has no columns of coordinates by which the mechanism moves: " +
+                                missing + " (" + detail::list_of_names(numbers.names) + ")");
   const auto of_coordinates = taker.taken();
   for (const kind k : {kind::input, kind::vector, kind::internal})
     for (const auto& slot : chain.slots[static_cast<std::size_t>(k)]) {
@@ -107,7 +106,8 @@ detail::replay_plan recorded_scene::replay(const chain_parts& chain, const table
   auto& r = scene_.recordings.front();
   for (std::size_t j = 0; j < numbers.names.size(); ++j)
     if (!of_coordinates.contains(j))
-      r.columns.push_back({numbers.names[j], view::unit_of_column(chain, scene_, numbers.names[j]),
+      r.columns.push_back({numbers.names[j],
+                           view::unit_of_column(chain, scene_, numbers.names[j]),
                            {numbers.columns[j].begin(), numbers.columns[j].end()}});
   return plan;
 }

@@ -120,10 +120,12 @@ scene::mesh simplified(const scene::mesh& m, std::size_t bytes) {
   while (high - low > 1) {
     const auto cells = std::midpoint(low, high);
     auto tried = all.reduced(cells);
-    if (text_bytes(tried) <= bytes)
-      low = cells, best = std::move(tried);
-    else
+    if (text_bytes(tried) > bytes) {
       high = cells;
+      continue;
+    }
+    low = cells, best = std::move(tried);
+    if (text_bytes(best) > bytes - bytes / 8) break;
   }
   return best;
 }

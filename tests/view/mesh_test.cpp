@@ -1,11 +1,10 @@
 #include <kte/io/bytes.hpp>
-#include <kte/view/detail/chain_parts.hpp>
 #include <kte/robots/description.hpp>
+#include <kte/view/detail/chain_parts.hpp>
 
 #include "../src/view/page_limits.hpp"
 #include "../src/view/scene_builder.hpp"
 #include "../src/view/triangles.hpp"
-
 #include "catch.hpp"
 #include "robots/folder.hpp"
 
@@ -90,18 +89,21 @@ TEST_CASE("a page shares its bytes among meshes, and says so") {
   CHECK((sum <= 100000 && sum > 40000));
   CHECK(cut.meshes[0].indices == s.meshes[0].indices);
   REQUIRE(cut.notes.size() == 2);
-  CHECK_THAT(cut.notes[1], contains_text("mesh 'ball80' is drawn with ") && contains_text(" triangles, and all meshes of a page have 100000 bytes"));
+  CHECK_THAT(cut.notes[1], contains_text("mesh 'ball80' is drawn with ") &&
+                               contains_text(" triangles, and all meshes of a page have 100000 bytes"));
   const auto none = view::within_limits(s, {.mesh_bytes = 100});
   CHECK(none.shapes.empty());
-  CHECK_THAT(none.notes.at(0), contains_text("mesh 'ball3' is not drawn: it has " + std::to_string(s.meshes[0].indices.size() / 3)));
+  CHECK_THAT(none.notes.at(0),
+             contains_text("mesh 'ball3' is not drawn: it has " + std::to_string(s.meshes[0].indices.size() / 3)));
 }
 
 TEST_CASE("meshes are found around the robot's file, in packages and folders to search") {
   const folder a, b;
   a.write("urdf/near.obj", tetra), a.write("meshes/above.obj", tetra), a.write("pkg/meshes/packed.obj", tetra);
   a.write("meshes/renamed.obj", tetra), b.write("far.obj", tetra);
-  for (const std::string name : {"near.obj", "../meshes/above.obj", "meshes/above.obj", "package://pkg/meshes/packed.obj",
-                                 "package://other_name/meshes/renamed.obj", "model://pkg/meshes/packed.obj", "far.obj"}) {
+  for (const std::string name :
+       {"near.obj", "../meshes/above.obj", "meshes/above.obj", "package://pkg/meshes/packed.obj",
+        "package://other_name/meshes/renamed.obj", "model://pkg/meshes/packed.obj", "far.obj"}) {
     INFO(name);
     const auto s = with_shape(mesh_of(name), a, false, {b.path.string()});
     REQUIRE(s.meshes.size() == 1);
@@ -110,7 +112,8 @@ TEST_CASE("meshes are found around the robot's file, in packages and folders to 
     CHECK(s.meshes[0].indices.size() == 12);
   }
   CHECK(with_shape(mesh_of("file://" + (b.path / "far.obj").string()), a).meshes.size() == 1);
-  CHECK_THAT(with_shape(mesh_of("lost.obj"), a).notes.at(0), contains_text("mesh 'lost.obj' is not drawn: it is not found"));
+  CHECK_THAT(with_shape(mesh_of("lost.obj"), a).notes.at(0),
+             contains_text("mesh 'lost.obj' is not drawn: it is not found"));
 }
 
 TEST_CASE("meshes are scaled and read once; mirrored ones keep their outside") {
@@ -128,14 +131,16 @@ TEST_CASE("meshes are scaled and read once; mirrored ones keep their outside") {
   REQUIRE(s.meshes.size() == 3);
   CHECK((s.shapes.size() == 4 && s.shapes[2].mesh == 0));
   CHECK((s.meshes[1].positions[3] == 0.001f && s.meshes[1].positions[3 * 3 + 2] == 0.003f));
-  CHECK(std::vector(s.meshes[2].indices.begin(), s.meshes[2].indices.begin() + 3) == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(std::vector(s.meshes[2].indices.begin(), s.meshes[2].indices.begin() + 3) ==
+        std::vector<std::uint32_t>{0, 1, 2});
   CHECK_THAT(s.notes.at(0), contains_text("shape of 'nowhere' is not drawn: the chain has no frame of this name"));
 }
 
 TEST_CASE("meshes that cannot be drawn are notes by name") {
   const folder in;
   in.write("urdf/bad.obj", "v 0 0 0\nf 1 2 3\n"), in.write("urdf/cut.stl", std::string(100, 'x'));
-  in.write("urdf/empty.obj", ""), in.write("urdf/points.obj", "v 0 0 0\n"), in.write("urdf/huge.obj", "v 1e300 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n");
+  in.write("urdf/empty.obj", ""), in.write("urdf/points.obj", "v 0 0 0\n"),
+      in.write("urdf/huge.obj", "v 1e300 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto note = [&in](const std::string& name) {
     const auto s = with_shape(mesh_of(name), in);
     CHECK((s.meshes.empty() && s.shapes.empty() && s.notes.size() == 1));
@@ -158,7 +163,8 @@ TEST_CASE("shapes of a file with their sizes and colours") {
     auto s = with_shape(x, in, true);
     REQUIRE(s.shapes.size() == 1);
     CHECK(s.shapes[0].collision);
-    return s.shapes[0].type + " " + std::to_string(s.shapes[0].size.size()) + " " + std::to_string(s.shapes[0].size.at(0));
+    return s.shapes[0].type + " " + std::to_string(s.shapes[0].size.size()) + " " +
+           std::to_string(s.shapes[0].size.at(0));
   };
   using enum robot_shape::form;
   CHECK(drawn(box) == "box 3 1.000000");
@@ -168,7 +174,8 @@ TEST_CASE("shapes of a file with their sizes and colours") {
   CHECK(drawn(ellipsoid) == "ellipsoid 3 1.000000");
   CHECK(drawn(plane) == "plane 2 2.000000");
   x.is = none, x.name = "hills", x.line = 7;
-  CHECK_THAT(with_shape(x, in).notes.at(0), contains_text("line 7: shape 'hills' of 'link' is not drawn: it is a height field"));
+  CHECK_THAT(with_shape(x, in).notes.at(0),
+             contains_text("line 7: shape 'hills' of 'link' is not drawn: it is a height field"));
   x.is = box, x.rgba = {0.5, 2, -1, 0.25};
   CHECK(with_shape(x, in).shapes.at(0).colour == std::vector{0.5, 1.0, 0.0, 0.25});
   x.rgba = {0.5, 0.5, 0.5};

@@ -1,7 +1,6 @@
 #include <kte/view.hpp>
 
 #include "../src/view/page_resource.hpp"
-
 #include "catch.hpp"
 #include "chain/models.hpp"
 #include "io/scratch.hpp"
@@ -67,7 +66,8 @@ TEST_CASE("pages of recordings, of tables, and of several over each other") {
   write_page(file.path, pendulum, numbers);
   CHECK_THAT(file.text(), contains_text(R"("count":3,)"));
   write_page(file.path, pendulum, {{"model", numbers}, {"measured", numbers}}, {.title = "Compared"});
-  CHECK_THAT(file.text(), contains_text(R"("name":"model","count":3,)") && contains_text(R"("name":"measured","count":3,)"));
+  CHECK_THAT(file.text(),
+             contains_text(R"("name":"model","count":3,)") && contains_text(R"("name":"measured","count":3,)"));
   kte_map_chain other;
   other << revolute_joint_2D("q", "base", "arm");
   const scene_recording of_other(other);
@@ -130,13 +130,14 @@ TEST_CASE("scenes whose parts do not fit are refused by name") {
   refused("joint 'q': its coordinate is 3", [](scene& s) { s.joints[0].coordinates = {3}; });
   refused("a rigid_link_2D: its frame is 9", [](scene& s) { s.links[0].to = 9; });
   refused("body 'tip': its frame is 5", [](scene& s) { s.bodies[0].frame = 5; });
-  refused("a shape: its mesh is 0, and there are 0", [](scene& s) {
-    s.shapes.emplace_back().frame = 0, s.shapes[0].mesh = 0;
-  });
+  refused("a shape: its mesh is 0, and there are 0",
+          [](scene& s) { s.shapes.emplace_back().frame = 0, s.shapes[0].mesh = 0; });
   refused("mesh 'm' has no vertex 1", [](scene& s) { s.meshes.push_back({"m", {0, 0, 0}, {0, 0, 1}}); });
   refused("it has no recording", [](scene& s) { s.recordings.clear(); });
   refused("recording '' has no rows", [](scene& s) { s.recordings[0] = {}; });
   refused("has not a pose for each row and track", [](scene& s) { s.recordings[0].positions.pop_back(); });
   refused("has not all coordinates", [](scene& s) { s.recordings[0].q.push_back(0); });
-  refused("column 'c' has not a number for each row", [](scene& s) { s.recordings[0].columns.push_back({"c", "", {}}); });
+  refused("column 'c' has not a number for each row", [](scene& s) {
+    s.recordings[0].columns.push_back({"c", "", {}});
+  });
 }

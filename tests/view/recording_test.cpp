@@ -97,13 +97,15 @@ TEST_CASE("a table with the coordinates by name moves a chain") {
     CHECK((r.columns[1].name == "q/v" && r.columns[1].unit == "rad/s"));
   }
   numbers.names[2] = "Q";
-  CHECK_THROWS_MATCHES(scene_of(chain, numbers), unknown_name, says("no columns of coordinates by which the mechanism moves: 'q'"));
+  CHECK_THROWS_MATCHES(scene_of(chain, numbers), unknown_name,
+                       says("no columns of coordinates by which the mechanism moves: 'q'"));
   numbers.names = {"time", "energy", "q", "q/v"};
   CHECK_THROWS_MATCHES(scene_of(chain, numbers), unknown_name, says("no column 't'"));
   numbers.names[0] = "t", numbers.columns[2][1] = INFINITY;
   CHECK_THROWS_MATCHES(scene_of(chain, numbers), bad_argument, says("column 'q' of the table is not finite in row 2"));
   CHECK_THROWS_MATCHES(scene_of(chain, table{{"t", "q"}, {{}, {}}}), bad_argument, says("needs a row"));
-  CHECK_THROWS_MATCHES(scene_of(chain, table{{"t", "q"}, {{1}, {}}}), bad_argument, says("column 'q' of the table has 0 rows, not 1"));
+  CHECK_THROWS_MATCHES(scene_of(chain, table{{"t", "q"}, {{1}, {}}}), bad_argument,
+                       says("column 'q' of the table has 0 rows, not 1"));
 }
 
 TEST_CASE("what a recorder recorded is a table that moves the chain, rotations and poses too") {

@@ -37,7 +37,8 @@ TEST_CASE("a robot is drawn with its shapes, meshes and ranges, within which it 
   CHECK(s.q == std::vector{0.25});
   CHECK(s.recordings.at(0).q == std::vector{0.25f});
   REQUIRE(s.shapes.size() == 2);
-  CHECK((s.shapes[0].type == "mesh" && !s.shapes[0].collision && s.shapes[0].colour == std::vector{1.0, 0.0, 0.0, 0.5}));
+  CHECK(
+      (s.shapes[0].type == "mesh" && !s.shapes[0].collision && s.shapes[0].colour == std::vector{1.0, 0.0, 0.0, 0.5}));
   CHECK(s.frames[static_cast<std::size_t>(s.shapes[0].frame)].name == "jib");
   CHECK((s.shapes[1].type == "cylinder" && s.shapes[1].collision && s.shapes[1].size == std::vector{0.1, 2.0}));
   CHECK(s.shapes[1].place == scene::pose{1, 2, 3, 1, 0, 0, 0});
@@ -60,4 +61,11 @@ TEST_CASE("a page of a robot, and of its motion in a table") {
   write_page(path, rec);
   CHECK_THAT(rec.contents().notes.at(0), contains_text("mesh 'package://crane/meshes/jib.obj' is not drawn"));
   CHECK_THROWS_AS(rec.row(1, kte_map_chain(other.chain).gravity({1, 0, 0}).make_state()), bad_argument);
+}
+
+TEST_CASE("a robot stands in the first configuration of its file") {
+  const folder in;
+  auto robot = load_robot(in.write("crane.urdf", urdf));
+  robot.configurations = {{"up", {0.75}}, {"down", {0.5}}};
+  CHECK(scene_of(robot).q == std::vector{0.75});
 }

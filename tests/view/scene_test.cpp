@@ -8,7 +8,6 @@
 #include <kte/view/scene_of.hpp>
 
 #include "../src/view/element_kinds.hpp"
-
 #include "catch.hpp"
 #include "chain/gear.hpp"
 #include "chain/models.hpp"
@@ -75,7 +74,8 @@ TEST_CASE("the scene of a tree: what is rigid, what follows, what acts") {
   }
   CHECK(names(s.bodies) == "trunk thigh shank hand");
   REQUIRE(s.forces.size() == 6);
-  CHECK((s.forces[0].type == "driving_actuator_gen" && s.forces[0].kind == "motor" && s.forces[0].name == "hip, motor"));
+  CHECK(
+      (s.forces[0].type == "driving_actuator_gen" && s.forces[0].kind == "motor" && s.forces[0].name == "hip, motor"));
   CHECK((s.forces[3].kind == "spring" && s.forces[3].name == "wall, slide" && s.forces[3].coordinates.size() == 2));
   CHECK(s.forces[4].kind == "damper");
 }
@@ -107,9 +107,12 @@ TEST_CASE("bodies are drawn as ellipsoids of equal inertia") {
 
 TEST_CASE("joints by their kinds, with seats, axes in the base and ranges by stops") {
   kte_map_chain c;
-  c << free_joint_3D("pose", "world", "trunk") << prismatic_joint_3D("x", "trunk", "slider", axis::x).at(along_z(0.2), quarter_turn_z)
-    << screw_joint_3D("turn", "slider", "nut", axis::z, 0.01) << planar_joint_3D("plane", "nut", "puck").at(zero3{}, quarter_turn_x)
-    << joint_limit_gen("x", {.lower = -0.1, .upper = 0.4, .stiffness = 1e4, .damping = 10.0}) << spring_3D("world", "puck", 1.0, 10.0);
+  c << free_joint_3D("pose", "world", "trunk")
+    << prismatic_joint_3D("x", "trunk", "slider", axis::x).at(along_z(0.2), quarter_turn_z)
+    << screw_joint_3D("turn", "slider", "nut", axis::z, 0.01)
+    << planar_joint_3D("plane", "nut", "puck").at(zero3{}, quarter_turn_x)
+    << joint_limit_gen("x", {.lower = -0.1, .upper = 0.4, .stiffness = 1e4, .damping = 10.0})
+    << spring_3D("world", "puck", 1.0, 10.0);
   const auto s = scene_of(c);
   std::string kinds;
   for (const auto& j : s.joints) kinds += j.kind + " ";

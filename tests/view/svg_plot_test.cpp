@@ -59,17 +59,17 @@ TEST_CASE("units that are not known are left out, and rates of unknown coordinat
   CHECK_FALSE(has(all, "elbow/v (rad/s)"));
   CHECK(has(texts(plot(run(), {"elbow/v"}, {.units = {{"elbow", "m"}}})), "elbow/v (m/s)"));
   CHECK(has(texts(plot(run(), {"elbow/v"}, {.units = {{"elbow/v", "rpm"}}})), "elbow/v (rpm)"));
-  CHECK(detail::meaning_of_column("base:joint/ang_acceleration/y", {}) ==
-        detail::column_meaning{"rad/s²", "angular acceleration"});
-  CHECK(detail::meaning_of_column("coordinate:q/f", {{"q", "m"}}) == detail::column_meaning{"N", "force"});
-  CHECK(detail::meaning_of_column("pull/x", {{"pull", "N"}}) == detail::column_meaning{"N", ""});
-  CHECK(detail::meaning_of_column("tip/rotation/w", {}) == detail::column_meaning{"", "quaternion"});
-  CHECK(detail::meaning_of_column("velocity", {}) == detail::column_meaning{});
+  CHECK(detail::svg::meaning_of_column("base:joint/ang_acceleration/y", {}) ==
+        detail::svg::column_meaning{"rad/s²", "angular acceleration"});
+  CHECK(detail::svg::meaning_of_column("coordinate:q/f", {{"q", "m"}}) == detail::svg::column_meaning{"N", "force"});
+  CHECK(detail::svg::meaning_of_column("pull/x", {{"pull", "N"}}) == detail::svg::column_meaning{"N", ""});
+  CHECK(detail::svg::meaning_of_column("tip/rotation/w", {}) == detail::svg::column_meaning{"", "quaternion"});
+  CHECK(detail::svg::meaning_of_column("velocity", {}) == detail::svg::column_meaning{});
 }
 
 TEST_CASE("one panel for all, one for each, all columns, another column across") {
-  CHECK(texts(plot(run(), {}, {.share = panels::one})).size() > 6);
-  CHECK(has(texts(plot(run(), {}, {.label = "value", .share = panels::one})), "value"));
+  CHECK(texts(plot(run(), {}, {.share = panels::together})).size() > 6);
+  CHECK(has(texts(plot(run(), {}, {.label = "value", .share = panels::together})), "value"));
   const auto each = texts(plot(run(), {"tool/position"}, {.share = panels::each}));
   CHECK(has(each, "tool/position/x (m)"));
   CHECK(has(each, "tool/position/y (m)"));
@@ -214,7 +214,7 @@ TEST_CASE("hostile names do no harm") {
                             "\n"};
   table t{{"t\"<>&"}, {{0, 1, 2}}};
   for (const auto& n : names) t.names.push_back(n), t.columns.push_back({1, 2, 3});
-  for (const auto share : {panels::one, panels::each}) {
+  for (const auto share : {panels::together, panels::each}) {
     const auto text = plot(t, {},
                            {.font = "\"><x",
                             .title = names[0] + names[4],

@@ -3,7 +3,7 @@
 #include "catch.hpp"
 #include "view/svg_document.hpp"
 
-using namespace kte::detail;
+using namespace kte::detail::svg;
 
 TEST_CASE("texts of any bytes are text of XML, and what cannot be shown is U+FFFD") {
   const std::string lost = "\xEF\xBF\xBD";

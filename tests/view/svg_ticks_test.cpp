@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 
-using namespace kte::detail;
+using namespace kte::detail::svg;
 
 namespace {
 

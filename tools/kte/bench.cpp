@@ -4,10 +4,9 @@
 #include <kte/dynamics/runtime_frames.hpp>
 #include <kte/io/program.hpp>
 
-#include <time.h>
-
 #include <algorithm>
 #include <random>
+#include <time.h>
 
 #include "commands.hpp"
 #include "digits50.hpp"
@@ -153,7 +152,9 @@ class bench_run {
         [](auto& e, const auto& x) { return e.forward_derivatives(x.q, x.v, x.tau); });
     add(
         "energies", [&](const auto& x) { return kte::energy(c_, s_, x.q, x.v); },
-        [](const auto& r) { return list{r.kinetic, r.potential}; },
+        [](const auto& r) {
+          return list{r.kinetic, r.potential};
+        },
         [](auto& e, const auto& x) { return e.energy(x.q, x.v); });
     if (o_.frame.empty()) return;
     const auto frame = c_.frame(o_.frame);
@@ -167,8 +168,7 @@ class bench_run {
         },
         [](auto& e, const auto& x) { return e.pose(x.q); });
     add(
-        "Jacobian of " + o_.frame,
-        [&](const auto& x) { return kte::jacobian(c_, s_, x.q, frame, kte::in_world_axes); },
+        "Jacobian of " + o_.frame, [&](const auto& x) { return kte::jacobian(c_, s_, x.q, frame, kte::in_world_axes); },
         [](const auto& r) { return numbers_of(r); }, [](auto& e, const auto& x) { return e.jacobian(x.q); });
   }
 
@@ -205,7 +205,7 @@ std::string time_text(double seconds) {
 }
 
 std::string text_of(const mechanism& m, const bench_run& b) {
-  std::string s = m.file + ": " + counted(static_cast<std::size_t>(m.chain().dofs()), "number") +
+  std::string s = printable(m.file) + ": " + counted(static_cast<std::size_t>(m.chain().dofs()), "number") +
                   " in v; medians, CPU time of a call; errors against 50 digits, relative to the largest number\n";
   std::size_t width = 0;
   for (const auto& r : b.results) width = std::max(width, r.operation.size());
@@ -226,7 +226,10 @@ std::string text_of(const mechanism& m, const bench_run& b) {
 
 std::string json_of(const mechanism& m, const bench_run& b) {
   json_writer j;
-  j.object().member("file", m.file).member("nv", m.chain().dofs()).member("errors_against", b.without_errors.empty() ? "50 digits" : "");
+  j.object()
+      .member("file", m.file)
+      .member("nv", m.chain().dofs())
+      .member("errors_against", b.without_errors.empty() ? "50 digits" : "");
   j.key("operations").list();
   for (const auto& r : b.results) {
     j.object().member("operation", r.operation).member("seconds", r.seconds.value_or(std::nan("")));

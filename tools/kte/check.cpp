@@ -56,7 +56,8 @@ findings look_at(const options& o) {
     f.parts.emplace(m.chain());
     for (const auto& b : f.parts->bodies)
       if (m.model && b.as_published)
-        add_once(f.odd, {0, "body of '" + b.frame + "': its inertia is taken as published, though no body may have it"});
+        add_once(f.odd,
+                 {0, "body of '" + b.frame + "': its inertia is taken as published, though no body may have it"});
     for (const auto& text : odd_numbers(m, *f.parts)) add_once(f.odd, {0, text});
   } catch (const broken_mechanism& e) {
     f.format = e.format, f.not_read = e.description.not_read;
@@ -85,7 +86,7 @@ std::string mobility_text(const structure& s) {
 }
 
 std::string text_of(const findings& f, const options& o) {
-  const auto& file = o.in.file;
+  const auto file = printable(o.in.file);
   std::string s;
   for (const auto& text : texts_of(f.odd, file)) s += text + '\n';
   if (s.empty()) s = file + ": nothing odd is found\n";

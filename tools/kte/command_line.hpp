@@ -34,7 +34,8 @@ class command {
   /// Any number of these, as the last.
   virtual command& words(const std::string& name, std::vector<std::string>& to, const std::string& help) = 0;
   virtual command& flag(const std::string& name, bool& to, const std::string& help) = 0;
-  virtual command& text(const std::string& name, const std::string& value, std::string& to, const std::string& help) = 0;
+  virtual command& text(const std::string& name, const std::string& value, std::string& to,
+                        const std::string& help) = 0;
   /// May come several times.
   virtual command& texts(const std::string& name, const std::string& value, std::vector<std::string>& to,
                          const std::string& help) = 0;

@@ -28,7 +28,7 @@ enum class target { urdf, mjcf, json, xml, binary, header };
 /// By --to, or the ending of the file.
 target target_of(const options& o) {
   static const std::map<std::string, target> formats{
-      {"urdf", target::urdf}, {"mjcf", target::mjcf},  {"json", target::json}, {"xml", target::xml},
+      {"urdf", target::urdf},  {"mjcf", target::mjcf},  {"json", target::json}, {"xml", target::xml},
       {"kte", target::binary}, {"hpp", target::header}, {"h", target::header}};
   const auto extension = kte::detail::lower_extension(o.out);
   const auto wanted = !o.to.empty() ? o.to : extension.empty() ? "" : extension.substr(1);
@@ -54,7 +54,8 @@ class leftovers {
     for (const auto& s : r.shapes)
       notes_.push_back({s.line, "a shape of '" + s.frame + "' is left out" + (s.name.empty() ? "" : ": " + s.name)});
     for (const auto& a : r.actuators)
-      notes_.push_back({a.line, "actuator " + (a.name.empty() ? "of '" + a.joint + "'" : "'" + a.name + "'") + " is left out"});
+      notes_.push_back(
+          {a.line, "actuator " + (a.name.empty() ? "of '" + a.joint + "'" : "'" + a.name + "'") + " is left out"});
     for (const auto& c : r.configurations) notes_.push_back({0, "configuration '" + c.name + "' is left out"});
     if (r.soft_limits.lower != r.limits.lower || r.soft_limits.upper != r.limits.upper) add("soft limits are left out");
     if (m_.model) add_parts_of_model(limits_stay);
@@ -90,8 +91,7 @@ std::string robot_text(const options& o, const mechanism& m, leftovers& left, co
   if (m.model) left.add_parts_of_model(true);
   for (const auto& c : m.robot.configurations) left.add("configuration '" + c.name + "' is left out");
   const auto& r = o.in.robot;
-  const bool as_described =
-      m.description && r.root.empty() && !r.floating_base && !o.in.no_joint_dynamics;
+  const bool as_described = m.description && r.root.empty() && !r.floating_base && !o.in.no_joint_dynamics;
   if (!as_described) return write(m.robot, how);
   auto d = *m.description;
   if (r.gravity) d.gravity = r.gravity;

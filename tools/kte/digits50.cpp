@@ -110,8 +110,7 @@ exact_chain::list exact_chain::pose(const list& q) {
 }
 exact_chain::list exact_chain::jacobian(const list& q) {
   list out;
-  numbers_->exact.for_each_frame(exactly(q),
-                                 [&](const std::string&, const auto&, const auto& j) { append(out, j); });
+  numbers_->exact.for_each_frame(exactly(q), [&](const std::string&, const auto&, const auto& j) { append(out, j); });
   return out;
 }
 

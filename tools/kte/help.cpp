@@ -77,17 +77,20 @@ std::string help_of_program(const command_line& line) {
 std::string roff(const std::string& text) {
   std::string s;
   for (const char c : text) {
-    if (c == '\\') s += "\\e";
-    else if (c == '-') s += "\\-";
-    else if ((c == '.' || c == '\'') && (s.empty() || s.back() == '\n')) s.append("\\&") += c;
-    else s += c;
+    if (c == '\\')
+      s += "\\e";
+    else if (c == '-')
+      s += "\\-";
+    else if ((c == '.' || c == '\'') && (s.empty() || s.back() == '\n'))
+      s.append("\\&") += c;
+    else
+      s += c;
   }
   return s;
 }
 std::string man_page(const command_line& line) {
-  std::string s =
-      ".\\\" Written by: kte help --man\n.TH KTE 1 \"\" \"kte " KTE_VERSION
-      "\" \"User Commands\"\n.SH NAME\nkte \\- what one does with the file of a robot\n.SH SYNOPSIS\n";
+  std::string s = ".\\\" Written by: kte help --man\n.TH KTE 1 \"\" \"kte " KTE_VERSION
+                  "\" \"User Commands\"\n.SH NAME\nkte \\- what one does with the file of a robot\n.SH SYNOPSIS\n";
   for (const auto& c : line.commands()) s += ".B " + roff(usage_of(*c)) + "\n.br\n";
   s += ".SH DESCRIPTION\nFiles are URDF, MJCF, SDF, or model files of the library (JSON, XML, .kte), known by their "
        "content.\n";
@@ -97,8 +100,10 @@ std::string man_page(const command_line& line) {
       if (a.positional) s += ".TP\n.I " + roff(a.name) + "\n" + roff(a.help) + "\n";
     for (const auto& a : options_of(*c)) s += ".TP\n.B " + roff(with_value(a)) + "\n" + roff(a.help) + "\n";
   }
-  return s + ".SH EXIT STATUS\n0: fine. 1: the input is wrong or cannot be done. 2: the command makes no sense.\n"
-             ".SH ENVIRONMENT\n.TP\n.B CXX\nThe compiler of " + roff("kte eval --static") +
+  return s +
+         ".SH EXIT STATUS\n0: fine. 1: the input is wrong or cannot be done. 2: the command makes no sense.\n"
+         ".SH ENVIRONMENT\n.TP\n.B CXX\nThe compiler of " +
+         roff("kte eval --static") +
          ", with options, if any.\n.TP\n.B XDG_CACHE_HOME\nWhere it keeps programs, if that is an absolute path; else "
          "in ~/.cache.\n";
 }

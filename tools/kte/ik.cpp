@@ -28,8 +28,10 @@ class pose_table {
       std::string missing;
       for (const auto& n : names) {
         const auto c = table_.names().find(n);
-        if (c != table_.names().end()) found.push_back(c->second);
-        else missing += (missing.empty() ? " " : ", ") + n;
+        if (c != table_.names().end())
+          found.push_back(c->second);
+        else
+          missing += (missing.empty() ? " " : ", ") + n;
       }
       if (!missing.empty() && (needed || !found.empty()))
         throw kte::bad_file("kte: " + table_.path().string() + ":1: missing columns:" + missing);
@@ -89,7 +91,10 @@ class solver {
   /// All postures, by formulas.
   void add_all(std::size_t row, const pose_table& poses, std::vector<answer>& out) const {
     for (const auto& a : kte::inverse_kinematics(arm_, kte::pose{poses.rotation(row), poses.position(row)}))
-      out.push_back({row, !a.exact ? "missed" : a.within_limits ? "reached" : "beyond_limits",
+      out.push_back({row,
+                     !a.exact          ? "missed"
+                     : a.within_limits ? "reached"
+                                       : "beyond_limits",
                      Eigen::VectorXd(a.q), a.position, a.rotation});
   }
   /// The nearest to q, which is then that.
@@ -188,11 +193,12 @@ int ik(const options& o) {
 
 void add_ik(command_line& line) {
   const auto o = std::make_shared<options>();
-  add_reading(line.add("ik", "postures for poses of a frame",
-                       "Inverse kinematics: prints a posture within limits for each pose of a table, by closed formulas "
-                       "where the arm has some, else numerically. Each is the nearest to the one before. The exit code "
-                       "is 1 if a pose is not reached; the table then has the nearest that was found."),
-              o->in)
+  add_reading(
+      line.add("ik", "postures for poses of a frame",
+               "Inverse kinematics: prints a posture within limits for each pose of a table, by closed formulas "
+               "where the arm has some, else numerically. Each is the nearest to the one before. The exit code "
+               "is 1 if a pose is not reached; the table then has the nearest that was found."),
+      o->in)
       .text("--frame", "NAME", o->frame, "the frame that the poses are of, as the tool")
       .text("--poses", "TABLE", o->poses,
             "columns x, y, z, m, and qw, qx, qy, qz, a quaternion, in axes of the world; without the latter only the "

@@ -48,8 +48,7 @@ std::string coordinate_text(const mechanism& m, const structure& s, const std::s
     text += " in [" + short_number(l.lower) + ", " + short_number(l.upper) + "] " + c->unit;
   std::string most;
   if (std::isfinite(l.rate)) most = short_number(l.rate) + " " + c->unit + "/s";
-  if (std::isfinite(l.effort))
-    most += (most.empty() ? "" : ", ") + short_number(l.effort) + (c->turns ? " Nm" : " N");
+  if (std::isfinite(l.effort)) most += (most.empty() ? "" : ", ") + short_number(l.effort) + (c->turns ? " Nm" : " N");
   return text + (most.empty() ? "" : ", at most " + most);
 }
 
@@ -119,10 +118,9 @@ class tree_text {
 
 std::string text_of(const mechanism& m, const structure& s) {
   const auto& g = m.chain().gravity();
-  std::string t = m.file + " (" + m.format + "): '" + m.robot.name + "'\n";
-  t += counted(static_cast<std::size_t>(m.chain().dofs()), "number") + " in v, " +
-       std::to_string(m.chain().nq()) + " in q; " +
-       (s.bodies.size() == 1 ? "1 body" : std::to_string(s.bodies.size()) + " bodies") + " of " +
+  std::string t = printable(m.file) + " (" + m.format + "): '" + m.robot.name + "'\n";
+  t += counted(static_cast<std::size_t>(m.chain().dofs()), "number") + " in v, " + std::to_string(m.chain().nq()) +
+       " in q; " + (s.bodies.size() == 1 ? "1 body" : std::to_string(s.bodies.size()) + " bodies") + " of " +
        short_number(s.mass) + " kg; " + counted(s.frames.size(), "frame") + "; " + short_number(s.size) +
        " m large; gravity " + short_vector(g) + " m/s^2\n\n";
   t += tree_text(m, s).text();
@@ -148,13 +146,13 @@ std::string text_of(const mechanism& m, const structure& s) {
   if (!m.robot.configurations.empty()) t += "\nconfigurations with names\n";
   for (const auto& c : m.robot.configurations) t += "  " + c.name + '\n';
   if (!m.robot.shapes.empty()) {
-    const auto solid = std::count_if(m.robot.shapes.begin(), m.robot.shapes.end(),
-                                     [](const auto& x) { return x.collision; });
+    const auto solid =
+        std::count_if(m.robot.shapes.begin(), m.robot.shapes.end(), [](const auto& x) { return x.collision; });
     t += "\n" + counted(m.robot.shapes.size() - static_cast<std::size_t>(solid), "shape") + " to see, " +
          std::to_string(solid) + " to collide with\n";
   }
   if (const auto n = texts_of(m.robot.not_read, "").size())
-    t += "\n" + counted(n, "thing") + " of the file not read: kte check " + m.file + '\n';
+    t += "\n" + counted(n, "thing") + " of the file not read: kte check " + printable(m.file) + '\n';
   return t;
 }
 

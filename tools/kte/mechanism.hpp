@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/io/model_reader.hpp>
-#include <kte/robots/robot.hpp>
 #include <kte/robots/options.hpp>
+#include <kte/robots/robot.hpp>
 
 #include <filesystem>
 
@@ -16,7 +16,8 @@ struct reading {
   kte::robot_options robot;
   bool joint_dynamics = false, no_joint_dynamics = false;  ///< as the command line says
 };
-/// The file and how it is read, as arguments; whether joints have damping, friction, springs and rotors if nothing says.
+/// The file and how it is read, as arguments; whether joints have damping, friction, springs and rotors if nothing
+/// says.
 command& add_reading(command& c, reading& o, bool joint_dynamics = true);
 
 kte::robot_options robot_options_of(const reading& o);

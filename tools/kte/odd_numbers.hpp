@@ -33,8 +33,8 @@ inline std::vector<std::string> odd_numbers(const mechanism& m, const structure&
       say(name + "its inertia is that of a ring of " + short_number(1000 * radius) + " mm radius: is it in kg m^2?");
     const double away = std::sqrt(dot(b.centre, b.centre));
     if (away > 10 * s.size)
-      say(name + "its centre of mass is " + short_number(away) + " m away, in a mechanism of " +
-          short_number(s.size) + " m");
+      say(name + "its centre of mass is " + short_number(away) + " m away, in a mechanism of " + short_number(s.size) +
+          " m");
   }
   for (const auto& c : s.coordinates) {
     if (!c.turns || c.v < 0 || c.nv != 1) continue;

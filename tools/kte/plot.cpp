@@ -18,13 +18,14 @@ struct options {
 
 int plot(options& o) {
   if (o.each && o.one) throw usage_error("--each and --one are one too many");
-  if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::one;
+  if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::together;
   if (o.from) o.plot.from = *o.from;
   if (o.to) o.plot.to = *o.to;
   if (o.out.empty()) o.out = std::filesystem::path(o.recording).stem().string() + ".svg";
   const auto extension = kte::detail::lower_extension(o.out);
   if (extension != ".svg")
-    throw kte::bad_argument("kte: '" + o.out + "': pictures are SVG, and end in .svg; programs like rsvg-convert make "
+    throw kte::bad_argument("kte: '" + o.out +
+                            "': pictures are SVG, and end in .svg; programs like rsvg-convert make "
                             "others of them");
   kte::write_plot(o.out, kte::read_table(o.recording), o.columns, o.plot);
   say("wrote " + o.out);

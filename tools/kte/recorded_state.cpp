@@ -46,7 +46,8 @@ recorded_state::recorded_state(const kte::kte_map_chain& c, const std::vector<st
   auto names = usual_names(c);
   names.insert(names.end(), more.begin(), more.end());
   // Without names a recorder has everything.
-  const auto all = names.empty() ? kte::detail::recording({}, {}) : kte::detail::recording(kte::detail::slots_of(c), names);
+  const auto all =
+      names.empty() ? kte::detail::recording({}, {}) : kte::detail::recording(kte::detail::slots_of(c), names);
   std::map<std::pair<kte::kind, int>, kte::detail::freedom> free;
   for (const auto& f : c.wiring().free) free[{f.what, f.slot}] = f;
   cells_ = all.cells;

@@ -73,7 +73,8 @@ void add_view(command_line& line) {
                        "Writes one HTML file, without any network access, that shows the mechanism in a browser: with "
                        "sliders, or moving as recordings say, several over each other."),
               o->in)
-      .words("RECORDINGS", o->recordings, "tables over time, as kte simulate --record writes them: .csv, .npy, .mcap, ...")
+      .words("RECORDINGS", o->recordings,
+             "tables over time, as kte simulate --record writes them: .csv, .npy, .mcap, ...")
       .text("-o,--output", "FILE", o->out, "the page; if left out the name of FILE, with .html")
       .text("--title", "TEXT", o->title, "of the page")
       .flag("--open", o->open, "opens it in the browser, by xdg-open")

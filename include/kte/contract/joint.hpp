@@ -7,9 +7,9 @@
 /// What the composite-rigid-body algorithm asks of elements, in static and runtime chains.
 namespace kte::detail {
 
-/// How many coordinates a transmission has.
+/// How many coordinates a transmission has. Its last two ports are the base and the end.
 template <class Core>
-inline constexpr std::size_t coordinates_of = port_count<Core> - 2;
+inline constexpr std::size_t coordinates_of = port_count<Core> > 2;
 /// The kind of a joint's coordinate, and its number of degrees of freedom; none for a link.
 template <class Core>
 inline constexpr kind coordinate_kind = Core::ports[0].what;

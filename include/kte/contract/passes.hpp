@@ -145,7 +145,8 @@ struct stored_element {
       spread<P...>(core.doForce(input<P>()...));
     }
   }
-  /// Whether it holds its coordinate, and by how large a force it could.
+  /// Whether it holds its coordinate, and by how large a force it could; of a joint after doForce, where that depends on
+  /// what it carries.
   template <std::size_t... P>
   KTE_INLINE constexpr bool holds(std::index_sequence<P...>) const {
     if constexpr (holds_coordinate<Core>) {
@@ -156,7 +157,9 @@ struct stored_element {
   }
   template <std::size_t... P>
   KTE_INLINE constexpr auto capacity(std::index_sequence<P...>) const {
-    if constexpr (holds_coordinate<Core>) {
+    if constexpr (holds_by_load<Core>) {
+      return core.capacity(input<P>()..., load<ports - 1>());
+    } else if constexpr (holds_coordinate<Core>) {
       return core.capacity(input<P>()...);
     } else {
       return zero;
@@ -176,7 +179,9 @@ struct stored_element {
   /// The friction of a joint that carries a wrench at its end.
   template <class Wrench>
   KTE_INLINE constexpr auto friction(const Wrench& end) const {
-    if constexpr (reads_reaction<Core>) {
+    if constexpr (holds_by_load<Core>) {
+      return core.friction(input<0>(), input<1>(), end);
+    } else if constexpr (reads_reaction<Core>) {
       return core.friction(input<0>(), end);
     } else {
       return zero;

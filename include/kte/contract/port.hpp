@@ -87,6 +87,9 @@ inline constexpr bool holds_coordinate = false;
 template <class Core>
 requires requires { Core::holds_coordinate; }
 inline constexpr bool holds_coordinate<Core> = Core::holds_coordinate;
+/// Whether it is a joint that may hold its own coordinate, by what it carries.
+template <class Core>
+inline constexpr bool holds_by_load = reads_reaction<Core>&& holds_coordinate<Core>;
 
 /// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
 /// so by `static constexpr bool reads_positions = true`.

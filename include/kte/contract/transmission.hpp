@@ -131,6 +131,18 @@ struct transmission {
     }
   }
 
+  /// A joint that may be held (contract/coordinate_holder.hpp): its mode stands between coordinate and base.
+  template <class C, class Mode, class Base>
+  KTE_INLINE constexpr auto doMotion(const C& c, const Mode&, const Base& base) const {
+    return compose(base, core().relative(c));  // (2)
+  }
+  template <class C, class Mode, class Base, class Wrench>
+  KTE_INLINE constexpr auto doForce(const C& c, const Mode& mode, const Base&, const Wrench& end) const {
+    return make_loads(
+        detail::power(core().relative(detail::unit_rate<kind::gen, 0>(c)), end) + core().friction(c, mode, end),
+        transmit(core().relative(detail::position_only(c)), end));
+  }
+
   // Hidden by passes that a core has of its own.
   static void doMotion(const detail::no_pass&);
   static void doForce(const detail::no_pass&);

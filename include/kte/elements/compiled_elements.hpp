@@ -48,6 +48,7 @@
 #include <kte/elements/slider_crank.hpp>
 #include <kte/elements/spherical_joint.hpp>
 #include <kte/elements/spring.hpp>
+#include <kte/elements/sticking_joint.hpp>
 #include <kte/elements/table_spring.hpp>
 #include <kte/elements/torque_speed_motor.hpp>
 #include <kte/elements/torsion_damper.hpp>
@@ -174,6 +175,14 @@ KTE_ELEMENT(dry_revolute_joint<kind::frame_3D, vec3<zero_t, one_t, zero_t>>);
 KTE_ELEMENT(dry_revolute_joint<kind::frame_3D, vec3<zero_t, zero_t, one_t>>);
 KTE_ELEMENT(dry_revolute_joint<kind::frame_3D, vec3<>>);
 KTE_ELEMENT(placed_3D<core::dry_revolute_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(sticking_joint<core::revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
+KTE_ELEMENT(placed_2D<core::sticking_joint<core::revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>>);
+KTE_ELEMENT(sticking_joint<core::revolute_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<core::sticking_joint<core::revolute_joint<kind::frame_3D, vec3<>>>>);
+KTE_ELEMENT(sticking_joint<core::prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>);
+KTE_ELEMENT(placed_2D<core::sticking_joint<core::prismatic_joint<kind::frame_2D, vec3<double, double, zero_t>>>>);
+KTE_ELEMENT(sticking_joint<core::prismatic_joint<kind::frame_3D, vec3<>>>);
+KTE_ELEMENT(placed_3D<core::sticking_joint<core::prismatic_joint<kind::frame_3D, vec3<>>>>);
 KTE_ELEMENT(vmc_revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>);
 KTE_ELEMENT(placed_2D<core::vmc_revolute_joint<kind::frame_2D, vec3<zero_t, zero_t, one_t>>>);
 KTE_ELEMENT(vmc_revolute_joint<kind::frame_3D, vec3<>>);
@@ -225,9 +234,9 @@ using all_families =
              line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family,
              plane_point_mindist_family, position_control_family, position_measure_family, prismatic_joint_family,
              revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family, rotor_family,
-             screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, table_spring_family,
-             torque_speed_motor_family, torsion_damper_family, torsion_spring_family, velocity_control_family,
-             velocity_measure_family, virtual_kte_interface_family, vmc_revolute_joint_family>;
+             screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, sticking_joint_family,
+             table_spring_family, torque_speed_motor_family, torsion_damper_family, torsion_spring_family,
+             velocity_control_family, velocity_measure_family, virtual_kte_interface_family, vmc_revolute_joint_family>;
 }  // namespace detail
 
 }  // namespace kte

@@ -107,8 +107,10 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());
-    setJointStates(t, x, s);
-    this->doMotion(s);
+    if constexpr ((detail::holds_by_load<typename E::core_type> || ...))
+      s = state_at(t, x);
+    else
+      setJointStates(t, x, s), this->doMotion(s);
     return capacity_of(s, element, std::index_sequence_for<E...>{});
   }
 

@@ -81,8 +81,9 @@ bool mend_mode(const Model& model, const T& t, X& x, const holder_place& h) {
     let_go(model, x, h, needed);
     return true;
   }
+  if (x[h.rate] != S(0)) return false;
   const S onward = z * S(model.computeStateRate(t, x)[model.velocity_count() + h.row]);
-  if (x[h.rate] != S(0) || !(onward < S(0))) return false;
+  if (!(onward < S(0))) return false;
   set_mode(model, x, h, mode::held);
   const auto needed = model.needed_forces(t, x);
   if (beyond(needed)) let_go(model, x, h, needed);

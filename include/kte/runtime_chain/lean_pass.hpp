@@ -66,9 +66,8 @@ class lean_pass<Core, State, std::index_sequence<P...>> {
     (void)done;
   }
   /// Of a joint that carries a wrench.
-  auto friction(const wrench<vec3<typename State::scalar>, vec3<typename State::scalar>>& end) const {
-    const auto copy = std::bit_cast<wrench<vec3<scalar>, vec3<scalar>>>(end);
-    return scalar(core_.friction(std::get<0>(things_), copy)).number;
+  auto friction(const wrench<vec3<typename State::scalar>, vec3<typename State::scalar>>& end) {
+    return scalar(pass().friction(std::bit_cast<wrench<vec3<scalar>, vec3<scalar>>>(end))).number;
   }
   /// What is connected to port i.
   template <kind K>

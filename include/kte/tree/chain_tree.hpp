@@ -122,13 +122,14 @@ class chain_tree {
           break;
         }
         const int row = plan.joint_row[static_cast<std::size_t>(number)];
-        at(2) = b.add_joint(at(1), n.stiff, ports[0].what, index(0), row, row < dofs_);
-        if (!b.moves_by_axes(n.stiff, at(2)))
+        at(last) = b.add_joint(at(last - 1), n.stiff, ports[0].what, index(0), row, row < dofs_);
+        if (!b.moves_by_axes(n.stiff, at(last)))
           exclude(number, " does not move along axes that are constant in its end, as joints must");
         if (n.reads_reaction) {
           readers.push_back(number);
           turned.emplace_back(ports[0].what, index(0));
         }
+        if (n.holds_coordinate) add_holder(number, index(0));
         break;
       }
       case part::body:
@@ -169,11 +170,7 @@ class chain_tree {
         break;
       }
       case part::force: {
-        if (n.holds_coordinate) {
-          holders.push_back(number);
-          if (plan.row_of_gen[static_cast<std::size_t>(index(0))] >= dofs_)
-            exclude(number, " holds a coordinate that is not a degree of freedom");
-        }
+        if (n.holds_coordinate) add_holder(number, index(0));
         if (n.spreads_mass) {
           spread.push_back(number);
           for (std::size_t p = 0; p <= last; ++p)
@@ -189,6 +186,11 @@ class chain_tree {
           on_coordinates.push_back(number);
       }
     }
+  }
+  void add_holder(int number, int coordinate) {
+    holders.push_back(number);
+    if (plan.row_of_gen[static_cast<std::size_t>(coordinate)] >= dofs_)
+      exclude(number, " holds a coordinate that is not a degree of freedom");
   }
   void add_mass(int coordinate, const P& mass) {
     own_mass[static_cast<std::size_t>(plan.row_of_gen[static_cast<std::size_t>(coordinate)])] += mass;

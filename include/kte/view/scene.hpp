@@ -35,10 +35,11 @@ struct scene {
   };
   struct joint {
     std::string name, type;
-    std::string kind;  ///< revolute, prismatic, screw, spherical, planar, free; other of elements that kte does not know
-    int before = -1, after = -1;     ///< frames
+    std::string
+        kind;  ///< revolute, prismatic, screw, spherical, planar, free; other of elements that kte does not know
+    int before = -1, after = -1;  ///< frames
     bool has_axis = false;
-    std::array<double, 3> axis{};    ///< in axes of `before`
+    std::array<double, 3> axis{};  ///< in axes of `before`
     std::vector<int> coordinates;
     double lower = -none, upper = none;
   };
@@ -50,10 +51,10 @@ struct scene {
   struct body {
     std::string name;
     int frame = -1;
-    double mass = 0;                          ///< kg
-    std::array<double, 3> centre{};           ///< in the frame
+    double mass = 0;                                ///< kg
+    std::array<double, 3> centre{};                 ///< in the frame
     std::array<double, 4> orientation{1, 0, 0, 0};  ///< of the ellipsoid in the frame
-    std::array<double, 3> ellipsoid{};        ///< half axes of the homogeneous ellipsoid of equal inertia; 0 of a point
+    std::array<double, 3> ellipsoid{};  ///< half axes of the homogeneous ellipsoid of equal inertia; 0 of a point
   };
   /// What acts: springs, dampers, motors, limits, and all else that is in the chain.
   struct force {

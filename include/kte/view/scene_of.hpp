@@ -7,19 +7,28 @@
 namespace kte {
 
 namespace detail {
-/// At rest where all is zero; of a robot within its limits.
+/// Puts a robot into the first configuration of its file, or where all is zero within its limits.
+template <robot_like Robot>
+void put_first(const Robot& r, runtime_state& s) {
+  for (const auto& f : s.freedoms()) {
+    const auto v = static_cast<std::size_t>(f.v);
+    with_coordinate(s, f.what, f.slot, [&](auto& c) {
+      auto q = static_cast<std::size_t>(f.q);
+      visit_q(c, [&](double& x) {
+        if (!r.configurations.empty())
+          x = r.configurations.front().q[q++];
+        else if (f.what == kind::gen && r.limits.lower[v] <= r.limits.upper[v])
+          x = std::clamp(x, r.limits.lower[v], r.limits.upper[v]);
+      });
+    });
+  }
+}
+/// At rest where all is zero, of a robot where it stands at first.
 template <class Chain>
 auto first_state(const Chain& chain) {
   if constexpr (requires { chain_in(chain).wiring(); }) {
     auto s = chain_in(chain).make_state();
-    if constexpr (robot_like<Chain>)
-      for (const auto& f : s.freedoms())
-        if (f.what == kind::gen) {
-          const auto v = static_cast<std::size_t>(f.v);
-          double& q = s.template get<kind::gen>(f.slot).q;
-          if (chain.limits.lower[v] <= chain.limits.upper[v])
-            q = std::clamp(q, chain.limits.lower[v], chain.limits.upper[v]);
-        }
+    if constexpr (robot_like<Chain>) put_first(chain, s);
     return s;
   } else {
     return make_state(chain);
@@ -35,7 +44,7 @@ scene scene_of(const Chain& chain, const State& s) {
   r.row(0.0, s);
   return r.contents();
 }
-/// The same where all coordinates are zero; of robots within their limits.
+/// The same where all coordinates are zero; of robots in the first configuration of their file, or within their limits.
 template <drawable Chain>
 scene scene_of(const Chain& chain) {
   auto s = detail::first_state(chain);

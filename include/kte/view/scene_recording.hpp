@@ -103,7 +103,8 @@ class scene_recording : public recorded_scene {
     if constexpr (!is_frame(K)) {
       std::size_t column = 0;
       const auto take = [&](auto& x) {
-        x = static_cast<std::remove_reference_t<decltype(x)>>(from.columns.empty() ? t : (*from.columns[column++])[row]);
+        x = static_cast<std::remove_reference_t<decltype(x)>>(from.columns.empty() ? t
+                                                                                   : (*from.columns[column++])[row]);
       };
       auto& thing = s.template get<K>(from.slot);
       if constexpr (K == kind::input)

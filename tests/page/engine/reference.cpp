@@ -17,7 +17,7 @@ namespace {
 using kte::page::player;
 
 /// A text in JSON: the models are ASCII.
-std::string quoted(std::string_view text) {
+std::string json_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -37,7 +37,7 @@ std::string list(const Numbers& all) {
 template <class Texts>
 std::string list_of_texts(const Texts& all) {
   std::string out;
-  for (const auto& x : all) out += (out.empty() ? "[" : ",") + quoted(x);
+  for (const auto& x : all) out += (out.empty() ? "[" : ",") + json_text(x);
   return out + ']';
 }
 
@@ -52,7 +52,7 @@ class reference {
       for (const auto& frame : player_.shown().chain().wiring().names[static_cast<std::size_t>(what)])
         frames.push_back(frame);
     player_.shown().track(frames);
-    out_ = "{\"name\":" + quoted(name) + ",\"model\":" + quoted(text_) + ",\"frames\":" + list_of_texts(frames) +
+    out_ = "{\"name\":" + json_text(name) + ",\"model\":" + json_text(text_) + ",\"frames\":" + list_of_texts(frames) +
            ",\"q\":" + list(q) + ",\"v\":" + list(v) + ",\"poses\":" + list(player_.shown().poses(q)) +
            ",\"accelerations\":" + list(player_.shown().accelerations(q, v)) +
            ",\"nanoseconds\":" + kte::detail::number(nanoseconds()) + ",\"calls\":[";
@@ -71,7 +71,7 @@ class reference {
   }
   reference& pull(const std::string& frame, const kte::page::pull_numbers& n) {
     player_.pull(frame, n);
-    call("\"pull\":" + quoted(frame) + ",\"point\":" + list(std::array{n.point.x, n.point.y, n.point.z}) +
+    call("\"pull\":" + json_text(frame) + ",\"point\":" + list(std::array{n.point.x, n.point.y, n.point.z}) +
          ",\"target\":" + list(std::array{n.target.x, n.target.y, n.target.z}) +
          ",\"stiffness\":" + kte::detail::number(n.stiffness) + ",\"damping\":" + kte::detail::number(n.damping));
     return *this;
@@ -159,7 +159,7 @@ std::string elastic() {
   kte_map_chain c;
   c.gravity(vec3<>{0, 0, -9.81});
   c << base_3D("wall") << free_joint_3D("pose", "wall", "body") << inertia_3D("body", body)
-    << flexible_beam_3D("wall", "body", 0.5, beam_section{.EA = 2000, .GJ = 0.5, .EI_y = 0.8, .EI_z = 0.7})
+    << flexible_beam_3D("wall", "body", 0.5, beam_section{.EA = 2000, .EI_y = 0.8, .EI_z = 0.7, .GJ = 0.5})
     << rigid_link_3D("wall", "hook", vec3<>{0.5, 0, 0.4}) << spring_3D("hook", "body", 0.3, 40.0)
     << damper_3D("hook", "body", 2.0) << torsion_damper_3D("wall", "body", 0.02)
     << revolute_joint_3D("q", "body", "arm", axis::y) << inertia_3D("arm", point_mass(0.2, along_x(0.2)))

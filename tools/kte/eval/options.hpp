@@ -32,9 +32,9 @@ struct operations {
 
  private:
   void add(std::string_view name) {
-    const std::pair<std::string_view, bool&> all[]{{"id", id},   {"fd", fd},         {"m", m},
-                                                   {"g", g},     {"h", h},           {"energy", energy},
-                                                   {"com", com}, {"did", did},       {"dfd", dfd}};
+    const std::pair<std::string_view, bool&> all[]{{"id", id},   {"fd", fd},   {"m", m},
+                                                   {"g", g},     {"h", h},     {"energy", energy},
+                                                   {"com", com}, {"did", did}, {"dfd", dfd}};
     for (const auto& [known_name, flag] : all)
       if (name == known_name) {
         flag = true;

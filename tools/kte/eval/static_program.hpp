@@ -89,8 +89,8 @@ inline int run_static(const evaluated_robot& r, const options& o) {
     file = cache.find(name);
     if (file.get() < 0) throw kte::bad_file("kte: " + program + " was damaged as soon as it was made");
   }
-  const auto end = run_child(program, {o.states.string(), o.ops, o.derivatives ? "1" : "0"}, STDOUT_FILENO, true,
-                             file.get());
+  const auto end =
+      run_child(program, {o.states.string(), o.ops, o.derivatives ? "1" : "0"}, STDOUT_FILENO, true, file.get());
   if (!end.confirmed) throw kte::bad_file("kte: " + program + " has not done its work: it ended " + end.how);
   return end.code;
 }

@@ -13,8 +13,10 @@ run_result run_with(Solver& solver, plant& p, plant::state& x, const run_setting
   kte::progress report(0.0, s.end, kte::progress_bar());
   run_result out;
   const auto of_model = kte::element_events(p.model());
-  const auto changes = kte::events(kte::detail::event_under_law(p, std::get<0>(of_model.list)))
-                           .report_to([&out](const auto&) { ++out.events; });
+  const auto changes =
+      kte::events(kte::detail::event_under_law(p, std::get<0>(of_model.list))).report_to([&out](const auto&) {
+        ++out.events;
+      });
   solver.integrate(s.end, changes, kte::every(s.every), [&](double t, const plant::state& at) {
     observe(t, at);
     report(t);

@@ -22,7 +22,8 @@ class time_table {
       throw kte::bad_file("kte: " + table.path().string() + ":1: several rows need a column t");
     for (std::size_t i = 0; i < table.rows(); ++i) {
       const double time = t == table.names().end() ? 0 : table.at(i, t->second);
-      if (i > 0 && !(time > times_.back())) throw kte::bad_file("kte: " + table.place(i) + "t must grow from row to row");
+      if (i > 0 && !(time > times_.back()))
+        throw kte::bad_file("kte: " + table.place(i) + "t must grow from row to row");
       times_.push_back(time);
       Eigen::VectorXd x = Eigen::VectorXd::Zero(count);
       read(i, x);

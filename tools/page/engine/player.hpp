@@ -19,7 +19,7 @@ class player {
     begin(0, m.make_x(q, v), simulation::method::undecided);
   }
 
-  bool is_running() const { return simulation_.has_value(); }
+  bool is_running() const { return simulation_ != nullptr; }
   /// Goes on to t_end by as many stretches as are needed while more() is true.
   template <class More>
   void advance(double t_end, const More& more) {
@@ -70,14 +70,14 @@ class player {
     auto chain = shown_.chain();
     if (frame_) chain = shown_.pulled(std::move(chain), *frame_, numbers_);
     if (damping_ != 0) chain = shown_.damped(std::move(chain), damping_);
-    simulation_.emplace(shown_.modelled(chain), t, x, m);
+    simulation_ = std::make_unique<simulation>(shown_.modelled(chain), t, x, m);
   }
 
   mechanism shown_;
   std::optional<std::string> frame_;
   pull_numbers numbers_;
   double damping_ = 0;
-  std::optional<simulation> simulation_;
+  std::unique_ptr<simulation> simulation_;
 };
 
 }  // namespace kte::page

@@ -108,7 +108,7 @@ class local_coriolis {
   /// From the joint or base before to the end of element I, in axes of the world.
   template <int I>
   KTE_INLINE constexpr auto way_to() const {
-    constexpr std::size_t e{I}, base = coordinates_of<core_t<e>>;
+    constexpr std::size_t e{I}, base = port_count<core_t<e>> - 2;
     const auto own = at_port<e, base>().rotation * motion_.template joint_pose<e>().position;
     if constexpr (steps[e].below >= 0 && steps[std::size_t(steps[e].below < 0 ? 0 : steps[e].below)].axes == 0) {
       return way_to<steps[e].below>() + own;

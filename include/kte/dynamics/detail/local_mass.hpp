@@ -86,7 +86,7 @@ class local_mass {
   }
   template <std::size_t I, class W>
   KTE_INLINE constexpr void down(const W& at_end, int column) {
-    constexpr std::size_t base_port = coordinates_of<core_t<I>>;
+    constexpr std::size_t base_port = port_count<core_t<I>> - 2;
     constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, base_port));
     if constexpr (below >= 0) {
       const auto w = transmit(motion_.template joint_pose<I>(), at_end);

@@ -99,7 +99,7 @@ class local_regressor {
   template <std::size_t I>
   KTE_INLINE void place() {
     if constexpr (is_transmission<core_t<I>>) {
-      constexpr std::size_t base = coordinates_of<core_t<I>>;
+      constexpr std::size_t base = port_count<core_t<I>> - 2;
       step_[I] = as<S>(at_port<I, base>().rotation * motion_.template joint_pose<I>().position);
       if constexpr (base > 0)
         for_each_number<joint_dofs<core_t<I>>>([&]<int N>() KTE_INLINE_LAMBDA {

@@ -88,16 +88,17 @@ class chain_reduction {
   }
   /// The pose of a joint is that of its end when its base stands at the origin.
   void add_link(const topology::connection& e, kte_map_chain& to) {
-    const auto& base = name(e.ports[1].what, e.index[1]);
-    const auto& end = name(e.ports[2].what, e.index[2]);
-    if (e.ports[1].what == kind::frame_2D) {
-      state_.get<kind::frame_2D>(e.index[1]) = {};
+    const std::size_t at_end = e.ports.size() - 1, at_base = at_end - 1;
+    const auto& base = name(e.ports[at_base].what, e.index[at_base]);
+    const auto& end = name(e.ports[at_end].what, e.index[at_end]);
+    if (e.ports[at_base].what == kind::frame_2D) {
+      state_.get<kind::frame_2D>(e.index[at_base]) = {};
       e.element->doMotion(state_);
-      to << connect(link_at<kind::frame_2D>(spatial(state_.get<kind::frame_2D>(e.index[2]))), base, end);
+      to << connect(link_at<kind::frame_2D>(spatial(state_.get<kind::frame_2D>(e.index[at_end]))), base, end);
     } else {
-      state_.get<kind::frame_3D>(e.index[1]) = {};
+      state_.get<kind::frame_3D>(e.index[at_base]) = {};
       e.element->doMotion(state_);
-      to << connect(link_at<kind::frame_3D>(state_.get<kind::frame_3D>(e.index[2])), base, end);
+      to << connect(link_at<kind::frame_3D>(state_.get<kind::frame_3D>(e.index[at_end])), base, end);
     }
   }
   /// A locked coordinate that an element acts on stands at a constant distance from nothing.
@@ -154,7 +155,7 @@ struct static_reduction {
       constexpr kind k = coordinate_kind<Core>;
       constexpr int slot = wiring::template find<first_of<Keys...>>();
       const auto m = e.core.relative(position_only(motion_of<types, k, slot>(chain, given)));
-      return link<Core::ports[1].what>(m, static_cast<const std::tuple<Keys...>*>(nullptr));
+      return link<Core::ports.back().what>(m, static_cast<const std::tuple<Keys...>*>(nullptr));
     }
   }
 
@@ -167,6 +168,10 @@ struct static_reduction {
   using first_of = typename first<Keys...>::type;
   template <kind Dim, class M, class Q, class B, class E>
   static constexpr auto link(const M& m, const std::tuple<Q, B, E>*) {
+    return connect(link_at<Dim>(m), B{}, E{});
+  }
+  template <kind Dim, class M, class Q, class Mode, class B, class E>
+  static constexpr auto link(const M& m, const std::tuple<Q, Mode, B, E>*) {
     return connect(link_at<Dim>(m), B{}, E{});
   }
 };

@@ -16,8 +16,8 @@ inline std::string path_in_uri(std::string_view uri) {
   return std::string(uri);
 }
 
-/// Where a name may lead that a file in `folder` has: there, in the folders around it and in their folders `models`, and
-/// then in those of a search path. An absolute one only to itself.
+/// Where a name may lead that a file in `folder` has: there, in the folders around it and in their folders `models`,
+/// and then in those of a search path. An absolute one only to itself.
 inline std::vector<std::filesystem::path> file_places(const std::string& name, const std::filesystem::path& folder,
                                                       const std::vector<std::string>& search_path) {
   using std::filesystem::path;

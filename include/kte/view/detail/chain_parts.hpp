@@ -47,8 +47,12 @@ struct chain_parts {
 
 template <class Core, class... Keys>
 element_parts parts_of(const element<Core, Keys...>& e) {
-  element_parts p{std::string(std::string_view(Core::type)), Core::ports, {std::string(Keys::name)...}, {},
-                  is_transmission<Core>, holds_code<Core>};
+  element_parts p{std::string(std::string_view(Core::type)),
+                  Core::ports,
+                  {std::string(Keys::name)...},
+                  {},
+                  is_transmission<Core>,
+                  holds_code<Core>};
   if constexpr (!holds_code<Core>) p.parameters = record_of(e.core, p.names).parameters;
   return p;
 }
@@ -66,8 +70,8 @@ inline chain_parts parts_of(const kte_map_chain& c) {
   const topology& t = c.wiring();
   p.gravity = c.gravity();
   for (const auto& e : t.elements) {
-    auto& x = p.elements.emplace_back(
-        element_parts{std::string(e.type), e.ports, {}, {}, e.stiff, e.element->holds_code()});
+    auto& x =
+        p.elements.emplace_back(element_parts{std::string(e.type), e.ports, {}, {}, e.stiff, e.element->holds_code()});
     for (std::size_t i = 0; i < e.ports.size(); ++i)
       x.names.push_back(t.names[static_cast<std::size_t>(e.ports[i].what)][static_cast<std::size_t>(e.index[i])]);
     if (!x.holds_code) x.parameters = e.element->record().parameters;
@@ -105,6 +109,8 @@ const auto& chain_in(const Robot& r) {
 
 /// What can be drawn: a static chain, a runtime chain, a robot.
 template <class T>
-concept drawable = requires(const T& c) { detail::parts_of(c); };
+concept drawable = requires(const T& c) {
+  detail::parts_of(c);
+};
 
 }  // namespace kte

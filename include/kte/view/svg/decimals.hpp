@@ -6,7 +6,7 @@
 #include <string>
 
 /// Lengths in pictures as text: decimals of a hundredth.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A length in hundredths, of at most ten million: pictures have no longer ones.
 inline long hundredths(double x) { return std::isnan(x) ? 0 : std::lround(std::clamp(x, -1e5, 1e5) * 100); }
@@ -32,4 +32,4 @@ inline std::string four_digits(double x) {
   return {digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 4).ptr};
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

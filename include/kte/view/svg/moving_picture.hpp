@@ -5,7 +5,7 @@
 
 namespace kte {
 
-namespace detail {
+namespace detail::svg {
 
 /// Begins an animation of an attribute over all of the time, for ever.
 inline svg_writer& begin_animation(svg_writer& out, const char* attribute, const std::string& values, double seconds) {
@@ -110,7 +110,7 @@ class moving_shapes {
   const mechanism_canvas& c_;
 };
 
-}  // namespace detail
+}  // namespace detail::svg
 
 /// A mechanism as it moves in a recording, again and again: SVG 1.1 with animations and no scripts, which browsers show
 /// also as an image of a page; other programs show the first position. Drawn as `picture`; where it does not end as it
@@ -118,20 +118,19 @@ class moving_shapes {
 ///
 /// Throws as `picture`, and `bad_argument` for a recording of one time.
 inline std::string moving_picture(const scene& s, const picture_options& o = {}) {
-  detail::mechanism_canvas c(s, o);
-  const detail::moving_shapes shapes(c);
-  detail::svg_writer out;
-  detail::begin_picture(
-      out, o.width, c.height, o.font, c.font(), c.title(),
-      "Moving for " + detail::four_digits(shapes.seconds) + " s, again and again. " + c.description());
+  using namespace detail::svg;
+  mechanism_canvas c(s, o);
+  const moving_shapes shapes(c);
+  svg_writer out;
+  begin_picture(out, o.width, c.height, o.font, c.font(), c.title(),
+                "Moving for " + four_digits(shapes.seconds) + " s, again and again. " + c.description());
   c.put_ground(out);
   c.put_scale_bar(out);
   out.begin("g");
   if (!shapes.closed()) {
-    detail::begin_animation(out, "opacity", "0;1;1;0", shapes.seconds).set("keyTimes", "0;0.03;0.95;1").end();
+    begin_animation(out, "opacity", "0;1;1;0", shapes.seconds).set("keyTimes", "0;0.03;0.95;1").end();
   }
-  for (std::size_t i = 0; i < c.trails.size(); ++i)
-    shapes.put_trail(out, i, detail::palette[i % detail::palette.size()]);
+  for (std::size_t i = 0; i < c.trails.size(); ++i) shapes.put_trail(out, i, palette[i % palette.size()]);
   shapes.put(out);
   out.end();
   return out.end().document();

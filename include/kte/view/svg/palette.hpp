@@ -4,7 +4,7 @@
 #include <cstddef>
 
 /// Lines that people tell apart, also those who do not see all colours, and in grey.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// The palette of Okabe and Ito, which has no two colours that look alike to the colour-blind; without its yellow,
 /// which does not show on white.
@@ -27,4 +27,4 @@ constexpr line_style style_of(std::size_t i) {
   return {palette[i % palette.size()], dashes[i % dashes.size()], i / all % 2 == 0 ? 0.35 : 0.7};
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -2,7 +2,7 @@
 
 #include <kte/view/svg/decimals.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A point of a picture: mm from its left and upper edge.
 struct picture_point {
@@ -50,4 +50,4 @@ class path_data {
   long x_ = 0, y_ = 0;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -5,7 +5,7 @@
 
 namespace kte {
 
-namespace detail {
+namespace detail::svg {
 
 /// At which times a mechanism is drawn.
 inline std::vector<double> picture_times(const mechanism_canvas& c) {
@@ -32,7 +32,7 @@ inline std::vector<double> picture_times(const mechanism_canvas& c) {
   return times;
 }
 
-}  // namespace detail
+}  // namespace detail::svg
 
 /// A mechanism at some times of a recording over each other, earlier ones paler: SVG 1.1, a text.
 ///
@@ -45,19 +45,19 @@ inline std::vector<double> picture_times(const mechanism_canvas& c) {
 /// Throws `unknown_name` for frames that are not there, `bad_argument` for times that were not recorded, sizes that
 /// give no picture, and scenes whose parts do not fit together.
 inline std::string picture(const scene& s, const picture_options& o = {}) {
-  detail::mechanism_canvas c(s, o);
-  const auto times = detail::picture_times(c);
+  using namespace detail::svg;
+  mechanism_canvas c(s, o);
+  const auto times = picture_times(c);
   c.fit(times);
-  detail::svg_writer out;
+  svg_writer out;
   std::string when = times.size() == 1 ? "At " : "At " + std::to_string(times.size()) + " times from ";
-  when += detail::four_digits(times.front()) + (times.size() == 1 ? "" : " to " + detail::four_digits(times.back())) +
-          " s. ";
-  detail::begin_picture(out, o.width, c.height, o.font, c.font(), c.title(), when + c.description());
+  when += four_digits(times.front()) + (times.size() == 1 ? "" : " to " + four_digits(times.back())) + " s. ";
+  begin_picture(out, o.width, c.height, o.font, c.font(), c.title(), when + c.description());
   for (std::size_t i = 0; i < c.trails.size(); ++i) {
     const auto points =
         c.trail(c.trails[i], times.size() == 1 ? c.shown_times.back() : *std::max_element(times.begin(), times.end()));
-    detail::shape_style style = detail::styles::trail;
-    style.stroke = detail::palette[i % detail::palette.size()];
+    shape_style style = styles::trail;
+    style.stroke = palette[i % palette.size()];
     if (points.size() > 1) put_shape(out, {style, "path of " + o.trails[i], points});
   }
   c.put_ground(out);
@@ -65,7 +65,7 @@ inline std::string picture(const scene& s, const picture_options& o = {}) {
     const double last = static_cast<double>(times.size() - 1), part = last > 0 ? static_cast<double>(i) / last : 1;
     out.begin("g");
     if (i + 1 < times.size()) out.set("opacity", o.palest + (1 - o.palest) * part);
-    out.element("title", "t = " + detail::four_digits(times[i]) + " s");
+    out.element("title", "t = " + four_digits(times[i]) + " s");
     for (const auto& shape : c.shapes.at(c.motion.frames(times[i]))) put_shape(out, shape);
     out.end();
   }

@@ -17,9 +17,10 @@ namespace kte {
 /// Throws `unknown_name` for a column that is not there, `bad_argument` for a table without columns or with columns of
 /// different lengths, and sizes that give no picture.
 inline std::string plot(const table& t, const std::vector<std::string>& columns = {}, const plot_options& o = {}) {
-  detail::check_plot_options(o);
-  const detail::plot_layout layout(t, columns, o);
-  return detail::plot_drawing(layout, o).text();
+  using namespace detail::svg;
+  check_plot_options(o);
+  const plot_layout layout(t, columns, o);
+  return plot_drawing(layout, o).text();
 }
 
 /// The same in a file, which is replaced only when all is written. Throws `bad_file` where that cannot be.

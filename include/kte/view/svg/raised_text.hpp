@@ -3,7 +3,7 @@
 #include <kte/view/svg/svg_writer.hpp>
 #include <kte/view/svg/text_width.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A text with an exponent: "energy (10", "-9", " J)".
 struct raised_text {
@@ -27,4 +27,4 @@ inline void put_raised(svg_writer& out, const raised_text& t, double font_size) 
 /// A whole number for people: with the sign of a minus, not a hyphen.
 inline std::string signed_text(long long n) { return (n < 0 ? "−" : "") + std::to_string(n < 0 ? -n : n); }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// Writes elements of XML, well-formed for any text:
 ///
@@ -70,4 +70,4 @@ inline void begin_picture(svg_writer& out, double width, double height, std::str
   out.begin("rect").set("width", width).set("height", height).set("fill", "#fff").end();
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// How wide texts are, for layouts: fonts differ.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// Of a character, in sizes of the font: that of a wide sans-serif font; ideographs and symbols are squares.
 constexpr double character_width(char32_t c) {
@@ -57,4 +57,4 @@ inline std::string shortened(std::string_view text, double room) {
   return head + "…" + tail;
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

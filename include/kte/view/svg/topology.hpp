@@ -11,8 +11,8 @@ namespace kte {
 ///
 /// Throws `bad_argument` for sizes that give no picture, and scenes whose parts do not fit together.
 inline std::string topology_picture(const scene& s, const topology_options& o = {}) {
-  const detail::rigid_groups groups(s);
-  return detail::topology_drawing(s, groups, o).text();
+  const detail::svg::rigid_groups groups(s);
+  return detail::svg::topology_drawing(s, groups, o).text();
 }
 
 /// The same in a file, which is replaced only when all is written. Throws `bad_file` where that cannot be.

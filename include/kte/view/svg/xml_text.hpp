@@ -3,7 +3,7 @@
 #include <kte/io/utf8.hpp>
 
 /// Texts of any bytes as text of XML.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A character of a text and how many bytes it takes. What is no UTF-8 is U+FFFD, one byte at a time.
 struct text_character {
@@ -54,4 +54,4 @@ inline void append_xml(std::string& out, std::string_view text) {
   }
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -4,7 +4,7 @@ import { decode_array } from './base64.js';
 import { coordinate_parts } from './coordinate_parts.js';
 import { Samples } from './samples.js';
 
-class Column {
+export class Column {
   constructor(name, unit, read) {
     this.name = String(name);
     this.unit = String(unit ?? '1');

@@ -12,6 +12,7 @@ export class Simulation {
     this.engine = engine;
     this.running = false;
     this.damping = 0;
+    this.pace = 1;  // of what the clock and the speed ask for, the mean of late
   }
 
   start(q, v) {
@@ -23,9 +24,9 @@ export class Simulation {
 
   read() {
     const { t, q, v, energy } = this.engine.state();
-    Object.assign(this, { time: t, q, v, energy });
+    Object.assign(this, { time: t, q, v, energy: energy.kinetic + energy.potential });
     this.poses = this.engine.poses(q);
-    if (!this.recording.add(t, this.poses, q)) this.running = false;
+    if (!this.recording.add(t, this.poses, q, this.energy)) this.running = false;
   }
 
   set_damping(c) {
@@ -35,6 +36,7 @@ export class Simulation {
 
   advance(elapsed, speed) {
     if (!this.running) return;
+    const begin = this.time;
     const end = this.time + Math.min(elapsed, longest_step) * speed, latest = performance.now() + most_milliseconds;
     while (this.running && this.time < end) {
       const left = latest - performance.now();
@@ -42,5 +44,6 @@ export class Simulation {
       this.engine.step(Math.min(sample * speed, end - this.time), left);
       this.read();
     }
+    if (elapsed > 0) this.pace += 0.1 * ((this.time - begin) / (elapsed * speed) - this.pace);
   }
 }

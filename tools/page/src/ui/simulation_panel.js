@@ -31,8 +31,8 @@ export class SimulationPanel {
     const running = simulation?.running ?? false;
     const text = running ? 'Pause' : simulation?.recording ? 'Go on' : 'Simulate';
     if (this.run.textContent !== text) this.run.textContent = text;
-    const state = simulation?.recording
-      ? `t = ${number(simulation.time, 4)} s, energy ${number(simulation.energy.kinetic + simulation.energy.potential, 4)} J` : '';
+    const slow = running && simulation.pace < 0.8 ? `, at ${number(simulation.pace, 1)} of the speed asked for` : '';
+    const state = simulation?.recording ? `t = ${number(simulation.time, 4)} s, energy ${number(simulation.energy, 4)} J${slow}` : '';
     if (this.status.textContent !== state) this.status.textContent = state;
   }
 }

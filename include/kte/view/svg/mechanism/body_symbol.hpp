@@ -4,7 +4,7 @@
 #include <kte/view/svg/mechanism/scene_view.hpp>
 #include <kte/view/svg/mechanism/styles.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// Three directions of a body, as long as the half axes of its ellipsoid, in the world.
 inline std::array<vec3<>, 3> half_axes(const scene::body& b, const placed_frame& f) {
@@ -40,4 +40,4 @@ inline drawn_shape body_symbol(const scene_view& view, const scene::body& b, con
           true};
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -5,7 +5,7 @@
 #include <kte/view/svg/palette.hpp>
 #include <kte/view/svg/text_width.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// Refuses options that give no picture.
 inline void check_picture_options(const picture_options& o) {
@@ -158,4 +158,4 @@ class mechanism_canvas {
   }
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// How a shape is drawn; texts of the program.
 struct shape_style {
@@ -70,4 +70,4 @@ std::vector<Point> ellipse_points(double from, int quarters, const At& at) {
   return points;
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

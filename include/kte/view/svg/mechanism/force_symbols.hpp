@@ -5,7 +5,7 @@
 #include <kte/view/svg/mechanism/styles.hpp>
 
 /// Symbols of what acts between frames, in mm of the picture.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A straight line between two points with a direction across it.
 class symbol_line {
@@ -72,4 +72,4 @@ inline drawn_shape beam_symbol(const scene_view& view, const placed_frame& a, co
           true};
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -4,7 +4,7 @@
 #include <kte/view/svg/mechanism/styles.hpp>
 
 /// Symbols of joints, by kind, as seen from the direction of the view.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A joint in the picture.
 struct joint_place {
@@ -93,4 +93,4 @@ class joint_symbols {
   std::vector<drawn_shape>& out_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

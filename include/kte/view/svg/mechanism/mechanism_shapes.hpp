@@ -6,7 +6,7 @@
 #include <kte/view/svg/mechanism/options.hpp>
 
 /// A mechanism in a position as lines and areas: at all times the same ones.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 class mechanism_shapes {
  public:
@@ -40,9 +40,17 @@ class mechanism_shapes {
   static std::string named(const std::string& type, const std::string& name) {
     return name.empty() ? type : name + " (" + type + ")";
   }
+  /// The joint that a spring on a coordinate acts in, or nullptr.
+  const scene::joint* joint_of(const scene::force& f) const {
+    if (f.kind != "spring" || !f.frames.empty() || f.coordinates.size() != 1) return nullptr;
+    for (const auto& j : scene_.joints)
+      if ((j.kind == "revolute" || j.kind == "prismatic") && j.coordinates == f.coordinates) return &j;
+    return nullptr;
+  }
   bool has_symbol(const scene::force& f) const {
     if (f.kind == "torsion_spring") return !f.frames.empty();
-    return f.frames.size() >= 2 && f.kind != "contact";
+    if (f.type.starts_with("torsion_") || f.kind == "contact") return false;
+    return f.frames.size() >= 2 || joint_of(f) != nullptr;
   }
 
   void put_link(std::vector<drawn_shape>& out, const placed_frame& a, const placed_frame& b, const shape_style& style,
@@ -104,11 +112,12 @@ class mechanism_shapes {
   void put_force(std::vector<drawn_shape>& out, const scene::force& f, const std::vector<placed_frame>& frames) const {
     if (!has_symbol(f)) return;
     const std::string name = named(f.type, f.name);
-    const auto& a = frames[index(f.frames[0])];
-    const auto& b = frames[index(f.frames.back())];
+    const auto* const joint = joint_of(f);
+    const auto& a = frames[index(joint != nullptr ? joint->before : f.frames[0])];
+    const auto& b = frames[index(joint != nullptr ? joint->after : f.frames.back())];
     const auto from = view_(a.position), to = view_(b.position);
     const double r = o_.joint_radius;
-    if (f.kind == "torsion_spring") {
+    if (f.kind == "torsion_spring" || (joint != nullptr && joint->kind == "revolute")) {
       out.push_back(spiral_symbol(to, 1.2 * r, name));
     } else if (f.kind == "spring") {
       out.push_back(spring_symbol(from, to, 0.9 * r, name));
@@ -129,4 +138,4 @@ class mechanism_shapes {
   const picture_options& o_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

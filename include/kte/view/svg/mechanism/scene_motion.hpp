@@ -5,7 +5,7 @@
 #include <kte/math/quaternion.hpp>
 #include <kte/view/scene.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// Where a frame is in the world.
 struct placed_frame {
@@ -92,4 +92,4 @@ class scene_motion {
   const scene::recording* recording_ = nullptr;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -4,7 +4,7 @@
 #include <kte/view/scene.hpp>
 #include <kte/view/svg/path_data.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 inline double length(const vec3<>& v) { return std::sqrt(dot(v, v)); }
 /// A vector of length 1, or another where it has none.
@@ -57,4 +57,4 @@ class scene_view {
   double scale_ = 1, x_ = 0, y_ = 0;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -8,7 +8,7 @@
 #include <set>
 
 /// What stays where it is in a picture of a mechanism: the ground, the scale.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// The frames by which a mechanism stands on the world: those at rest that something begins at, and that no link holds.
 inline std::set<int> grounded_frames(const scene_motion& motion) {
@@ -63,4 +63,4 @@ inline round_length round_length_of(double metres) {
   return {rounded, std::to_string(whole) + "e" + std::to_string(power) + " m"};
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -3,7 +3,7 @@
 #include <kte/view/svg/plot/number_range.hpp>
 #include <kte/view/svg/plot/ticks.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// One direction of a panel: from numbers to places, mm.
 class plot_axis {
@@ -50,4 +50,4 @@ inline tick_list fitting_ticks(const plot_axis& axis, double font_size) {
   }
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -2,7 +2,7 @@
 
 #include <kte/view/svg/plot/ticks.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// "elbow - 1.5 (10^-6 rad)": what an axis shows, and the number in common and the factor that its labels leave out.
 inline raised_text axis_label(std::string name, const std::string& unit, const tick_list& list) {
@@ -17,4 +17,4 @@ inline raised_text axis_label(std::string name, const std::string& unit, const t
   return {unit.empty() ? name : name + open + unit + ")"};
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

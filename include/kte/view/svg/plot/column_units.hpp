@@ -9,7 +9,7 @@ namespace kte {
 /// Units by names, of coordinates and inputs or of columns: `{{"elbow", "rad"}, {"slide", "m"}, {"motor", "N m"}}`.
 using unit_map = std::map<std::string, std::string, std::less<>>;
 
-namespace detail {
+namespace detail::svg {
 
 /// What the numbers of a column are.
 struct column_meaning {
@@ -47,9 +47,16 @@ inline column_meaning meaning_on_coordinate(char which, std::string_view unit) {
   }
 }
 
+/// As it is printed: "m/s²" for "m/s^2".
+inline std::string printed_unit(std::string unit) {
+  for (const auto& [plain, raised] : {std::pair("^2", "²"), std::pair("^3", "³")})
+    for (auto at = unit.find(plain); at != unit.npos; at = unit.find(plain)) unit.replace(at, 2, raised);
+  return unit;
+}
+
 /// What recorders mean by the name of a column.
 inline column_meaning meaning_of_column(std::string_view name, const unit_map& units) {
-  if (const auto u = units.find(name); u != units.end()) return meaning_on_coordinate('q', u->second);
+  if (const auto u = units.find(name); u != units.end()) return meaning_on_coordinate('q', printed_unit(u->second));
   if (name == "t" || name == "time") return {"s", "time"};
   std::string_view thing = name, part;
   const auto cut = [&] {
@@ -67,7 +74,8 @@ inline column_meaning meaning_of_column(std::string_view name, const unit_map& u
     const auto u = units.find(thing);
     return meaning_on_coordinate(part[0], u == units.end() ? std::string_view() : std::string_view(u->second));
   }
-  if (const auto u = units.find(thing); u != units.end()) return meaning_on_coordinate('q', u->second);  // pull/x
+  if (const auto u = units.find(thing); u != units.end())
+    return meaning_on_coordinate('q', printed_unit(u->second));  // pull/x
   const char component = part[0];
   cut();
   for (const auto& q : recorded_quantities)
@@ -76,5 +84,5 @@ inline column_meaning meaning_of_column(std::string_view name, const unit_map& u
   return {};
 }
 
-}  // namespace detail
+}  // namespace detail::svg
 }  // namespace kte

@@ -5,7 +5,7 @@
 #include <kte/view/svg/plot/options.hpp>
 
 /// Which columns of a table are plotted, and where.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 struct plot_column {
   std::string name;
@@ -54,7 +54,7 @@ class plot_columns {
 
  private:
   bool belongs(const plot_panel& p, const plot_column& c) const {
-    return options_.share == panels::one || (options_.share == panels::by_unit && p.meaning == c.meaning);
+    return options_.share == panels::together || (options_.share == panels::by_unit && p.meaning == c.meaning);
   }
   plot_column column(std::size_t j) const {
     return {table_.names[j], &table_.columns[j], meaning_of_column(table_.names[j], options_.units)};
@@ -90,4 +90,4 @@ class plot_columns {
   const plot_options& options_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A curve through many points as a path that looks the same: of points in a row within 0.1 mm from left to right it
 /// has the first, the lowest, the highest and the last, so that no spike is lost.
@@ -55,4 +55,4 @@ class curve_path {
   picture_point at_{};
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

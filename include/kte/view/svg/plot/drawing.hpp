@@ -4,7 +4,7 @@
 #include <kte/view/svg/plot/layout.hpp>
 
 /// From the layout of a plot to SVG.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 class plot_drawing {
  public:
@@ -128,4 +128,4 @@ class plot_drawing {
   svg_writer out_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

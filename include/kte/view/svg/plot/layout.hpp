@@ -6,7 +6,7 @@
 #include <optional>
 
 /// Where the parts of a plot are, mm.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A panel and what is drawn of it.
 struct placed_panel {
@@ -111,4 +111,4 @@ class plot_layout {
   }
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -4,7 +4,7 @@
 #include <kte/view/svg/svg_writer.hpp>
 #include <kte/view/svg/text_width.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// Sets the style of a curve.
 inline void set_style(svg_writer& out, const line_style& s, bool dashed) {
@@ -50,4 +50,4 @@ class legend {
   std::vector<std::string> names_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// The least and the largest of some numbers; NaN and infinities are passed over.
 struct number_range {
@@ -40,4 +40,4 @@ inline number_range shown_logarithmic_range(number_range r, double part) {
   return {(std::max)(r.low / factor, least), (std::min)(r.high * factor, most)};
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -10,9 +10,9 @@ namespace kte {
 
 /// Which curves share a panel.
 enum class panels {
-  by_unit,  ///< those of one quantity: all angles, all velocities
-  one,      ///< all
-  each      ///< none
+  by_unit,   ///< those of one quantity: all angles, all velocities
+  together,  ///< all
+  each       ///< none
 };
 
 /// How a table is plotted: `kte::write_plot("run.svg", run, {"elbow", "elbow/v"}, {.width = 85})`.

@@ -4,7 +4,7 @@
 #include <kte/view/svg/plot/columns.hpp>
 #include <kte/view/svg/plot/curve_path.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// Curves of one panel over an axis, in words where something is not shown.
 struct panel_curves {
@@ -74,4 +74,4 @@ class panel_data {
   double from_, to_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -8,7 +8,7 @@
 #include <optional>
 
 /// Where axes have ticks. All numbers of doubles are fine, also the least and the largest.
-namespace kte::detail {
+namespace kte::detail::svg {
 
 struct tick {
   double value;
@@ -127,4 +127,4 @@ inline tick_list logarithmic_ticks(double low, double high, std::size_t most) {
   return list;
 }
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

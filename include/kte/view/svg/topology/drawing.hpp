@@ -7,7 +7,7 @@
 #include <kte/view/svg/topology/rigid_groups.hpp>
 #include <kte/view/svg/topology/tidy_tree.hpp>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// The letter of a joint in the theory of mechanisms.
 inline const char* joint_letter(std::string_view kind) {
@@ -248,4 +248,4 @@ class topology_drawing {
   svg_writer out_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

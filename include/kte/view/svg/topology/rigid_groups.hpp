@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// What moves as one, and what connects it: the graph of a scene.
 class rigid_groups {
@@ -109,4 +109,4 @@ class rigid_groups {
   std::map<int, int> joint_of_;  ///< the group behind the joint of a coordinate
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace kte::detail {
+namespace kte::detail::svg {
 
 /// A tree in layers, laid out such that nothing overlaps: parents stand over the middle of their children, and subtrees
 /// are as close to each other as their outlines allow (E. Reingold, J. Tilford, Tidier drawings of trees, 1981).
@@ -71,4 +71,4 @@ class tidy_tree {
   double gap_;
 };
 
-}  // namespace kte::detail
+}  // namespace kte::detail::svg

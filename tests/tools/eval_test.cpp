@@ -1,4 +1,4 @@
-/// What examples/evaluate prints, and what it says of bad tables.
+/// What `kte eval` prints, and what it says of bad tables.
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
@@ -8,10 +8,10 @@
 
 #include "catch.hpp"
 #include "digits50.hpp"
-#include "evaluate/fixed_bodies.hpp"
-#include "evaluate/rows.hpp"
-#include "evaluate/runtime_model.hpp"
-#include "evaluate/static_main.hpp"
+#include "eval/fixed_bodies.hpp"
+#include "eval/rows.hpp"
+#include "eval/runtime_model.hpp"
+#include "eval/static_main.hpp"
 #include "io/scratch.hpp"
 
 namespace {
@@ -121,6 +121,23 @@ TEST_CASE("a robot that is a type has the same rows") {
   const auto row = numbers_of(text.substr(expected[0].size() + 1)), same = numbers_of(expected[1]);
   REQUIRE(row.size() == same.size());
   for (std::size_t i = 0; i < row.size(); ++i) CHECK(row[i] == within(same[i], 4e-15 * (1 + std::abs(same[i]))));
+}
+
+TEST_CASE("operations are chosen by name") {
+  evaluate::options o;
+  o.ops = "g,com,h,did";
+  const auto lines = table_of<double>(pendulum(), "q_0,v_0,a_0\n0.5,2,1\n", {"q"}, o);
+  CHECK(lines.at(0) == "g_0,h_0,com_x,com_y,com_z,did_dq_0_0,did_dv_0_0");
+  const auto row = numbers_of(lines.at(1));
+  CHECK(row[0] == within(15 * std::cos(0.5), 1e-14));
+  CHECK(row[1] == row[0]);
+  CHECK(row[5] == within(-15 * std::sin(0.5), 1e-14));
+  o.ops = "fd";
+  CHECK_THROWS_MATCHES(table_of<double>(pendulum(), "q_0,v_0\n0.5,2\n", {"q"}, o), kte::bad_file,
+                       kte::test::says("missing columns: tau_0"));
+  o.ops = "m,fdd";
+  CHECK_THROWS_MATCHES(table_of<double>(pendulum(), "q_0,v_0\n", {"q"}, o), kte::bad_argument,
+                       kte::test::says("there is no operation 'fdd', but id, fd, m, g, h, energy, com, did, dfd"));
 }
 
 TEST_CASE("what needs columns that are not there is left out, and there may be no rows") {

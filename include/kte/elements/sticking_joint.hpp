@@ -1,0 +1,177 @@
+#pragma once
+
+#include <kte/contract/coordinate_holder.hpp>
+#include <kte/elements/prismatic_joint.hpp>
+#include <kte/elements/revolute_joint.hpp>
+#include <kte/elements/spring.hpp>
+
+namespace kte {
+
+/// Dry friction of a joint by what it carries.
+struct dry_friction_parameters {
+  double friction;                    ///< mu, coefficient of sliding friction; not negative
+  double static_friction = friction;  ///< mu_s, coefficient of static friction; not below mu
+  double span = 0;                    ///< L, distance between two bearings, m; 0: moments do not press
+};
+
+namespace core {
+
+/// A revolute or prismatic joint with dry friction that truly rests. Its end carries a force F and, about its origin, a
+/// moment M. What presses across the axis n is
+///
+///   N = |F_n|,                     F_n = F - (n . F) n                        of one bearing          (1)
+///   N = |F_n/2 + C| + |F_n/2 - C|, C = M x n / L            of two, at +-L/2 n from the origin        (2)
+///
+/// The element keeps which way the joint slides, d, or that it is held (contract/coordinate_holder.hpp):
+///
+///   sliding   f -= mu r N d                                                                           (3)
+///   held      q'' = 0, for as long as that takes no more than mu_s r N                                (4)
+///
+/// r: the radius of the bearing of a revolute joint, 1 of a guide.
+template <class Joint>
+struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_holder {
+  static constexpr bool turns = Joint::ports[0].how == access::angle;
+  static constexpr kind dim = Joint::ports[1].what;
+  static constexpr auto type = [] {
+    if constexpr (turns) {
+      return type_name{"sticking_revolute_joint", dim};
+    } else {
+      return type_name{"sticking_prismatic_joint", dim};
+    }
+  }();
+  static constexpr std::array<port, 4> ports{
+      {Joint::ports[0], {kind::internal, access::keep, "mode"}, Joint::ports[1], Joint::ports[2]}};
+  static constexpr bool reads_reaction = true;
+  using transmission<sticking_joint>::doMotion, transmission<sticking_joint>::doForce;
+  using Joint::axis;
+
+  double radius;  ///< r, m
+  dry_friction_parameters p;
+
+  constexpr sticking_joint(const Joint& joint, double r, const dry_friction_parameters& x)
+      : Joint(joint), radius(r), p(x) {}
+
+  template <class C, class Mode, class Wrench>
+  KTE_INLINE constexpr auto friction(const C& c, const Mode& mode, const Wrench& end) const {
+    using S = number<decltype(c.q_dot), Mode>;
+    const S z = as<S>(mode);
+    return unless_held(z, S(-(S(p.friction * radius) * pressing_force<S>(end) * direction(z, as<S>(c.q_dot)))));  // (3)
+  }
+  template <class C, class Mode, class Base, class Wrench>
+  KTE_INLINE constexpr auto capacity(const C& c, const Mode&, const Base&, const Wrench& end) const {
+    using S = number<decltype(c.q_dot), Mode>;
+    return S(S(p.static_friction * radius) * pressing_force<S>(end));  // (4)
+  }
+  constexpr void check(const parameter_check& where) const {
+    Joint::check(where);
+    where.not_negative(radius, "radius must be finite and not negative");
+    where.not_negative(p.friction, "friction must be finite and not negative");
+    where.finite(p.static_friction, "static_friction must be finite and not below friction");
+    where.require(p.static_friction >= p.friction, "static_friction must be finite and not below friction",
+                  p.static_friction);
+    where.not_negative(p.span, "span must be finite and not negative");
+    if constexpr (!has_span)
+      where.require(p.span == 0, "span must be 0: in the plane a moment turns the joint", p.span);
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    Joint::parameters(self, visit);
+    if constexpr (turns) visit("radius", self.radius);
+    visit("friction", self.p.friction), visit("static_friction", self.p.static_friction);
+    if constexpr (has_span) visit("span", self.p.span);
+  }
+
+ private:
+  static constexpr bool has_span = !turns || dim == kind::frame_3D;
+
+  template <class S, class F, class T>
+  KTE_INLINE constexpr S pressing_force(const wrench<F, T>& end) const {
+    const auto length = [](const auto& x) { return as<S>(detail::to_polar(x).length); };
+    const auto across = end.force - dot(axis, end.force) * axis;
+    if (p.span == 0) return length(across);  // (1)
+    const auto half = 0.5 * across;
+    const auto couple = 1 / p.span * cross(end.torque, axis);
+    return S(length(half + couple) + length(half - couple));  // (2)
+  }
+};
+
+}  // namespace core
+
+/// A revolute joint on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal state: events
+/// switch it (docs/events.md). In the plane all force is across the axis.
+template <class Q, class Z, class B, class E>
+constexpr auto sticking_revolute_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                          double radius, const dry_friction_parameters& friction) {
+  using joint = core::revolute_joint<kind::frame_2D, std::remove_const_t<decltype(axis::z)>>;
+  return connect(core::sticking_joint<joint>(joint(axis::z), radius, friction), coordinate, mode, base, end);
+}
+template <class Q, class Z, class B, class E, class X, class Y, class W>
+constexpr auto sticking_revolute_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                          const vec3<X, Y, W>& axis, double radius,
+                                          const dry_friction_parameters& friction) {
+  using joint = core::revolute_joint<kind::frame_3D, vec3<X, Y, W>>;
+  return connect(core::sticking_joint<joint>(joint(axis), radius, friction), coordinate, mode, base, end);
+}
+/// A prismatic joint with dry friction that sticks, along a unit axis in base axes.
+template <class Q, class Z, class B, class E, geometric Axis>
+constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                           const Axis& axis, const dry_friction_parameters& friction) {
+  const auto n = detail::planar(axis);
+  using joint = core::prismatic_joint<kind::frame_2D, std::remove_const_t<decltype(n)>>;
+  return connect(core::sticking_joint<joint>(joint(n), 1, friction), coordinate, mode, base, end);
+}
+template <class Q, class Z, class B, class E, class X, class Y, class W>
+constexpr auto sticking_prismatic_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                           const vec3<X, Y, W>& axis, const dry_friction_parameters& friction) {
+  using joint = core::prismatic_joint<kind::frame_3D, vec3<X, Y, W>>;
+  return connect(core::sticking_joint<joint>(joint(axis), 1, friction), coordinate, mode, base, end);
+}
+
+KTE_CALL(sticking_revolute_joint_2D, "(coordinate, mode, base, end, radius, {friction[, static_friction]})")
+KTE_CALL(sticking_revolute_joint_3D, "(coordinate, mode, base, end, axis, radius, {friction[, static_friction, span]})")
+KTE_CALL(sticking_prismatic_joint_2D, "(coordinate, mode, base, end, axis, {friction[, static_friction, span]})")
+KTE_CALL(sticking_prismatic_joint_3D, "(coordinate, mode, base, end, axis, {friction[, static_friction, span]})")
+
+namespace detail {
+/// How model files make them.
+struct sticking_joint_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add(
+        "sticking_revolute_joint_2D",
+        [](const auto& x) {
+          if (x.vector("axis") != as<double>(axis::z)) x.fail("has an axis other than z");
+          return x.placed(sticking_revolute_joint_2D(
+              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.number("radius"),
+              {.friction = x.number("friction"), .static_friction = x.number("static_friction")}));
+        },
+        "radius, {friction, static_friction}");
+    add(
+        "sticking_revolute_joint_3D",
+        [](const auto& x) {
+          return x.placed(sticking_revolute_joint_3D(
+              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.vector("axis"), x.number("radius"),
+              {x.number("friction"), x.number("static_friction"), x.number("span")}));
+        },
+        "axis, radius, {friction, static_friction, span}");
+    add(
+        "sticking_prismatic_joint_2D",
+        [](const auto& x) {
+          return x.placed(sticking_prismatic_joint_2D(
+              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.planar_vector("axis"),
+              {x.number("friction"), x.number("static_friction"), x.number("span")}));
+        },
+        "axis, {friction, static_friction, span}");
+    add(
+        "sticking_prismatic_joint_3D",
+        [](const auto& x) {
+          return x.placed(sticking_prismatic_joint_3D(
+              x.name("coordinate"), x.name("mode"), x.name("base"), x.name("end"), x.vector("axis"),
+              {x.number("friction"), x.number("static_friction"), x.number("span")}));
+        },
+        "axis, {friction, static_friction, span}");
+  }
+};
+}  // namespace detail
+
+}  // namespace kte
