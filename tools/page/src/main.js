@@ -15,9 +15,10 @@ function say(text) {
 function begin() {
   const scene = read_scene(by_id('kte-scene').textContent);
   if (scene === null) {
-    document.body.classList.add('still', 'no-tree', 'no-side');
+    document.body.classList.add('no-scene');
     const theme = new Theme(() => {});
     by_id('theme').addEventListener('click', () => theme.toggle());
+    by_id('help').addEventListener('click', () => by_id('help-dialog').showModal());
     say('There is no mechanism in this page. kte::write_page and "kte view" put one into a copy of it.');
     return;
   }
