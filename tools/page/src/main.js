@@ -1,6 +1,7 @@
 // Begins: reads the scene of the page and shows it, or says why not.
 
 import 'uplot/dist/uPlot.min.css';
+import { LiveViewer } from './live.js';
 import { read_scene } from './scene/read_scene.js';
 import { by_id } from './ui/element.js';
 import { Theme } from './ui/theme.js';
@@ -21,7 +22,7 @@ function begin() {
     say('There is no mechanism in this page. kte::write_page and "kte view" put one into a copy of it.');
     return;
   }
-  window.kte_page = new Viewer(scene, say);
+  window.kte_page = by_id('kte-live') ? new LiveViewer(scene, say) : new Viewer(scene, say);
 }
 
 try {
