@@ -126,16 +126,16 @@ for file in swing.csv swing.npy swing.mcap swing.tsv; do
   gives 0 'kte: wrote swing.html' "$kte" view pendulum.json $file -o swing.html
 done
 gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --output both.html --title Both
-gives 1 'column' "$kte" view arm.urdf target.csv
-mv pendulum.html aside.html
-PATH=/nowhere gives 1 "cannot run 'xdg-open'" "$kte" view pendulum.json --open
+printf 't,x\n0,1\n' >none.csv
+gives 1 "no columns of coordinates by which the mechanism moves: 'q'" "$kte" view pendulum.json none.csv
+gives 1 "cannot run 'xdg-open'" env PATH=/nowhere "$kte" view pendulum.json --open
 mkdir browser && printf '#!/bin/sh\nprintf "%%s\\n" "$@" >>"$0.log"\n' >browser/xdg-open && chmod +x browser/xdg-open
-PATH=$PWD/browser:$PATH gives 0 '' "$kte" view pendulum.json --open -o '-a; touch called.html'
+gives 0 'kte: wrote -a; touch called.html' env PATH="$PWD/browser:$PATH" "$kte" view pendulum.json --open -o '-a; touch called.html'
 if ! grep -qxF "$PWD/-a; touch called.html" browser/xdg-open.log; then wrong 'xdg-open gets another name'; fi
 gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
 if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
 gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
-gives 1 "no column 'nothing'" "$kte" plot swing.csv nothing
+gives 1 "cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
 gives 1 'pictures are SVG' "$kte" plot swing.csv q -o swing.png
 
 # ik

@@ -86,7 +86,7 @@ std::string mobility_text(const structure& s) {
 }
 
 std::string text_of(const findings& f, const options& o) {
-  const auto& file = o.in.file;
+  const auto file = printable(o.in.file);
   std::string s;
   for (const auto& text : texts_of(f.odd, file)) s += text + '\n';
   if (s.empty()) s = file + ": nothing odd is found\n";

@@ -118,7 +118,7 @@ class tree_text {
 
 std::string text_of(const mechanism& m, const structure& s) {
   const auto& g = m.chain().gravity();
-  std::string t = m.file + " (" + m.format + "): '" + m.robot.name + "'\n";
+  std::string t = printable(m.file) + " (" + m.format + "): '" + m.robot.name + "'\n";
   t += counted(static_cast<std::size_t>(m.chain().dofs()), "number") + " in v, " + std::to_string(m.chain().nq()) +
        " in q; " + (s.bodies.size() == 1 ? "1 body" : std::to_string(s.bodies.size()) + " bodies") + " of " +
        short_number(s.mass) + " kg; " + counted(s.frames.size(), "frame") + "; " + short_number(s.size) +
@@ -152,7 +152,7 @@ std::string text_of(const mechanism& m, const structure& s) {
          std::to_string(solid) + " to collide with\n";
   }
   if (const auto n = texts_of(m.robot.not_read, "").size())
-    t += "\n" + counted(n, "thing") + " of the file not read: kte check " + m.file + '\n';
+    t += "\n" + counted(n, "thing") + " of the file not read: kte check " + printable(m.file) + '\n';
   return t;
 }
 

@@ -25,7 +25,7 @@ struct options {
   std::string start, configuration, pd, input, record;
   std::vector<std::string> columns;
   std::optional<double> kp, kd;
-  bool motors = false, frames = false, json = false;
+  bool motors = false, compensate = false, frames = false, json = false;
 };
 
 /// q and v at the start.
@@ -107,14 +107,15 @@ std::string text_of(const options& o, const mechanism& m, const summary& s) {
     return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
            short_number(e.kinetic) + ", potential " + short_number(e.potential) + '\n';
   };
-  std::string t = m.file + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " + std::to_string(n.steps) +
-                  " steps, " + std::to_string(n.rejected) + " rejected, " + std::to_string(n.evaluations) +
-                  " evaluations" + (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
+  std::string t = printable(m.file) + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " +
+                  std::to_string(n.steps) + " steps, " + std::to_string(n.rejected) + " rejected, " +
+                  std::to_string(n.evaluations) + " evaluations" +
+                  (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
                   short_number(s.seconds) + " s of time\n";
   t += s.control;
   t += energy("start", s.before) + energy("end", s.after);
   t += "change of energy: " + short_number(total(s.after) - total(s.before)) + " J\n";
-  if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + o.record + '\n';
+  if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + printable(o.record) + '\n';
   t += "state at the end\n";
   char digits[64];
   for (const auto& e : kte::layout(m.chain())) {
@@ -151,7 +152,7 @@ void check_settings(const options& o) {
   };
   positive("--time", o.run.end), positive("--tolerance", o.run.tolerance);
   positive("--step", o.run.step), positive("--every", o.run.every);
-  if (o.pd.empty() && (o.kp || o.kd)) throw usage_error("--kp and --kd are gains of --pd");
+  if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
   if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
   if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
 }
@@ -196,13 +197,12 @@ int simulate(options& o) {
   std::optional<evaluate::state_table> targets;
   if (!o.pd.empty()) {
     targets.emplace(o.pd);
-    d.pd.emplace(*targets, m, m.chain());
-    auto state = m.chain().make_state();
-    const auto& mass = kte::mass_matrix(m.chain(), state, start.q);
+    d.pd.emplace(*targets, m, m.chain(), o.compensate);
+    const auto masses = d.pd->largest_masses(start.q);
     s.control = "PD control";
     for (const auto& e : kte::layout(m.chain())) {
       if (e.nv != 1) continue;
-      const double felt = mass(e.v, e.v), kp = o.kp.value_or(100 * felt), kd = o.kd.value_or(20 * felt);
+      const double felt = masses[e.v], kp = o.kp.value_or(100 * felt), kd = o.kd.value_or(20 * felt);
       const auto before = d.pd->joints().size();
       d.pd->add({e.q, e.v, place_of_input(p.model(), force_of[static_cast<std::size_t>(e.v)]), kp, kd,
                  m.robot.limits.effort[static_cast<std::size_t>(e.v)]});
@@ -260,8 +260,9 @@ void add_simulate(command_line& line) {
       .text("--pd", "TABLE", o->pd,
             "PD control to targets over time: columns t, q_0, ..., v_0, ...; linear between rows, forces within limits")
       .number("--kp", "GAIN", o->kp,
-              "of --pd, Nm/rad or N/m; if left out 100/s^2 times the mass that a coordinate feels")
+              "of --pd, Nm/rad or N/m; if left out 100/s^2 times the largest mass that it feels at targets")
       .number("--kd", "GAIN", o->kd, "of --pd, Nms/rad or Ns/m; if left out 20/s times that mass")
+      .flag("--compensate", o->compensate, "of --pd, also the forces against gravity")
       .text("--input", "TABLE", o->input,
             "inputs over time: columns t, names of inputs, tau_0, ... of forces on coordinates; linear between rows")
       .flag("--motors", o->motors, "the motors of the robot's file, with their inputs")

@@ -25,18 +25,7 @@ class scene_recording : public recorded_scene {
   /// time before that of the last row.
   template <class T, class State>
   void row(const T& t, const State& s) {
-    check(s);
-    auto& numbers = blank();
-    double* out = numbers.poses.data();
-    const auto put = [&out](const auto& x) { *out++ = static_cast<double>(x); };
-    for (const auto& f : tracked()) detail::with_frame(s, f.what, f.slot, [&put](const auto& x) { put_pose(x, put); });
-    out = numbers.q.data();
-    for (const auto& f : freedoms())
-      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_q(c, put); });
-    out = numbers.v.data();
-    for (const auto& f : freedoms())
-      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_v(c, put); });
-    detail::read_recorded(cells(), s, numbers.cells.data());
+    numbers_of(s);
     add(static_cast<double>(t));
   }
 
@@ -52,6 +41,25 @@ class scene_recording : public recorded_scene {
       detail::chain_in(chain).doMotion(s);
       row(t, s);
     }
+  }
+
+ protected:
+  /// Of the state, in the order of `row_numbers`.
+  template <class State>
+  const recorded_scene::row_numbers& numbers_of(const State& s) {
+    check(s);
+    auto& numbers = blank();
+    double* out = numbers.poses.data();
+    const auto put = [&out](const auto& x) { *out++ = static_cast<double>(x); };
+    for (const auto& f : tracked()) detail::with_frame(s, f.what, f.slot, [&put](const auto& x) { put_pose(x, put); });
+    out = numbers.q.data();
+    for (const auto& f : freedoms())
+      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_q(c, put); });
+    out = numbers.v.data();
+    for (const auto& f : freedoms())
+      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_v(c, put); });
+    detail::read_recorded(cells(), s, numbers.cells.data());
+    return numbers;
   }
 
  private:
