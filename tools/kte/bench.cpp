@@ -205,8 +205,8 @@ std::string time_text(double seconds) {
 }
 
 std::string text_of(const mechanism& m, const bench_run& b) {
-  std::string s = printable(m.file) + ": " + counted(static_cast<std::size_t>(m.chain().dofs()), "number") +
-                  " in v; medians, CPU time of a call; errors against 50 digits, relative to the largest number\n";
+  std::string s = printable(m.file) + ": " + degrees_text(m.chain().dofs()) +
+                  "; medians, CPU time of a call; errors against 50 digits, relative to the largest number\n";
   std::size_t width = 0;
   for (const auto& r : b.results) width = std::max(width, r.operation.size());
   for (const auto& r : b.results) {
