@@ -7,7 +7,7 @@
 #include <kte/io/model_reader.hpp>
 #include <kte/view/scene_of.hpp>
 
-#include "../src/view/element_kinds.hpp"
+#include "../tools/view/element_kinds.hpp"
 #include "catch.hpp"
 #include "chain/gear.hpp"
 #include "chain/models.hpp"

@@ -64,6 +64,9 @@ TEST_CASE("units that are not known are left out, and rates of unknown coordinat
   CHECK(detail::svg::meaning_of_column("coordinate:q/f", {{"q", "m"}}) == detail::svg::column_meaning{"N", "force"});
   CHECK(detail::svg::meaning_of_column("pull/x", {{"pull", "N"}}) == detail::svg::column_meaning{"N", ""});
   CHECK(detail::svg::meaning_of_column("tip/rotation/w", {}) == detail::svg::column_meaning{"", "quaternion"});
+  CHECK(detail::svg::meaning_of_column("energy/total", {}) == detail::svg::column_meaning{"J", "energy"});
+  CHECK(detail::svg::meaning_of_column("tool/velocity/x", {{"tool/velocity/x", "m/s^2"}}) ==
+        detail::svg::column_meaning{"m/s²", "velocity"});
   CHECK(detail::svg::meaning_of_column("velocity", {}) == detail::svg::column_meaning{});
 }
 

@@ -64,7 +64,7 @@ class player {
   void rebuild() {
     if (!simulation_) return;
     const Eigen::VectorXd x = simulation_->state();
-    begin(simulation_->time(), x, simulation_->chosen());
+    begin(simulation_->time(), x, simulation_->is_stiff() ? simulation::method::stiff : simulation::method::undecided);
   }
   void begin(double t, const Eigen::VectorXd& x, simulation::method m) {
     auto chain = shown_.chain();

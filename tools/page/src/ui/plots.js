@@ -35,6 +35,13 @@ export class Plots {
     this.stale = true;
   }
 
+  // A recording that has grown.
+  renew(recording) {
+    this.main = recording;
+    this.columns = recording?.columns ?? [];
+    this.stale = true;
+  }
+
   list() {
     const query = by_id('column-search').value.trim().toLowerCase();
     const found = this.columns.filter((column) => column.name.toLowerCase().includes(query));
