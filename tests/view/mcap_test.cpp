@@ -52,6 +52,8 @@ TEST_CASE("the shapes of a scene as primitives of Foxglove") {
                        contains_text(R"("size":{"x":2,"y":2,"z":2},"bottom_scale":1,"top_scale":1)"));
   CHECK_THAT(text, contains_text(
                        R"("points":[{"x":0,"y":0,"z":0},{"x":1,"y":0,"z":0},{"x":0,"y":1,"z":0}],"indices":[0,1,2])"));
+  for (const char* cap : {R"("position":{"x":0,"y":0,"z":-1})", R"("position":{"x":0,"y":0,"z":1})"})
+    CHECK_THAT(text, contains_text(cap));
 }
 
 TEST_CASE("what MCAP cannot hold is refused") {
