@@ -92,6 +92,7 @@ for file in swing.npy swing.mcap swing.tsv; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record $file --frames --column tip/velocity
   if [ ! -s $file ]; then wrong "$file is empty"; fi
 done
+if ! grep -qa foxglove.FrameTransforms swing.mcap; then wrong 'MCAP has nothing to see in space'; fi
 head -1 swing.csv >out
 prints 't,q,q/v,q/a,q/f,energy/kinetic,energy/potential,energy/total'
 gives 0 '' "$kte" simulate pendulum.json --time 1 --start swing.csv --json  # its first row
@@ -214,6 +215,8 @@ head -1 names.csv >out
 prints 't,shoulder__1_,'
 prints 'upper__arm/position/x'
 gives 0 'wrote names.html' "$kte" view names.urdf names.csv
+gives 0 'names.mcap has numbers alone' "$kte" simulate names.urdf --time 0.1 --record names.mcap
+gives 0 'wrote names.html' "$kte" view names.urdf names.mcap
 
 if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
 [ "$failures" -eq 0 ]
