@@ -181,7 +181,7 @@ TEST_CASE("states come as events") {
   auto s = make_state(pendulum);
   const http_address at(page.url());
   open_page client(at);
-  CHECK(client.event("controls") == R"({"paused":false,"recording":false,"full":false,"speed":1,"sliders":[]})" "\n\n");
+  CHECK(client.event("controls") == R"({"paused":false,"recording":false,"full":false,"speed":1,"message":"","sliders":[]})" "\n\n");
   pendulum.doMotion(s);
   page.show(1.5, s);
   // joint and tip at 7 numbers each, q, and the columns q, q/v, tip/velocity/x and y: in base64 of float32

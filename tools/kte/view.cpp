@@ -1,8 +1,8 @@
 #include <kte/io/table_reader.hpp>
 #include <kte/view/write_page.hpp>
 
+#include "browser.hpp"
 #include "commands.hpp"
-#include "eval/child.hpp"
 #include "message.hpp"
 #include "recorded_scene.hpp"
 
@@ -17,13 +17,6 @@ struct options {
   bool open = false;
 };
 
-/// In the browser that the desktop has for it.
-void open_page(const std::string& path) {
-  const auto page = std::filesystem::absolute(path).string();
-  const auto end = evaluate::run_child("xdg-open", {page}, STDERR_FILENO, false);
-  if (end.code != 0) throw kte::bad_file("kte: xdg-open did not open '" + page + "': it ended " + end.how);
-}
-
 int view(options& o) {
   const auto m = read_and_warn(o.in);
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
@@ -34,7 +27,7 @@ int view(options& o) {
     all.push_back(scene_of(m, kte::read_table(path), std::filesystem::path(path).filename().string()));
   kte::write_page(o.out, all.empty() ? scene_of(m) : kte::joined(all), page);
   say("wrote " + o.out);
-  if (o.open) open_page(o.out);
+  if (o.open) open_in_browser(o.out);
   return 0;
 }
 

@@ -60,6 +60,7 @@ bool live_server::wait(double t) {
   return parts_->session.wait(t);
 }
 bool live_server::wait_for_page() { return parts_->session.wait_for_page(); }
+void live_server::say(std::string_view text) { parts_->session.say(text); }
 void live_server::stop() { parts_->session.stop(); }
 
 void live_server::publish(double t, std::span<const double> poses, std::span<const double> q,

@@ -17,6 +17,7 @@ std::string text_of(const controls& c) {
   j.key("recording"), j.boolean(c.recording);
   j.key("full"), j.boolean(c.full);
   j.key("speed"), j.number(c.speed);
+  j.key("message"), j.text(c.message);
   j.key("sliders"), j.open_list();
   for (const auto& s : c.sliders) {
     j.open_object();

@@ -93,6 +93,11 @@ bool session::wait_for_page() {
   for_program_.wait(l, [this] { return stopped_ || pages_ > 0; });
   return !stopped_;
 }
+void session::say(std::string_view text) {
+  const lock l(mutex_);
+  controls_.message = text;
+  changed_controls();
+}
 void session::stop() {
   const lock l(mutex_);
   stopped_ = true;
@@ -136,6 +141,7 @@ void session::step() {
 void session::reset() {
   const lock l(mutex_);
   reset_ = true, ++resets_;
+  controls_.message.clear();
   changed_controls();
 }
 void session::record(bool on) {

@@ -20,6 +20,7 @@ struct controls {
   std::vector<slider> sliders;
   double speed = 1;
   bool paused = false, recording = false, full = false;
+  std::string message;
 };
 
 /// The newest state.
@@ -44,6 +45,7 @@ class session {
   bool take_reset();
   bool wait(double t);
   bool wait_for_page();
+  void say(std::string_view text);
   void stop();
   void publish(double t, std::span<const double> poses, std::span<const double> q, std::span<const double> columns);
   std::size_t pages() const;

@@ -44,6 +44,8 @@ class live_server {
   bool wait(double t);
   /// Waits until a page is open. False after `stop`.
   bool wait_for_page();
+  /// A sentence for the page, in place of the one before.
+  void say(std::string_view text);
   /// From now on `wait` and `wait_for_page` give false.
   void stop();
 

@@ -13,13 +13,13 @@ namespace kte {
 ///   solver.integrate(10.0, kte::every(0.01), [&](double t, const auto& x) { rec.row(t, model.state_at(t, x)); });
 ///   kte::write_page("swing.html", rec);
 ///
-/// Of static chains, runtime chains and robots.
+/// Of static chains, runtime chains, manipulators and robots.
 template <drawable Chain>
 class scene_recording : public recorded_scene {
  public:
   /// Throws `unknown_name` for a column that the chain does not have.
   explicit scene_recording(const Chain& chain, const recording_options& options = {})
-      : recorded_scene(detail::parts_of(chain), options), layout_(layout_of(detail::chain_in(chain))) {}
+      : recorded_scene(detail::parts_with_limits(chain), options), layout_(layout_of(detail::chain_in(chain))) {}
 
   /// The frames as of the last `doMotion` of the state. Throws `bad_argument` for a state of another chain, and for a
   /// time before that of the last row.

@@ -52,6 +52,7 @@ export class LivePanel {
     controls.sliders.forEach((s, i) => this.show(this.sliders[i], s));
     this.describe();
     this.describe_recording();
+    this.say(controls.message && shown(controls.message, 1000));
   }
 
   describe() {
