@@ -92,6 +92,7 @@ for file in swing.npy swing.mcap swing.tsv; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record $file --frames --column tip/velocity
   if [ ! -s $file ]; then wrong "$file is empty"; fi
 done
+if ! grep -qa foxglove.FrameTransforms swing.mcap; then wrong 'MCAP has nothing to see in space'; fi
 head -1 swing.csv >out
 prints 't,q,q/v,q/a,q/f,energy/kinetic,energy/potential,energy/total'
 gives 0 '' "$kte" simulate pendulum.json --time 1 --start swing.csv --json  # its first row
@@ -100,6 +101,11 @@ prints '"rejected":'
 printf 't,q_0\n0,0\n1,1\n' >target.csv
 gives 0 '' "$kte" simulate pendulum.json --time 3 --pd target.csv
 prints "PD control: 'q' 25 and 5"
+gives 0 '' "$kte" simulate pendulum.json --time 5 --pd target.csv --compensate --json
+reached() { sed 's/.*"q":\[\([^]]*\)\].*/\1/' out | awk -v from="$1" -v to="$2" '{ exit !($1 > from && $1 < to) }' || wrong "q is not between $1 and $2"; }
+reached 0.999999 1.000001
+gives 0 '' "$kte" simulate pendulum.json --time 5 --pd target.csv --kp 1000 --kd 100 --json  # 4.905 cos(q) / 1000 below
+reached 0.99725 0.99745
 printf 't,q\n1,1\n0,1\n' >backwards.csv
 gives 1 'backwards.csv:3: t must grow from row to row' "$kte" simulate pendulum.json --pd backwards.csv
 printf 'tau_0\n4.905\n' >torque.csv
@@ -214,6 +220,8 @@ head -1 names.csv >out
 prints 't,shoulder__1_,'
 prints 'upper__arm/position/x'
 gives 0 'wrote names.html' "$kte" view names.urdf names.csv
+gives 0 'names.mcap has numbers alone' "$kte" simulate names.urdf --time 0.1 --record names.mcap
+gives 0 'wrote names.html' "$kte" view names.urdf names.mcap
 
 if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
 [ "$failures" -eq 0 ]

@@ -1,16 +1,19 @@
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/io/memory_table.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/table_writer.hpp>
 #include <kte/models/modes.hpp>
 #include <kte/robots/motors.hpp>
+#include <kte/view/write_mcap.hpp>
 
 #include <chrono>
 
 #include "commands.hpp"
 #include "json_writer.hpp"
 #include "message.hpp"
+#include "recorded_scene.hpp"
 #include "simulate/law.hpp"
 #include "simulate/solvers.hpp"
 #include "text_format.hpp"
@@ -57,11 +60,12 @@ struct initial_state {
   }
 };
 
-/// A file of the numbers of states over time.
+/// A file of the numbers of states over time. MCAP also has what Foxglove shows in space: it is written at the end.
 class recording_file {
  public:
-  recording_file(const std::string& path, const kte::kte_map_chain& c, const std::vector<std::string>& names)
-      : state_(c, names), numbers_(state_.columns().size() + 3) {
+  recording_file(const std::string& path, const mechanism& m, const kte::kte_map_chain& c,
+                 const std::vector<std::string>& names)
+      : path_(path), m_(m), state_(c, names), numbers_(state_.columns().size() + 3) {
     std::vector<std::string> columns{"t"};
     for (const auto& x : state_.columns()) columns.push_back(x.name);
     for (const char* const energy : {"energy/kinetic", "energy/potential", "energy/total"}) {
@@ -69,6 +73,7 @@ class recording_file {
       while (std::find(columns.begin(), columns.end(), name) != columns.end()) name += '_';
       columns.push_back(name);
     }
+    if (kte::format_of(path) == kte::table_format::mcap) kept_.emplace(columns);
     out_.emplace(path, columns);
   }
   void row(double t, const kte::kte_map_chain& c, const kte::runtime_state& s) {
@@ -78,15 +83,27 @@ class recording_file {
     double* const last = numbers_.data() + state_.columns().size();
     last[0] = e.kinetic, last[1] = e.potential, last[2] = e.kinetic + e.potential;
     out_->row(t, numbers_);
+    if (kept_) kept_->row(t, numbers_);
     ++rows_;
   }
-  void close() { out_->close(); }
+  void close() {
+    out_->close();
+    if (!kept_ || rows_ == 0) return;
+    try {
+      kte::write_mcap(path_, scene_of(m_, kept_->contents(), ""));
+    } catch (const kte::bad_argument& e) {
+      say(path_ + " has numbers alone, and nothing to see: " + std::string(e.what()).substr(5));
+    }
+  }
   std::size_t rows() const { return rows_; }
 
  private:
+  std::string path_;
+  const mechanism& m_;
   recorded_state state_;
   std::vector<double> numbers_;
   std::optional<kte::table_writer> out_;
+  std::optional<kte::memory_table> kept_;
   std::size_t rows_ = 0;
 };
 
@@ -226,7 +243,7 @@ int simulate(options& o) {
   if (o.frames)
     for (const auto k : {kte::kind::frame_2D, kte::kind::frame_3D})
       for (const auto& name : chain.wiring().names[static_cast<std::size_t>(k)]) columns.push_back("frame:" + name);
-  if (!o.record.empty()) out.emplace(o.record, chain, columns);
+  if (!o.record.empty()) out.emplace(o.record, m, chain, columns);
   const auto began = std::chrono::steady_clock::now();
   try {
     s.run = run(p, x, o.run, [&](double t, const plant::state& at) {
