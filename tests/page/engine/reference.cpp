@@ -178,14 +178,36 @@ std::string stiff() {
     << inertia_2D("d", point_mass(1.0));
   return reference("stiff", record_of(c), {0.2, 0.3}, {0, 0}).to(0.5).to(2).text();
 }
+/// A pendulum that comes to rest by friction, one that meets its stop, one with bristles: elements that switch and have
+/// states of their own.
+std::string switching() {
+  using namespace kte;
+  kte_map_chain c;
+  c.gravity(vec3<>{0, -9.81, 0});
+  for (const std::string i : {"1", "2", "3"})
+    c << revolute_joint_2D("q" + i, "base", "a" + i) << rigid_link_2D("a" + i, "b" + i, along_x(0.5))
+      << inertia_2D("b" + i, point_mass(1.0));
+  c << joint_stiction_gen("q1", "mode", {.coulomb = 2, .stiction = 3, .stribeck_velocity = 0.1})
+    << joint_limit_gen("q2", {.lower = -1.0, .upper = 1.0, .stiffness = 1e3, .damping = 3})
+    << joint_lugre_gen("q3", "bristles", {1e3, 10, 0.1, 0.5, 0.6, 0.1});
+  return reference("switching", record_of(c), {-0.5, 0.3, 0.2}, {0, 0, 0}).to(0.5).to(1).text();
+}
+/// A motor whose input is 3 Nm in the file.
+std::string inputs() {
+  using namespace kte;
+  kte_map_chain c;
+  c << revolute_joint_2D("q", "base", "arm") << inertia_2D("arm", planar_body(1.0, 0.5))
+    << driving_actuator_gen("q", "motor");
+  page::dynamics_model m(c);
+  m.input("motor") = 3;
+  return reference("inputs", detail::record_of_model(m), {0}, {0}).to(1).text();
+}
 
 }  // namespace
 
 int main() {
   std::cout << "{\"elements\":" << list_of_texts(kte::element_registry::standard().types()) << ",\"cases\":[\n"
-            << iiwa14() << ",\n"
-            << solo12() << ",\n"
-            << pendulum() << ",\n"
-            << elastic() << ",\n"
-            << stiff() << "]}\n";
+            << iiwa14();
+  for (const auto& one : {solo12(), pendulum(), elastic(), stiff(), switching(), inputs()}) std::cout << ",\n" << one;
+  std::cout << "]}\n";
 }

@@ -66,10 +66,12 @@ class Engine {
     this.#call("kte_start", q.length, v.length);
   }
   /// Goes on by dt, s, but works no longer than about these milliseconds: returns the time that it has reached.
-  step(dt, milliseconds = 12) {
-    const end = this.time + dt, latest = performance.now() + milliseconds;
-    do this.#call("kte_step", end);
-    while (this.time < end && performance.now() < latest);
+  step(dt, milliseconds = 12) { return this.go_to(this.time + dt, milliseconds); }
+  /// The same to a time.
+  go_to(t, milliseconds = 12) {
+    const latest = performance.now() + milliseconds;
+    do this.#call("kte_step", t);
+    while (this.time < t && performance.now() < latest);
     return this.time;
   }
   /// The time of the simulation, s.
