@@ -19,6 +19,7 @@ class topology_layout {
  public:
   topology_layout(const scene& s, const rigid_groups& g, double font) : scene_(s), g_(g), font_(font) {
     lay_out();
+    for (const auto& t : g_.ties) beside_ = beside_ || tree_[node_of(t.from)].layer == tree_[node_of(t.to)].layer;
     double least = 0;
     for (const auto& n : tree_) {
       most_ = (std::max)(most_, n.x + n.right), layers_ = (std::max)(layers_, static_cast<double>(n.layer));
@@ -32,13 +33,13 @@ class topology_layout {
   }
 
   double width() const { return left_ + most_ + 2; }
-  double height() const { return 4 + layers_ * layer() + box(); }
+  double height() const { return 4 + layers_ * layer() + box() + (beside_ ? 2 * font_ : 0); }
   std::size_t size() const { return order_.size(); }
   const rigid_groups::group& group(std::size_t node) const { return g_.groups[at(order_[node])]; }
   const tidy_tree::node& node(std::size_t i) const { return tree_[i]; }
   std::size_t node_of(int group) const { return node_of_[at(group)]; }
   double box() const { return 1.7 * font_; }
-  double layer() const { return 4.4 * font_; }
+  double layer() const { return (beside_ ? 6 : 4.4) * font_; }
   double radius() const { return 0.75 * font_; }
   std::string name_of(const rigid_groups::group& g) const { return shortened(g.name, 14); }
   std::string joint_name(const rigid_groups::group& g) const {
@@ -55,7 +56,7 @@ class topology_layout {
   std::array<picture_point, 4> arc(std::size_t tie) const {
     const auto a = node_of_[at(g_.ties[tie].from)], b = node_of_[at(g_.ties[tie].to)];
     const auto p = place(a), q = place(b);
-    const double apart = std::abs(p.y - q.y), bow = 2 * font_ + 0.3 * apart;
+    const double apart = std::abs(p.y - q.y), bow = (std::max)(2 * font_ + 0.3 * apart, 1.4 * label_width(tie));
     if (apart < 1) {  // in one layer: below
       const double down = box() / 2 + 1.6 * font_;
       return {{{p.x, p.y + box() / 2}, {p.x, p.y + down}, {q.x, q.y + down}, {q.x, q.y + box() / 2}}};
@@ -114,6 +115,7 @@ class topology_layout {
   std::vector<int> order_;            ///< groups by nodes
   std::vector<std::size_t> node_of_;  ///< nodes by groups
   std::vector<tidy_tree::node> tree_;
+  bool beside_ = false;  ///< whether arcs run between boxes of one layer
 };
 
 }  // namespace kte::detail::svg
