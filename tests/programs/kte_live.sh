@@ -17,7 +17,7 @@ gives 2 '--port is a number up to 65535, not 70000' "$kte" live arm.urdf --port 
 gives 2 '--port is a number up to 65535, not 80.5' "$kte" live arm.urdf --port 80.5
 gives 2 '--speed is between 0.001 and 1000, not 0' "$kte" live arm.urdf --speed 0
 gives 2 '--time must be greater than 0, not 0' "$kte" live arm.urdf --time 0
-gives 1 "kte: '" "$kte" live nothing.urdf
+gives 1 "kte: cannot open 'nothing.urdf'" "$kte" live nothing.urdf
 gives 0 'Ctrl-C ends' "$kte" live arm.urdf --time 0.05
 if ! grep -q "$address" out; then wrong 'kte live does not print its address'; fi
 
