@@ -79,9 +79,8 @@ std::string mobility_text(const structure& s) {
     if (f.parent >= 0 && !f.moved_by.empty()) ++kinds[short_type(f.by)];
   std::string joints;
   for (const auto& [type, n] : kinds) joints += (joints.empty() ? "" : ", ") + std::to_string(n) + " " + type;
-  return std::to_string(dofs) + (dofs == 1 ? " degree of freedom" : " degrees of freedom") +
-         (joints.empty() ? "" : " (" + joints + ")") + (followers ? ", " + counted(followers, "follower") : "") + ", " +
-         (s.bodies.size() == 1 ? "1 body" : std::to_string(s.bodies.size()) + " bodies") + " of " +
+  return degrees_text(dofs) + (joints.empty() ? "" : " (" + joints + ")") +
+         (followers ? ", " + counted(followers, "follower") : "") + ", " + bodies_text(s.bodies.size()) + " of " +
          short_number(s.mass) + " kg, " + counted(s.frames.size(), "frame") + ", " + short_number(s.size) + " m large";
 }
 

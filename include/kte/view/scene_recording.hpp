@@ -13,13 +13,13 @@ namespace kte {
 ///   solver.integrate(10.0, kte::every(0.01), [&](double t, const auto& x) { rec.row(t, model.state_at(t, x)); });
 ///   kte::write_page("swing.html", rec);
 ///
-/// Of static chains, runtime chains and robots.
+/// Of static chains, runtime chains, manipulators and robots.
 template <drawable Chain>
 class scene_recording : public recorded_scene {
  public:
   /// Throws `unknown_name` for a column that the chain does not have.
   explicit scene_recording(const Chain& chain, const recording_options& options = {})
-      : recorded_scene(detail::parts_of(chain), options), layout_(layout_of(detail::chain_in(chain))) {}
+      : recorded_scene(detail::parts_with_limits(chain), options), layout_(layout_of(detail::chain_in(chain))) {}
 
   /// The frames as of the last `doMotion` of the state. Throws `bad_argument` for a state of another chain, and for a
   /// time before that of the last row.
@@ -58,8 +58,7 @@ class scene_recording : public recorded_scene {
     out = numbers.v.data();
     for (const auto& f : freedoms())
       detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_v(c, put); });
-    out = numbers.cells.data();
-    for (const auto& c : cells()) detail::with_kind(c.what, [&]<kind K>() { out = read<K>(c, s, out); });
+    detail::read_recorded(cells(), s, numbers.cells.data());
     return numbers;
   }
 
@@ -91,12 +90,6 @@ class scene_recording : public recorded_scene {
     const auto &c = x.rotation.cos, &s = x.rotation.sin;
     put(x.position.x), put(x.position.y), put(0);
     put(c), put(-s), put(0), put(s), put(c), put(0), put(0), put(0), put(1);
-  }
-  template <kind K, class State>
-  static double* read(const detail::recorded& c, const State& s, double* out) {
-    double numbers[4];
-    detail::quantities<K, typename State::scalar>[c.quantity].read(s.template get<K>(c.slot), numbers);
-    return std::copy_n(numbers + c.first, c.count, out);
   }
   template <kind K, class State>
   static void put_thing(const detail::thing_source& from, std::size_t row, double t, State& s) {

@@ -191,7 +191,7 @@ export class Viewer {
 
   tick(now) {
     this.requested = false;
-    const elapsed = Math.min(0.1, this.last_tick ? (now - this.last_tick) / 1000 : 0);
+    const elapsed = Math.min(0.5, this.last_tick ? (now - this.last_tick) / 1000 : 0);
     const { player, simulating, sources } = this;
     if (simulating.running) this.advance_simulation(elapsed, now);
     else player.advance(elapsed);

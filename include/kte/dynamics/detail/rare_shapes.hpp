@@ -148,7 +148,7 @@ void iterate_friction(const Elements& c, State& s, const Sweep& sweep) {
     if (all(error <= S(S(4) * eps * size))) return check_sure();
     idle = all(error < S(least / S(2))) ? 0 : idle + 1;
     least = select(error < least, error, least);
-    if (idle >= 3 && all(error <= S(S(2) * least)) && all(least <= S(S(4096) * eps * size)))
+    if (idle >= 3 && (idle >= 8 || all(error <= S(2 * least))) && all(error <= S(S(4096) * eps * size)))
       return check_sure();  // rounding of a and of friction
     step = times_inverse(r);
     step = -step;
