@@ -18,7 +18,8 @@ class Program:
         self.process = subprocess.Popen([path], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         self.url = self.process.stdout.readline().strip()
         self.lines = []
-        threading.Thread(target=lambda: self.lines.extend(iter(self.process.stdout.readline, '')), daemon=True).start()
+        self.reader = threading.Thread(target=lambda: self.lines.extend(iter(self.process.stdout.readline, '')), daemon=True)
+        self.reader.start()
 
     def printed(self, start, seconds=20):
         """Waits for a line that begins so."""
@@ -33,6 +34,8 @@ class Program:
     def end(self):
         self.process.stdin.close()
         self.process.wait(20)
+        self.reader.join(20)
+        self.process.stdout.close()
 
 
 class LiveTest(unittest.TestCase):
@@ -50,8 +53,7 @@ class LiveTest(unittest.TestCase):
         self.window.wait("document.getElementById('live-state')?.textContent.startsWith('t = ')")
 
     def tearDown(self):
-        if self.program.process.poll() is None:
-            self.program.end()
+        self.program.end()
 
     def run_script(self, script, *arguments):
         return self.window.run(script, *arguments)

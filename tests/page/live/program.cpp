@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <thread>
 
 namespace {
 inline constexpr struct q_ final : kte::coord_key<"q"> {} q;
@@ -18,10 +19,11 @@ constexpr auto arm = kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rig
                                 kte::inertia_2D(tip, kte::point_mass(1.0)))
                          .gravity(kte::along_y(-9.81));
 
-bool input_ended() {
+/// Stops a page at the end of the input, or after two minutes.
+void stop_in_time(kte::live_server& page) {
   pollfd p{0, POLLIN, 0};
-  char byte = 0;
-  return ::poll(&p, 1, 0) > 0 && std::fread(&byte, 1, 1, stdin) == 0;
+  ::poll(&p, 1, 120'000);
+  page.stop();
 }
 }  // namespace
 
@@ -32,18 +34,14 @@ int main() {
   auto s = kte::make_state(arm);
   double t = 0, angle = 0;
   int resets = 0;
-  for (int i = 0; i < 12000 && !input_ended(); ++i) {
+  std::thread watch([&page] { stop_in_time(page); });
+  for (; page.wait(t); t += 0.01) {
     if (page.reset()) t = 0, std::printf("reset %d\n", ++resets);
     if (const double now = page.value("angle </script>"); now != angle) std::printf("angle %g\n", angle = now);
+    std::fflush(stdout);
     s[q].q = angle + 0.5 * std::sin(3 * t);
     arm.doMotion(s);
     page.show(t, s);
-    std::fflush(stdout);
-    if (page.paused()) {
-      const timespec a_while{0, 10'000'000};
-      nanosleep(&a_while, nullptr);
-    } else {
-      page.wait(t += 0.01);
-    }
   }
+  watch.join();
 }

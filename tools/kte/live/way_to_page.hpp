@@ -6,7 +6,7 @@
 
 namespace kte_tool {
 
-/// A file that leads a browser to an address, which only its user can read: on a command line all users of the machine
+/// A file that leads a browser to an address, in a folder that only its user can read: on a command line all users of the machine
 /// would see the address, and its token. It is removed at the end.
 class way_to_page {
  public:

@@ -16,6 +16,7 @@ export class LiveViewer extends Viewer {
     this.columns = (scene.recordings[0]?.columns ?? []).map(({ name, unit }) => ({ name: String(name), unit: String(unit ?? '1') }));
     this.nq = scene.state.q.length;
     this.controls = null;
+    this.looks_back = false;   // at what was shown, while the program stands still
     this.speed = this.player.speed;
     this.waiting = new Map();  // what is to be sent to a place
     this.simulation = { running: false, time: 0, poses: this.sources.tracks.slice(), q: this.sources.q.slice(), advance() {} };
@@ -57,6 +58,7 @@ export class LiveViewer extends Viewer {
 
   // ---- to the program
   async tell(what) {
+    if (['run', 'step', 'reset'].includes(what)) this.looks_back = false;
     try {
       const answer = await fetch(what, { method: 'POST' });
       if (!answer.ok) this.panel.say((await answer.text()).slice(0, 300));
@@ -84,6 +86,7 @@ export class LiveViewer extends Viewer {
   // Of a look back: the program pauses, and what was shown last stays to be scrubbed.
   leave_simulation() {
     if (this.sources.mode === 'simulate' && this.controls && !this.controls.paused) this.tell('pause');
+    this.looks_back = this.recording !== undefined;
     this.simulation.running = false;
     this.sources.mode = 'play';
   }
@@ -95,10 +98,11 @@ export class LiveViewer extends Viewer {
   // ---- from the program
   take_controls(controls) {
     const ran = this.simulation.running;
+    if (this.controls?.paused && !controls.paused) this.looks_back = false;
     this.controls = controls;
-    this.simulation.running = !controls.paused && this.recording !== undefined;
+    this.simulation.running = !controls.paused && this.recording !== undefined && !this.looks_back;
     if (this.simulation.running) this.sources.mode = 'simulate';
-    if (ran && !this.simulation.running) this.refresh_plots();
+    if (ran && !this.simulation.running && !this.looks_back) this.refresh_plots();
     this.show_speed(controls.speed);
     this.panel.update(controls);
     this.request();
@@ -131,12 +135,11 @@ export class LiveViewer extends Viewer {
     this.recording ??= new LiveRecording(scene, nq, this.columns);
     this.recording.add(t, simulation.poses, simulation.q, all.subarray(poses + nq));
     if (begins) this.begin_recording();
-    const looks_back = this.controls?.paused && this.sources.mode === 'play' && t === this.last_time;
-    if (!looks_back) this.sources.mode = 'simulate';
-    this.last_time = t;
-    simulation.running = !(this.controls?.paused ?? true);
-    if (!simulation.running && !looks_back) this.refresh_plots();
     this.panel.time(t);
+    if (this.looks_back) return;
+    this.sources.mode = 'simulate';
+    simulation.running = !(this.controls?.paused ?? true);
+    if (!simulation.running) this.refresh_plots();
     this.request();
   }
 
