@@ -30,6 +30,8 @@ install_packages() {
   need catch2
   need libbenchmark-dev
   need libcereal-dev
+  need libcli11-dev
+  need libcpp-httplib-dev
   need libsundials-dev
   need libtinyxml2-dev
   need libxsimd-dev

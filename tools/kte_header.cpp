@@ -1,12 +1,12 @@
-/// kte-header: a robot of a file as a C++ header, in which it is a type (docs/robots_as_types.md).
-#include <kte/io/model_content.hpp>
+/// kte-header: a robot of a file as a C++ header, in which it is a type (docs/robots_as_types.md). `kte convert` does
+/// the same; this is what kte_add_robot builds.
 #include <kte/io/program.hpp>
 #include <kte/io/replace_file.hpp>
-#include <kte/robots/header.hpp>
-#include <kte/robots/load_robot.hpp>
 
 #include <cstdio>
 #include <optional>
+
+#include "header_of_file.hpp"
 
 namespace {
 
@@ -43,13 +43,10 @@ std::optional<request> request_of(int count, char** arguments) {
 }
 
 std::string header_of(const request& r) {
-  const auto bytes = kte::detail::text_of_file(r.robot);
   const auto file = r.robot.string();
-  if (const auto model = kte::detail::model_in(bytes, r.robot)) return kte::to_header(*model, r.name);
-  const auto robot = kte::to_robot(kte::describe_robot(bytes, file));
-  for (const auto& w : robot.warnings)
-    std::fprintf(stderr, "kte-header: %s%s\n", kte::detail::place_text(file, w.line).c_str(), w.text.c_str());
-  return kte::to_header(robot.chain, r.name, robot.limits);
+  return kte_tool::header_of_file(kte::detail::text_of_file(r.robot), r.robot, r.name, {}, [&](const auto& note) {
+    std::fprintf(stderr, "kte-header: %s%s\n", kte::detail::place_text(file, note.line).c_str(), note.text.c_str());
+  });
 }
 
 int run(const request& r) {

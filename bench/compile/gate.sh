@@ -48,4 +48,5 @@ elif [ "$failed" != 0 ]; then
   exit 1
 fi
 sh "$root/bench/compile/runtime.sh" "$@"
+sh "$root/bench/compile/docs.sh" "$@"
 sh "$root/bench/compile/registers.sh" "$@"

@@ -17,8 +17,14 @@
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/io/recording.hpp>
+#include <kte/integrators/dormand_prince45.hpp>
+#include <kte/integrators/prince_dormand87.hpp>
+#include <kte/integrators/runge_kutta4.hpp>
 #include <kte/io/table_writer.hpp>
+#include <kte/manipulators/clik.hpp>
+#include <kte/manipulators/runtime_manipulator.hpp>
 #include <kte/models/detail/runtime_rate_derivatives.hpp>
+#include <kte/models/runtime_dynamics_model.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/detail/mesh_file.hpp>
 #include <kte/robots/detail/mesh_fit.hpp>

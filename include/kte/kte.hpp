@@ -15,6 +15,7 @@
 ///   kte/control.hpp                    linear systems of models, LQR, Riccati equations
 ///   kte/io.hpp                         files: models, tables, recorders, progress
 ///   kte/robots.hpp                     robots from URDF, MJCF, SDF, and to them
+///   kte/view.hpp                       pages that show mechanisms moving (links kte::view)
 ///   kte/manipulators.hpp               arms with limits: inverse kinematics, motions
 ///   kte/elements/four_bar.hpp          linkages; also dyad.hpp, slider_crank.hpp; law_follower.hpp, law_signal.hpp
 ///   kte/elements/registry.hpp          runtime chains from records, which are plain data

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "chain/cantilever.hpp"
 #include "chain/registered.hpp"
 
 using namespace kte;
@@ -13,26 +14,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// A cantilever of n beams along x from the wall, with nodes "1" to "n" that move freely.
-template <class Section>
-kte_map_chain cantilever(int n, double length, const Section& section) {
-  kte_map_chain c;
-  for (int i = 0; i < n; ++i) {
-    const auto before = i == 0 ? "wall" : std::to_string(i), node = std::to_string(i + 1);
-    if constexpr (std::is_same_v<Section, planar_beam_section>) {
-      c << free_joint_2D("at " + node, "wall", node) << flexible_beam_2D(before, node, length / n, section);
-    } else {
-      c << free_joint_3D("at " + node, "wall", node) << flexible_beam_3D(before, node, length / n, section);
-    }
-  }
-  return c;
-}
-/// Where its nodes stand at rest.
-Eigen::VectorXd straight(const kte_map_chain& c, int n, double length) {
-  Eigen::VectorXd q = neutral_configuration(c);
-  for (int i = 0; i < n; ++i) q[c.nq() / n * i] = length * (i + 1) / n;
-  return q;
-}
 template <class V>
 double off(const V& tip, const vec3<>& exact) {
   return std::hypot(tip[0] - exact.x, tip[1] - exact.y, tip[2] - exact.z);

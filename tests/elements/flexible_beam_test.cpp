@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "chain/cantilever.hpp"
 #include "chain/registered.hpp"
 #include "elements/laws.hpp"
 
@@ -79,26 +80,6 @@ void check_laws() {
         }) <= 4 * rounding<S>);
 }
 
-/// A cantilever of n beams along x from the origin, with nodes "1" to "n" that move freely.
-template <class Section>
-kte_map_chain cantilever(int n, double length, const Section& section) {
-  kte_map_chain c;
-  for (int i = 0; i < n; ++i) {
-    const auto before = i == 0 ? "wall" : std::to_string(i), node = std::to_string(i + 1);
-    if constexpr (std::is_same_v<Section, planar_beam_section>) {
-      c << free_joint_2D("at " + node, "wall", node) << flexible_beam_2D(before, node, length / n, section);
-    } else {
-      c << free_joint_3D("at " + node, "wall", node) << flexible_beam_3D(before, node, length / n, section);
-    }
-  }
-  return c;
-}
-/// Where its nodes stand at rest.
-Eigen::VectorXd straight(const kte_map_chain& c, int n, double length) {
-  Eigen::VectorXd q = neutral_configuration(c);
-  for (int i = 0; i < n; ++i) q[c.nq() / n * i] = length * (i + 1) / n;
-  return q;
-}
 /// Where all forces vanish under a load that is put on part by part, by Newton's method from q.
 template <class Load>
 Eigen::VectorXd balanced(const kte_map_chain& beams, Eigen::VectorXd q, int parts, const Load& load) {

@@ -44,6 +44,19 @@ class dormand_prince45 : public embedded_runge_kutta<dormand_prince45_tableau, F
 
 template <class F, class V>
 dormand_prince45(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
-    -> dormand_prince45<F, typename V::PlainObject>;
+    -> dormand_prince45<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte
+
+#ifdef KTE_EXTERN
+namespace kte {
+KTE_EXTERN template class embedded_runge_kutta<dormand_prince45_tableau, detail::erased_system<true>, Eigen::VectorXd>;
+KTE_EXTERN template class embedded_runge_kutta<dormand_prince45_tableau, detail::erased_system<false>, Eigen::VectorXd>;
+KTE_EXTERN template class integrator<
+    embedded_runge_kutta<dormand_prince45_tableau, detail::erased_system<true>, Eigen::VectorXd>,
+    detail::erased_system<true>, Eigen::VectorXd>;
+KTE_EXTERN template class integrator<
+    embedded_runge_kutta<dormand_prince45_tableau, detail::erased_system<false>, Eigen::VectorXd>,
+    detail::erased_system<false>, Eigen::VectorXd>;
+}  // namespace kte
+#endif

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/integrators/detail/continuous_extension.hpp>
+#include <kte/integrators/detail/erased_system.hpp>
 #include <kte/integrators/detail/hermite.hpp>
 #include <kte/integrators/detail/step_choice.hpp>
 #include <kte/integrators/integrator.hpp>
@@ -40,12 +41,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
   /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
-  template <class V>
-  embedded_runge_kutta(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
-      : base(std::move(f), t0, x0), tolerances_(tol), extension_(this->no_rate()) {
-    tol.check(this->rates());
-    k_.fill(this->no_rate());
-  }
+  embedded_runge_kutta(F f, const S& t0, const X& x0, const tolerances<S>& tol = {});
 
  private:
   void start(const S& t_end) {
@@ -163,5 +159,12 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   [[no_unique_address]] mutable extension extension_;
   [[no_unique_address]] typename base::template if_on_group<rate> slope_at_end_;
 };
+
+template <class Tableau, class F, class X>
+embedded_runge_kutta<Tableau, F, X>::embedded_runge_kutta(F f, const S& t0, const X& x0, const tolerances<S>& tol)
+    : base(std::move(f), t0, x0), tolerances_(tol), extension_(this->no_rate()) {
+  tol.check(this->rates());
+  k_.fill(this->no_rate());
+}
 
 }  // namespace kte

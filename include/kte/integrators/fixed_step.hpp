@@ -23,9 +23,7 @@ class fixed_step : public integrator<Method, F, X> {
   using typename base::S;
 
  protected:
-  template <class V>
-  fixed_step(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
-      : base(std::move(f), t0, x0), step_(step) {
+  fixed_step(F f, const S& t0, const X& x0, const S& step) : base(std::move(f), t0, x0), step_(step) {
     detail::check_positive(step, "step");
     lost_ = total_ = this->no_rate();
   }

@@ -4,6 +4,7 @@
 // clang-format off
 #include <kte/integrators/integrator.hpp>
 // clang-format on
+#include <kte/integrators/detail/erased_system.hpp>
 #include <kte/integrators/fixed_step.hpp>
 #include <kte/integrators/tableau.hpp>
 
@@ -30,11 +31,7 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
 
   /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
-  template <class V>
-  fixed_step_runge_kutta(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const S& step)
-      : base(std::move(f), t0, x0, step) {
-    k_.fill(this->no_rate());
-  }
+  fixed_step_runge_kutta(F f, const S& t0, const X& x0, const S& step);
 
  private:
   static constexpr std::size_t stages = Tableau::stages;
@@ -65,5 +62,11 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
 
   std::array<rate, stages> k_;
 };
+
+template <class Tableau, class F, class X>
+fixed_step_runge_kutta<Tableau, F, X>::fixed_step_runge_kutta(F f, const S& t0, const X& x0, const S& step)
+    : base(std::move(f), t0, x0, step) {
+  k_.fill(this->no_rate());
+}
 
 }  // namespace kte

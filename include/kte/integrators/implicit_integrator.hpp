@@ -27,8 +27,7 @@ class implicit_integrator : public integrator<Method, F, X> {
   static constexpr int size = rate::RowsAtCompileTime;
   using matrix = Eigen::Matrix<S, size, size>;
 
-  template <class V>
-  implicit_integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol)
+  implicit_integrator(F f, const S& t0, const X& x0, const tolerances<S>& tol)
       : base(std::move(f), t0, x0),
         tolerances_(tol),
         jacobian_(matrix::Zero(this->rates(), this->rates())),

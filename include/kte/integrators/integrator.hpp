@@ -96,20 +96,8 @@ class integrator : public moving_state<F, X> {
   }
 
   /// One step at a time, for loops of one's own: `begin` once, then `step` until `time()` is t_end, for the same t_end.
-  void begin(const S& t_end) {
-    detail::check_finite(t_end, "end time");
-    detail::check_finite(S(t_end - time_), "the way to the end time");
-    is_new_ = is_new_ || in_step_;
-    in_step_ = false;
-    if (t_end != time_) no_number_is_failure([&] { method().start(t_end); });
-  }
-  void step(const S& t_end) {
-    if (in_step_) [[unlikely]]
-      begin(t_end);  // anew: the last step has failed
-    in_step_ = true;
-    no_number_is_failure([&] { method().advance(t_end); });
-    in_step_ = is_new_ = false;
-  }
+  void begin(const S& t_end);
+  void step(const S& t_end);
 
   /// The state at a time of the last step; exact at its ends. Throws `bad_argument` for other times.
   X interpolate(const S& t) const {
@@ -119,19 +107,7 @@ class integrator : public moving_state<F, X> {
   }
 
   /// The same into x, without a new vector.
-  void interpolate(const S& t, X& x) const {
-    if (!in_last_step(t)) [[unlikely]]
-      detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(detail::as_double(t)) +
-                                  ": the last step goes from " + detail::number(detail::as_double(previous_time_)) +
-                                  " to " + detail::number(detail::as_double(time_)));
-    if (t == time_) {
-      x = x_;
-    } else if (t == previous_time_) {
-      x = previous_;
-    } else {
-      static_cast<const Method&>(*this).dense(S((t - previous_time_) / (time_ - previous_time_)), x);
-    }
-  }
+  void interpolate(const S& t, X& x) const;
 
   // ---- the last step, for `solution`
   const S& previous_time() const { return previous_time_; }
@@ -139,38 +115,20 @@ class integrator : public moving_state<F, X> {
   /// Of the polynomial in time that the dense output of the last step is.
   int dense_degree() const { return static_cast<const Method&>(*this).degree(); }
   /// The displacement from the start of the last step to the fraction 0 <= theta <= 1 of it.
-  rate displacement_to(const S& theta) const {
-    if (theta == S(0)) return this->no_rate();
-    X x = x_;
-    static_cast<const Method&>(*this).dense(theta, x);
-    if constexpr (base::on_group) {
-      return this->displacement_within();
-    } else {
-      return x - previous_;
-    }
-  }
+  rate displacement_to(const S& theta) const;
 
   /// Goes on from another time and state; how long steps should be is found out anew. Throws `bad_argument` unless they
   /// are finite.
-  template <class V>
-  void restart(const S& t, const Eigen::MatrixBase<V>& x) {
+  void restart(const S& t, const X& x) {
     restart(t, x, keep_step);
     is_new_ = true;
   }
   /// The same, but begins with a step as long as the last one: where the motion is as fast as before, for instance
   /// after an impact. `solver.restart(t, x, kte::keep_step)`.
-  template <class V>
-  void restart(const S& t, const Eigen::MatrixBase<V>& x, keep_step_t) {
-    detail::check_finite(t, "start time");
-    if (x.size() == 0) detail::raise<bad_argument>("kte: the start state is empty");
-    for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(S(x[i]), "start state");
-    this->place(x);
-    time_ = previous_time_ = t;
-  }
+  void restart(const S& t, const X& x, keep_step_t);
 
  protected:
-  template <class V>
-  integrator(F f, const S& t0, const Eigen::MatrixBase<V>& x0) : base(std::move(f)) {
+  integrator(F f, const S& t0, const X& x0) : base(std::move(f)) {
     static_assert(!detail::changes_when_called<F, S, X>,
                   "kte: this right-hand side changes when it is called: pass std::ref(f), not std::cref(f)");
     static_assert(base::is_called || detail::changes_when_called<F, S, X>,
@@ -295,6 +253,56 @@ class integrator : public moving_state<F, X> {
 
   bool in_step_ = false;  ///< also after a step that has failed
 };
+
+template <class Method, class F, class X>
+void integrator<Method, F, X>::begin(const S& t_end) {
+  detail::check_finite(t_end, "end time");
+  detail::check_finite(S(t_end - time_), "the way to the end time");
+  is_new_ = is_new_ || in_step_;
+  in_step_ = false;
+  if (t_end != time_) no_number_is_failure([&] { method().start(t_end); });
+}
+template <class Method, class F, class X>
+void integrator<Method, F, X>::step(const S& t_end) {
+  if (in_step_) [[unlikely]]
+    begin(t_end);  // anew: the last step has failed
+  in_step_ = true;
+  no_number_is_failure([&] { method().advance(t_end); });
+  in_step_ = is_new_ = false;
+}
+template <class Method, class F, class X>
+void integrator<Method, F, X>::interpolate(const S& t, X& x) const {
+  if (!in_last_step(t)) [[unlikely]]
+    detail::raise<bad_argument>("kte: cannot interpolate at t = " + detail::number(detail::as_double(t)) +
+                                ": the last step goes from " + detail::number(detail::as_double(previous_time_)) +
+                                " to " + detail::number(detail::as_double(time_)));
+  if (t == time_) {
+    x = x_;
+  } else if (t == previous_time_) {
+    x = previous_;
+  } else {
+    static_cast<const Method&>(*this).dense(S((t - previous_time_) / (time_ - previous_time_)), x);
+  }
+}
+template <class Method, class F, class X>
+auto integrator<Method, F, X>::displacement_to(const S& theta) const -> rate {
+  if (theta == S(0)) return this->no_rate();
+  X x = x_;
+  static_cast<const Method&>(*this).dense(theta, x);
+  if constexpr (base::on_group) {
+    return this->displacement_within();
+  } else {
+    return x - previous_;
+  }
+}
+template <class Method, class F, class X>
+void integrator<Method, F, X>::restart(const S& t, const X& x, keep_step_t) {
+  detail::check_finite(t, "start time");
+  if (x.size() == 0) detail::raise<bad_argument>("kte: the start state is empty");
+  for (Eigen::Index i = 0; i < x.size(); ++i) detail::check_finite(S(x[i]), "start state");
+  this->place(x);
+  time_ = previous_time_ = t;
+}
 
 /// `solver.integrate(t_end, ...)`.
 template <class Method, class F, class X, class... How>

@@ -45,8 +45,7 @@ class moving_state {
   explicit moving_state(F f) : f_(std::move(f)) {}
   const F& function() const { return f_; }
   /// Anew from x.
-  template <class V>
-  void place(const Eigen::MatrixBase<V>& x) {
+  void place(const X& x) {
     x_ = next_ = previous_ = x;
     if constexpr (on_group) d_ = within_ = sizes_[0] = sizes_[1] = no_rate();
   }

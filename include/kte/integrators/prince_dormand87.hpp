@@ -134,6 +134,15 @@ class prince_dormand87 : public embedded_runge_kutta<prince_dormand87_tableau, F
 
 template <class F, class V>
 prince_dormand87(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const tolerances<typename V::Scalar>& = {})
-    -> prince_dormand87<F, typename V::PlainObject>;
+    -> prince_dormand87<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte
+
+#ifdef KTE_EXTERN
+namespace kte {
+KTE_EXTERN template class embedded_runge_kutta<prince_dormand87_tableau, detail::erased_system<true>, Eigen::VectorXd>;
+KTE_EXTERN template class integrator<
+    embedded_runge_kutta<prince_dormand87_tableau, detail::erased_system<true>, Eigen::VectorXd>,
+    detail::erased_system<true>, Eigen::VectorXd>;
+}  // namespace kte
+#endif

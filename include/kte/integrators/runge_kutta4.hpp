@@ -29,6 +29,15 @@ class runge_kutta4 : public fixed_step_runge_kutta<runge_kutta4_tableau, F, X> {
 
 template <class F, class V>
 runge_kutta4(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
-    -> runge_kutta4<F, typename V::PlainObject>;
+    -> runge_kutta4<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte
+
+#ifdef KTE_EXTERN
+namespace kte {
+KTE_EXTERN template class fixed_step_runge_kutta<runge_kutta4_tableau, detail::erased_system<true>, Eigen::VectorXd>;
+KTE_EXTERN template class integrator<
+    fixed_step_runge_kutta<runge_kutta4_tableau, detail::erased_system<true>, Eigen::VectorXd>,
+    detail::erased_system<true>, Eigen::VectorXd>;
+}  // namespace kte
+#endif

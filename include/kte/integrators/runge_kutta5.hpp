@@ -37,6 +37,6 @@ class runge_kutta5 : public fixed_step_runge_kutta<runge_kutta5_tableau, F, X> {
 
 template <class F, class V>
 runge_kutta5(F, const typename V::Scalar&, const Eigen::MatrixBase<V>&, const typename V::Scalar&)
-    -> runge_kutta5<F, typename V::PlainObject>;
+    -> runge_kutta5<detail::system_of<F, typename V::PlainObject>, typename V::PlainObject>;
 
 }  // namespace kte

@@ -49,8 +49,7 @@ class recorder {
   template <class T, class State>
   void row(const T& t, const State& s) {
     check(s);
-    double* out = numbers_.data();
-    for (const auto& c : cells_) detail::with_kind(c.what, [&]<kind K>() { out = read<K>(c, s, out); });
+    detail::read_recorded(cells_, s, numbers_.data());
     out_.row(t, numbers_);
   }
 
@@ -85,12 +84,6 @@ class recorder {
     } else if (s.made_for()->layout != layout_) {
       detail::raise<bad_argument>("kte: this state was made for another chain than the recorder");
     }
-  }
-  template <kind K, class State>
-  static double* read(const detail::recorded& c, const State& s, double* out) {
-    double numbers[4];
-    detail::quantities<K, typename State::scalar>[c.quantity].read(s.template get<K>(c.slot), numbers);
-    return std::copy_n(numbers + c.first, c.count, out);
   }
 
   std::shared_ptr<const char> layout_;

@@ -59,7 +59,28 @@ struct recording {
   recording(const named_slots& all, const std::vector<std::string>& names);
 };
 
+/// The numbers of these cells in a state.
+template <class State>
+void read_recorded(const std::vector<recorded>& cells, const State& s, double* out) {
+  for (const auto& c : cells)
+    with_kind(c.what, [&]<kind K>() {
+      double numbers[4];
+      quantities<K, typename State::scalar>[c.quantity].read(s.template get<K>(c.slot), numbers);
+      out = std::copy_n(numbers + c.first, c.count, out);
+    });
+}
+
 }  // namespace kte::detail
+
+#ifdef KTE_EXTERN
+namespace kte {
+template <class S>
+class basic_runtime_state;
+namespace detail {
+KTE_EXTERN template void read_recorded(const std::vector<recorded>&, const basic_runtime_state<double>&, double*);
+}
+}  // namespace kte
+#endif
 
 #ifdef KTE_FUNCTION
 namespace kte::detail {

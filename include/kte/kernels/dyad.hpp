@@ -30,6 +30,15 @@ struct linkage_words {
   const char* in_line;  ///< what is so at its dead points
 };
 
+[[noreturn, gnu::cold]] inline void raise_no_transmission(bool beyond, const linkage_words& w,
+                                                          const std::string& angle) {
+  const std::string here = std::string(w.leads) + " " + angle, name = std::string("kte: ") + w.name;
+  if (beyond) raise<bad_argument>(name + " cannot be closed at " + here + ", beyond a dead point");
+  raise<dead_point>(name + ": dead point at " + here + ", where " + w.in_line +
+                    ": no motion follows from here; let another coordinate lead, or use mimic_gen where angles are "
+                    "the same");
+}
+
 /// Bars push each other at an angle whose sine has the square k / full. k rounds by some eps full, so velocities, which
 /// are as 1 / sqrt(k), lose half their digits where k < sqrt(eps) full: a dead point, beyond which no motion follows
 /// from what leads. Integrators come that close, at any tolerance, and would stay there or turn back. Throws
@@ -39,14 +48,8 @@ constexpr void require_transmission(const S& k, const S& full, const linkage_wor
   using plain = plain_scalar<S>;
   using std::sqrt;
   const plain near_dead = plain(sqrt(std::numeric_limits<plain>::epsilon()));
-  if (!all(k >= S(is_dual<S> ? near_dead : plain(0)) * full)) [[unlikely]] {
-    const std::string here = std::string(w.leads) + " " + angle(), name = std::string("kte: ") + w.name;
-    if (any(k < S(-near_dead) * full) || any(k != k))
-      raise<bad_argument>(name + " cannot be closed at " + here + ", beyond a dead point");
-    raise<dead_point>(name + ": dead point at " + here + ", where " + w.in_line +
-                      ": no motion follows from here; let another coordinate lead, or use mimic_gen where angles are "
-                      "the same");
-  }
+  if (!all(k >= S(is_dual<S> ? near_dead : plain(0)) * full)) [[unlikely]]
+    raise_no_transmission(any(k < S(-near_dead) * full) || any(k != k), w, angle());
 }
 
 /// Two bars in the plane, of lengths b and c, between two points r apart: from the first point to where they meet,

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kte/detail/compiled.hpp>
 #include <kte/manipulators/detail/closed_form_start.hpp>
 #include <kte/manipulators/detail/descent.hpp>
 #include <kte/manipulators/detail/second_level.hpp>
 #include <kte/manipulators/goals.hpp>
 #include <kte/manipulators/unreachable.hpp>
+#ifdef KTE_COMPILED_HERE
+#  include <kte/manipulators/runtime_manipulator.hpp>
+#endif
 
 namespace kte {
 
@@ -67,7 +71,8 @@ inline constexpr bool has_hard<std::tuple<Goal...>> = (Goal::hard || ...);
 /// rotation or pose, `unreachable` with `must_reach`. Nothing is allocated for static chains, but by `posture` and
 /// `manipulability`.
 template <class Arm, class Goals, indexable Q>
-auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_options& options = {}) {
+clik_result<value_of<Q>, detail::arm_at<Arm, value_of<Q>>::configuration::RowsAtCompileTime> clik(
+    const Arm& arm, const Goals& wanted, const Q& q_start, const clik_options& options = {}) {
   using S = value_of<Q>;
   using at_type = detail::arm_at<Arm, S>;
   detail::check_limits_of_poses(arm);
@@ -146,3 +151,14 @@ auto clik(const Arm& arm, const Goals& wanted, const Q& q_start, const clik_opti
 }
 
 }  // namespace kte
+
+#ifdef KTE_EXTERN
+namespace kte {
+class kte_map_chain;
+template <>
+class manipulator<kte_map_chain, void>;
+KTE_EXTERN template clik_result<double, Eigen::Dynamic> clik(const manipulator<kte_map_chain, void>&,
+                                                             const detail::reach_goal<std::string>&,
+                                                             const Eigen::VectorXd&, const clik_options&);
+}  // namespace kte
+#endif

@@ -20,12 +20,7 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
   using limits_type = joint_limits<>;
 
   /// Throws `unknown_name` for a frame that the chain does not have, `bad_parameter` for limits that make no sense.
-  manipulator(const kte_map_chain& c, std::vector<std::string> tools, const joint_limits<>& limits)
-      : model(c, std::move(tools)), limits_(limits) {
-    check_limits(*this, limits_);
-    auto s = make_state();
-    structure_ = detail::structure_of(detail::geometry_of(*this, s, this->tools()[0]));
-  }
+  manipulator(const kte_map_chain& c, std::vector<std::string> tools, const joint_limits<>& limits);
   manipulator(const kte_map_chain& c, std::vector<std::string> tools)
       : manipulator(c, std::move(tools), unlimited(c)) {}
   // A text is a template parameter: else {"left", "right"} would also be a std::string, of two pointers.
@@ -39,11 +34,7 @@ class manipulator<kte_map_chain, void> : public manipulator_kinematics_model<kte
   const joint_limits<>& limits() const { return limits_; }
   arm_family family() const { return structure_.family; }
   const detail::arm_structure& structure() const { return structure_; }
-  manipulator with_axes_within(double tolerance) const {
-    auto arm = *this;
-    arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
-    return arm;
-  }
+  manipulator with_axes_within(double tolerance) const;
 
  private:
   joint_limits<> limits_;
@@ -56,3 +47,22 @@ manipulator(const kte_map_chain&, std::initializer_list<const char*>, const join
     ->manipulator<kte_map_chain>;
 
 }  // namespace kte
+
+#ifdef KTE_FUNCTION
+namespace kte {
+
+KTE_FUNCTION manipulator<kte_map_chain, void>::manipulator(const kte_map_chain& c, std::vector<std::string> tools,
+                                                           const joint_limits<>& limits)
+    : model(c, std::move(tools)), limits_(limits) {
+  check_limits(*this, limits_);
+  auto s = make_state();
+  structure_ = detail::structure_of(detail::geometry_of(*this, s, this->tools()[0]));
+}
+KTE_FUNCTION manipulator<kte_map_chain> manipulator<kte_map_chain, void>::with_axes_within(double tolerance) const {
+  auto arm = *this;
+  arm.structure_ = detail::structure_of(structure_.original, detail::checked_tolerance(tolerance));
+  return arm;
+}
+
+}  // namespace kte
+#endif

@@ -45,48 +45,18 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
   /// Throws `bad_wiring` as `kte_map_chain::make_state` does, and where an element holds a coordinate that others move.
-  explicit manipulator_dynamics_model(const kte_map_chain& c) : base(c), s_(c.make_state()), rate_(rates()) {
-    for (const int e : s_.tree().holders) {
-      const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
-      const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
-      if (row >= dofs())
-        throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
-                         " holds a coordinate that is not a degree of freedom");
-      holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
-    }
-  }
+  explicit manipulator_dynamics_model(const kte_map_chain& c);
 
-  const rate& computeStateRate(double t, const state& x) const {
-    setJointStates(t, x, s_);
-    rate_.head(dofs()) = velocities_of(x);
-    rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
-    rates_of_internals();
-    return rate_;
-  }
+  const rate& computeStateRate(double t, const state& x) const;
   /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
   /// As of a static chain. Says whether it is known: of chains without internal states (and not where passes alone know
   /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
-  bool jacobian(double t, const state& x, jacobian_matrix& j) const {
-    if (internals() > 0 || s_.tree().irregular) return false;
-    setJointStates(t, x, s_);
-    const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
-    j.resize(rates(), rates());
-    const Eigen::VectorXd v = velocities_of(x);
-    detail::put_rate_derivatives(freedoms(), v, of_accelerations, j);
-    return true;
-  }
+  bool jacobian(double t, const state& x, jacobian_matrix& j) const;
   /// The same; throws `bad_argument` where it is not known.
-  jacobian_matrix jacobian(double t, const state& x) const {
-    jacobian_matrix j;
-    if (!jacobian(t, x, j))
-      throw bad_argument(
-          "kte: the Jacobian of a model of a runtime chain is known where it has no internal states, and joints that "
-          "move by their `relative` alone");
-    return j;
-  }
+  jacobian_matrix jacobian(double t, const state& x) const;
 
   /// As of a static chain, also where there are internal states. Throws `bad_argument` where passes alone know a joint.
   template <std::same_as<double> T>
@@ -97,6 +67,12 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return j;
   }
 
+  using base::make_x;
+  /// The same of vectors.
+  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
+  state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
+  using base::setInput;
+  void setInput(const Eigen::VectorXd& u);
   using base::input;
   /// The value of an input; throws `unknown_name`, `bad_argument` where an element writes it, or time does.
   double& input(std::string_view name) { return u_[place_of_input(name, kind::input)]; }
@@ -106,85 +82,30 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   }
 
   /// x of a state of the chain.
-  state getJointStates(const runtime_state& s) const {
-    check(s);
-    Eigen::VectorXd z(internals());
-    for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = s.get<kind::internal>(static_cast<int>(i)).z;
-    return make_x(positions(s), velocities(s), z);
-  }
+  state getJointStates(const runtime_state& s) const;
   /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
-  void setJointStates(double t, const state& x, runtime_state& s) const {
-    setJointStates(x, s);
-    for (const auto& signal : wiring().signals)
-      if (signal.u < 0) s.get<kind::input>(signal.slot) = t;
-  }
+  void setJointStates(double t, const state& x, runtime_state& s) const;
   /// The same, with a time, if there is one, as it is in the state.
-  void setJointStates(const state& x, runtime_state& s) const {
-    check(s), checked(x);
-    set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
-    for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
-    for (const auto& signal : wiring().signals) {
-      if (signal.what == kind::vector)
-        s.get<kind::vector>(signal.slot) = {u_[signal.u], u_[signal.u + 1], u_[signal.u + 2]};
-      else if (signal.u >= 0)
-        s.get<kind::input>(signal.slot) = u_[signal.u];
-    }
-  }
+  void setJointStates(const state& x, runtime_state& s) const;
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
   const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
-  Eigen::VectorXd computeOutput(double t, const state& x) const {
-    checked(x);
-    if (output_) return output_(state_at(t, x));
-    return x.head(nq() + dofs());
-  }
+  Eigen::VectorXd computeOutput(double t, const state& x) const;
   /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
   /// events: `element_events(model)`.
-  double switching(double t, const state& x, std::size_t which) const {
-    for (const auto& h : holders_)
-      if (h.element == which) return detail::mode_function(*this, t, x, h);
-    setJointStates(t, x, s_);
-    doMotion(s_);
-    return wiring().elements.at(which).element->switching(s_);
-  }
-
+  double switching(double t, const state& x, std::size_t which) const;
   /// What the element keeps, after its law has changed there.
-  void switch_over(double t, state& x, std::size_t which) const {
-    for (const auto& h : holders_)
-      if (h.element == which) return detail::switch_mode(*this, t, x, h);
-    setJointStates(t, x, s_);
-    doMotion(s_);
-    wiring().elements.at(which).element->switch_over(s_);
-    for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
-  }
+  void switch_over(double t, state& x, std::size_t which) const;
   /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
-  bool mend(double t, state& x, std::size_t which) const {
-    for (const auto& h : holders_)
-      if (h.element == which) return detail::mend_at_start(*this, t, x, h);
-    state after = x;
-    switch_over(t, after, which);
-    return detail::mend_internals(after, x, nq() + dofs(), x.size());
-  }
+  bool mend(double t, state& x, std::size_t which) const;
 
   /// As of a static chain.
-  Eigen::VectorXd forces_at(const state& x, double t = 0) const {
-    setJointStates(t, x, s_);
-    return -nonlinear_effects(chain(), s_);
-  }
+  Eigen::VectorXd forces_at(const state& x, double t = 0) const;
 
   // ---- of elements that may hold a coordinate: models/modes.hpp
   const std::vector<detail::holder_place>& holders() const { return holders_; }
-  const Eigen::VectorXd& needed_forces(double t, const state& x) const {
-    computeStateRate(t, x);  // leaves accelerations in the state
-    return inverse_dynamics(chain(), s_);
-  }
-  double capacity(double t, const state& x, std::size_t element) const {
-    const auto& e = wiring().elements.at(element);
-    if (e.stiff) return e.element->capacity(own_state_at(t, x));
-    setJointStates(t, x, s_);
-    doMotion(s_);
-    return e.element->capacity(s_);
-  }
+  const Eigen::VectorXd& needed_forces(double t, const state& x) const;
+  double capacity(double t, const state& x, std::size_t element) const;
 
   /// Whether it has another output than (q, v).
   bool has_output() const { return static_cast<bool>(output_); }
@@ -195,24 +116,17 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
     return m;
   }
 
+  // ---- motion on the group, as of `state_space`
+  void displace(const state& x, const rate& d, state& out) const;
+  void pull_back(const rate& d, rate& r) const;
+  void magnitudes(const state& x, rate& m) const;
+  void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
+
  private:
-  runtime_state& own_state_at(double t, const state& x) const {
-    computeStateRate(t, x);  // leaves accelerations in the state
-    doMotion(s_), clearForce(s_), doForce(s_);
-    return s_;
-  }
-  int place_of_input(std::string_view name, kind k) const {
-    const int slot = wiring().find(name, k);
-    for (const auto& signal : wiring().signals)
-      if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
-    throw bad_argument("kte: '" + std::string(name) +
-                       "' is not an input from outside: an element writes it, or it is the time");
-  }
+  int place_of_input(std::string_view name, kind k) const;
   /// doMotion of the elements that keep them, and of what these depend on.
-  void rates_of_internals() const {
-    for (const int keeper : wiring().keepers) detail::move_element(wiring(), s_, keeper);
-    for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
-  }
+  void rates_of_internals() const;
+  runtime_state& own_state_at(double t, const state& x) const;
 
   // To work in, also through std::cref; who calls one model in two threads needs two.
   mutable runtime_state s_;
@@ -228,28 +142,14 @@ struct runtime_switching {
   const manipulator_dynamics_model<kte_map_chain>* model;
   std::size_t element;
 
-  double operator()(double t, const Eigen::VectorXd& x) const {
-    return model->switching(t, x.size() == own() ? x : x.head(own()).eval(), element);
-  }
+  double operator()(double t, const Eigen::VectorXd& x) const;
   /// The reset.
-  void switch_over(double t, Eigen::VectorXd& x) const {
-    Eigen::VectorXd part = x.head(own());
-    model->switch_over(t, part, element);
-    x.head(own()) = part;
-  }
+  void switch_over(double t, Eigen::VectorXd& x) const;
   /// What the integration begins with.
-  bool mend(double t, Eigen::VectorXd& x) const {
-    Eigen::VectorXd part = x.head(own());
-    const bool was_wrong = model->mend(t, part, element);
-    x.head(own()) = part;
-    return was_wrong;
-  }
+  bool mend(double t, Eigen::VectorXd& x) const;
   /// Numbers of a state, without those of a law.
   Eigen::Index own() const { return model->nq() + model->dofs() + model->internals(); }
-  std::string name() const {
-    const kte_element& e = *model->wiring().elements[element].element;
-    return describe_element(e);
-  }
+  std::string name() const;
 };
 }  // namespace detail
 
@@ -265,3 +165,179 @@ inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& mode
 }
 
 }  // namespace kte
+
+#ifdef KTE_FUNCTION
+namespace kte {
+
+KTE_FUNCTION manipulator_dynamics_model<kte_map_chain>::manipulator_dynamics_model(const kte_map_chain& c)
+    : base(c), s_(c.make_state()), rate_(rates()) {
+  for (const int e : s_.tree().holders) {
+    const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
+    const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
+    if (row >= dofs())
+      throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
+                       " holds a coordinate that is not a degree of freedom");
+    holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
+  }
+}
+
+KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::computeStateRate(double t, const state& x) const
+    -> const rate& {
+  setJointStates(t, x, s_);
+  rate_.head(dofs()) = velocities_of(x);
+  rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
+  rates_of_internals();
+  return rate_;
+}
+KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::jacobian(double t, const state& x,
+                                                                      jacobian_matrix& j) const {
+  if (internals() > 0 || s_.tree().irregular) return false;
+  setJointStates(t, x, s_);
+  const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
+  j.resize(rates(), rates());
+  const Eigen::VectorXd v = velocities_of(x);
+  detail::put_rate_derivatives(freedoms(), v, of_accelerations, j);
+  return true;
+}
+KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::jacobian(double t, const state& x) const
+    -> jacobian_matrix {
+  jacobian_matrix j;
+  if (!jacobian(t, x, j))
+    throw bad_argument(
+        "kte: the Jacobian of a model of a runtime chain is known where it has no internal states, and joints that "
+        "move by their `relative` alone");
+  return j;
+}
+
+KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::make_x(const Eigen::VectorXd& q,
+                                                                    const Eigen::VectorXd& v) const -> state {
+  return base::make_x(q, v);
+}
+KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                                                    const Eigen::VectorXd& z) const -> state {
+  return base::make_x(q, v, z);
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setInput(const Eigen::VectorXd& u) { base::setInput(u); }
+KTE_FUNCTION int manipulator_dynamics_model<kte_map_chain>::place_of_input(std::string_view name, kind k) const {
+  const int slot = wiring().find(name, k);
+  for (const auto& signal : wiring().signals)
+    if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
+  throw bad_argument("kte: '" + std::string(name) +
+                     "' is not an input from outside: an element writes it, or it is the time");
+}
+
+KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::getJointStates(const runtime_state& s) const -> state {
+  check(s);
+  Eigen::VectorXd z(internals());
+  for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = s.get<kind::internal>(static_cast<int>(i)).z;
+  return make_x(positions(s), velocities(s), z);
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(double t, const state& x,
+                                                                            runtime_state& s) const {
+  setJointStates(x, s);
+  for (const auto& signal : wiring().signals)
+    if (signal.u < 0) s.get<kind::input>(signal.slot) = t;
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(const state& x, runtime_state& s) const {
+  check(s), checked(x);
+  set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
+  for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
+  for (const auto& signal : wiring().signals) {
+    if (signal.what == kind::vector)
+      s.get<kind::vector>(signal.slot) = {u_[signal.u], u_[signal.u + 1], u_[signal.u + 2]};
+    else if (signal.u >= 0)
+      s.get<kind::input>(signal.slot) = u_[signal.u];
+  }
+}
+KTE_FUNCTION runtime_state& manipulator_dynamics_model<kte_map_chain>::own_state_at(double t, const state& x) const {
+  computeStateRate(t, x);  // leaves accelerations in the state
+  doMotion(s_), clearForce(s_), doForce(s_);
+  return s_;
+}
+KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<kte_map_chain>::computeOutput(double t, const state& x) const {
+  checked(x);
+  if (output_) return output_(state_at(t, x));
+  return x.head(nq() + dofs());
+}
+
+KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::switching(double t, const state& x,
+                                                                         std::size_t which) const {
+  for (const auto& h : holders_)
+    if (h.element == which) return detail::mode_function(*this, t, x, h);
+  setJointStates(t, x, s_);
+  doMotion(s_);
+  return wiring().elements.at(which).element->switching(s_);
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::switch_over(double t, state& x, std::size_t which) const {
+  for (const auto& h : holders_)
+    if (h.element == which) return detail::switch_mode(*this, t, x, h);
+  setJointStates(t, x, s_);
+  doMotion(s_);
+  wiring().elements.at(which).element->switch_over(s_);
+  for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
+}
+KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::mend(double t, state& x, std::size_t which) const {
+  for (const auto& h : holders_)
+    if (h.element == which) return detail::mend_at_start(*this, t, x, h);
+  state after = x;
+  switch_over(t, after, which);
+  return detail::mend_internals(after, x, nq() + dofs(), x.size());
+}
+KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<kte_map_chain>::forces_at(const state& x, double t) const {
+  setJointStates(t, x, s_);
+  return -nonlinear_effects(chain(), s_);
+}
+KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<kte_map_chain>::needed_forces(double t,
+                                                                                             const state& x) const {
+  computeStateRate(t, x);  // leaves accelerations in the state
+  return inverse_dynamics(chain(), s_);
+}
+KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::capacity(double t, const state& x,
+                                                                        std::size_t element) const {
+  const auto& e = wiring().elements.at(element);
+  if (e.stiff) return e.element->capacity(own_state_at(t, x));
+  setJointStates(t, x, s_);
+  doMotion(s_);
+  return e.element->capacity(s_);
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::rates_of_internals() const {
+  for (const int keeper : wiring().keepers) detail::move_element(wiring(), s_, keeper);
+  for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
+}
+
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::displace(const state& x, const rate& d, state& out) const {
+  base::displace(x, d, out);
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::pull_back(const rate& d, rate& r) const {
+  base::pull_back(d, r);
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::magnitudes(const state& x, rate& m) const {
+  base::magnitudes(x, m);
+}
+KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::rounding(const state& x, const rate& d, const state& out,
+                                                                      rate& rest) const {
+  base::rounding(x, d, out, rest);
+}
+
+namespace detail {
+KTE_FUNCTION double runtime_switching::operator()(double t, const Eigen::VectorXd& x) const {
+  return model->switching(t, x.size() == own() ? x : x.head(own()).eval(), element);
+}
+KTE_FUNCTION void runtime_switching::switch_over(double t, Eigen::VectorXd& x) const {
+  Eigen::VectorXd part = x.head(own());
+  model->switch_over(t, part, element);
+  x.head(own()) = part;
+}
+KTE_FUNCTION bool runtime_switching::mend(double t, Eigen::VectorXd& x) const {
+  Eigen::VectorXd part = x.head(own());
+  const bool was_wrong = model->mend(t, part, element);
+  x.head(own()) = part;
+  return was_wrong;
+}
+KTE_FUNCTION std::string runtime_switching::name() const {
+  return describe_element(*model->wiring().elements[element].element);
+}
+}  // namespace detail
+
+}  // namespace kte
+#endif

@@ -39,12 +39,7 @@ template <>
 class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
  public:
   /// Throws `unknown_name` for a frame that the chain does not have.
-  manipulator_kinematics_model(const kte_map_chain& c, std::vector<std::string> frames)
-      : unchanging_chain(c), frames_(std::move(frames)), s_(make_state()) {
-    if (frames_.empty()) throw bad_argument("kte: a kinematics model needs a frame that depends on the joints");
-    for (const auto& f : frames_)
-      if (!is_frame(wiring().kind_of(f, true))) throw unknown_name("kte: '" + f + "' is not a frame");
-  }
+  manipulator_kinematics_model(const kte_map_chain& c, std::vector<std::string> frames);
 
   const std::vector<std::string>& tools() const { return frames_; }
 
@@ -94,3 +89,17 @@ manipulator_kinematics_model(const kte_map_chain&, std::vector<std::string>)
     ->manipulator_kinematics_model<kte_map_chain>;
 
 }  // namespace kte
+
+#ifdef KTE_FUNCTION
+namespace kte {
+
+KTE_FUNCTION manipulator_kinematics_model<kte_map_chain>::manipulator_kinematics_model(const kte_map_chain& c,
+                                                                                       std::vector<std::string> frames)
+    : unchanging_chain(c), frames_(std::move(frames)), s_(make_state()) {
+  if (frames_.empty()) throw bad_argument("kte: a kinematics model needs a frame that depends on the joints");
+  for (const auto& f : frames_)
+    if (!is_frame(wiring().kind_of(f, true))) throw unknown_name("kte: '" + f + "' is not a frame");
+}
+
+}  // namespace kte
+#endif

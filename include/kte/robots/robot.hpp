@@ -15,6 +15,7 @@ struct robot {
   struct shape : robot_shape {
     std::string frame;
     bool collision = false;
+    std::string file{};  ///< the included file that it is in; empty for the robot's own
   };
   /// A motor of the chain: its command is the input u of this name, in the order of the list; `v` is the place of its
   /// joint in v.
@@ -37,6 +38,8 @@ struct robot {
   std::vector<configuration> configurations;
   std::vector<robot_note> not_read;  ///< what the file holds and the chain does not, with lines
   std::vector<robot_note> warnings;  ///< first what moves differently from the file's robot, then what is odd
+  std::string file;                      ///< what messages call the file; meshes are looked for around it
+  std::vector<std::string> search_path;  ///< where else: robot_options::search_path
 };
 
 }  // namespace kte

@@ -22,8 +22,7 @@ class bdf_step : public implicit_integrator<Method, F, X> {
   using typename base::S;
 
  protected:
-  template <class V>
-  bdf_step(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, bdf_formula formula)
+  bdf_step(F f, const S& t0, const X& x0, const tolerances<S>& tol, bdf_formula formula)
       : base(std::move(f), t0, x0, tol), formulas_(formula), weakly_damped_(this->rates()) {
     slope_ = change_ = correction_ = predicted_ = history_ = this->no_rate();
   }

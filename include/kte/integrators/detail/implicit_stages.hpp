@@ -31,8 +31,7 @@ class implicit_stages : public implicit_integrator<Method, F, X> {
 
  protected:
   /// newton_tolerance: the part of the tolerances that (2) may leave.
-  template <class V>
-  implicit_stages(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, const S& newton_tolerance)
+  implicit_stages(F f, const S& t0, const X& x0, const tolerances<S>& tol, const S& newton_tolerance)
       : base(std::move(f), t0, x0, tol), newton_tolerance_(newton_tolerance) {
     d_ = stage_slope_ = residual_ = correction_ = this->no_rate();
   }

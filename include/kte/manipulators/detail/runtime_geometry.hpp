@@ -12,7 +12,14 @@ namespace kte::detail {
 /// with the origin of the frame at p, is w x (p - o) and w for any o on its axis, of which the nearest to p is
 ///
 ///   o = p + w x v          (1)
-inline arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame) {
+arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame);
+
+}  // namespace kte::detail
+
+#ifdef KTE_FUNCTION
+namespace kte::detail {
+
+KTE_FUNCTION arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame) {
   arm_geometry arm;
   const auto x = find_frame(c, frame);
   const auto& forest = s.tree().forest;
@@ -61,3 +68,4 @@ inline arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const 
 }
 
 }  // namespace kte::detail
+#endif

@@ -154,3 +154,10 @@ solved_answers<S> solve_closed_form(const arm_structure& s, const plain_pose_of<
 }
 
 }  // namespace kte::detail
+
+#ifdef KTE_EXTERN
+namespace kte::detail {
+KTE_EXTERN template solved_answers<double> solve_closed_form(const arm_structure&, const plain_pose_of<double>&,
+                                                             const by_joint<double>&, const double&);
+}
+#endif

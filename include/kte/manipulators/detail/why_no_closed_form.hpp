@@ -9,7 +9,14 @@
 namespace kte::detail {
 
 /// What the axes of an arm miss, for people.
-inline std::string why_no_closed_form(const arm_structure& s) {
+std::string why_no_closed_form(const arm_structure& s);
+
+}  // namespace kte::detail
+
+#ifdef KTE_FUNCTION
+namespace kte::detail {
+
+KTE_FUNCTION std::string why_no_closed_form(const arm_structure& s) {
   const arm_geometry& arm = s.original;
   if (arm.refused != nullptr) return std::string("no closed form of inverse kinematics: the arm ") + arm.refused;
   const std::string few = "no closed form of inverse kinematics for an arm of ";
@@ -41,3 +48,4 @@ inline std::string why_no_closed_form(const arm_structure& s) {
 }
 
 }  // namespace kte::detail
+#endif

@@ -14,6 +14,7 @@ class chain_builder {
 
   robot build() {
     out_.name = d_.name, out_.actuators = d_.actuators;
+    out_.file = d_.source, out_.search_path = o_.search_path;
     out_.not_read = d_.not_read, out_.warnings = d_.warnings;
     gather_bodies();
     to_.chain().gravity(gravity());

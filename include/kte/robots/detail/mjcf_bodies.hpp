@@ -4,6 +4,7 @@
 #include <kte/robots/detail/mjcf_joint.hpp>
 #include <kte/robots/detail/mjcf_keyframe.hpp>
 #include <kte/robots/detail/mjcf_masses.hpp>
+#include <kte/robots/detail/mjcf_materials.hpp>
 #include <kte/robots/detail/mjcf_mesh.hpp>
 #include <kte/robots/detail/mjcf_options.hpp>
 
@@ -136,7 +137,9 @@ class mjcf_bodies {
     }
     g.shape.origin = c.in.place * g.shape.origin;
     unread_.contact_of(x, g.collides);
-    l.visuals.push_back(g.shape);
+    if (g.shape.rgba.empty()) g.shape.rgba = materials_.rgba(g.shape.material, *c.in.model);
+    const bool seen = !g.collides || x.number_or("group", 0) < 3;  // viewers show groups up to 2
+    if (seen) l.visuals.push_back(g.shape);
     if (g.collides) l.collisions.push_back(g.shape);
   }
 
@@ -238,6 +241,7 @@ class mjcf_bodies {
   mjcf_tree tree_;
   mjcf_unread unread_;
   mjcf_meshes meshes_;
+  mjcf_materials materials_;
   std::vector<std::size_t> bodies_;  ///< the links that are bodies of the file
   std::unordered_set<std::string> taken_, joints_;
   int depth_ = 0;

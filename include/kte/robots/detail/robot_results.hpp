@@ -17,8 +17,8 @@ inline void list_joints(robot& r, const robot_description& d) {
 }
 inline void list_shapes(robot& r, const robot_description& d) {
   for (const auto& l : d.links) {
-    for (const auto& v : l.visuals) r.shapes.push_back({v, l.name, false});
-    for (const auto& c : l.collisions) r.shapes.push_back({c, l.name, true});
+    for (const auto& v : l.visuals) r.shapes.push_back({v, l.name, false, l.file});
+    for (const auto& c : l.collisions) r.shapes.push_back({c, l.name, true, l.file});
   }
 }
 inline void read_limits(robot& r, const robot_description& d, const robot_tree& tree) {

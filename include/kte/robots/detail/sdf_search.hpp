@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/robots/detail/file_places.hpp>
 #include <kte/robots/detail/sdf_upgrade.hpp>
 #include <kte/robots/detail/xml_text.hpp>
 
@@ -15,16 +16,11 @@ class sdf_search {
   sdf_search(robot_description& d, const robot_options& o, xml_parser parse) : d_(d), options_(o), parse_(parse) {}
 
   path find(const xml_item& x, const std::string& uri, const path& folder) const {
-    std::string name = uri;
-    for (const std::string_view scheme : {"model://", "package://", "file://"})
-      if (name.starts_with(scheme)) {
-        name.erase(0, scheme.size());
-        break;
-      }
+    const std::string name = path_in_uri(uri);
     if (name.find("://") != name.npos)
       x.fail("'" + excerpt(uri) + "' is not on this machine: fetch it, and name its folder by model://, a path, or " +
              "robot_options::search_path");
-    for (const auto& at : places(name, folder)) {
+    for (const auto& at : file_places(name, folder, options_.search_path)) {
       std::error_code none;
       if (std::filesystem::is_regular_file(at, none)) return at;
       if (std::filesystem::is_directory(at, none))
@@ -35,18 +31,6 @@ class sdf_search {
   }
 
  private:
-  std::vector<path> places(const std::string& name, const path& folder) const {
-    const path wanted(name);
-    if (wanted.is_absolute()) return {wanted};
-    std::vector<path> all;
-    std::error_code none;
-    for (path at = std::filesystem::absolute(folder, none).lexically_normal();; at = at.parent_path()) {
-      all.push_back(at / wanted), all.push_back(at / "models" / wanted);
-      if (at == at.parent_path()) break;
-    }
-    for (const auto& s : options_.search_path) all.push_back(path(s) / wanted);
-    return all;
-  }
   /// The file that `model.config` gives for the highest version that is read, else model.sdf.
   path model_in(const path& folder) const {
     std::error_code none;

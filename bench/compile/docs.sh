@@ -1,0 +1,63 @@
+#!/bin/sh
+# Fails if a program of README or docs, a block with `int main()`, instantiates more templates with kte::compiled than
+# `docs_limits` allows. gate.sh calls it.
+#   sh bench/compile/docs.sh
+#   sh bench/compile/docs.sh record      writes `docs_limits` anew: what is counted now, and 5 %
+#   sh bench/compile/docs.sh time        CPU seconds of g++ -O2 in units of #include <Eigen/Core>: docs/build.md
+set -eu
+root=$(cd "$(dirname "$0")/../.." && pwd)
+CXX=g++
+limits=$root/bench/compile/docs_limits
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. "$root/bench/compile/chain.sh"
+
+# Each program as a file; its name is that of the page and the line.
+cd "$root"
+for page in README.md docs/*.md; do
+  awk -v work="$work" -v page="$(basename "$page" .md)" '
+    function finish() {
+      if (program) { file = work "/" page "_" ++count ".cpp"; printf "#define KTE_COMPILED\n%s", text >file; close(file) }
+      text = ""; program = within = 0
+    }
+    within && /^```/ { finish(); next }
+    within { text = text $0 "\n"; if (/^int main\(/) program = 1; next }
+    /^```cpp/ { within = 1 }' "$page"
+done
+
+if [ "${1:-}" = time ]; then
+  unit=$(sh bench/compile/unit.sh 3 | sort -n | sed -n 2p)
+  for program in "$work"/*.cpp; do
+    sh -c '"$@"; times' sh $CXX -std=c++20 -O2 -isystem /usr/include/eigen3 -Iinclude -Iexamples -c "$program" -o "$work/o" |
+      awk -v unit="$unit" -v name="$(basename "$program" .cpp)" 'NR == 2 {
+        split($1 "m" $2, t, /[ms]+/); s = 60 * t[1] + t[2] + 60 * t[3] + t[4]
+        printf "%-14s %5.1f s %5.1f units\n", name, s, s / unit }'
+  done
+  exit
+fi
+
+grep '^#' "$limits" >"$work/limits"
+failed=0
+printf '%-14s %22s %22s\n' program 'functions (most)' 'classes (most)'
+for program in "$work"/*.cpp; do
+  name=$(basename "$program" .cpp)
+  counts=$(instantiations "$name")
+  functions=${counts% *} classes=${counts#* }
+  echo "$name $((functions * 21 / 20)) $((classes * 21 / 20))" >>"$work/limits"
+  if [ "${1:-}" = record ]; then continue; fi
+  set -- $(awk -v name="$name" '$1 == name { print $2, $3 }' "$limits")
+  most_functions=${1:-0} most_classes=${2:-0}
+  set --
+  printf '%-14s %22s %22s\n' "$name" "$functions ($most_functions)" "$classes ($most_classes)"
+  if [ "$functions" -gt "$most_functions" ] || [ "$classes" -gt "$most_classes" ]; then
+    echo "docs: the program $name instantiates more than bench/compile/docs_limits allows, and will compile slowly" >&2
+    failed=1
+  fi
+done
+
+if [ "${1:-}" = record ]; then
+  cp "$work/limits" "$limits"
+elif [ "$failed" != 0 ]; then
+  echo 'docs: find the change that did it; if it is worth it: sh bench/compile/docs.sh record' >&2
+  exit 1
+fi

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <kte/io/table.hpp>
+#include <kte/view/detail/chain_parts.hpp>
+#include <kte/view/options.hpp>
+#include <kte/view/scene.hpp>
+
+namespace kte {
+
+namespace detail {
+/// A thing in a state: a frame or a coordinate.
+struct thing_place {
+  kind what;
+  int slot;
+};
+/// What of a row of a table goes into a thing of a state before it is drawn.
+struct thing_source {
+  kind what;
+  int slot;
+  std::vector<const std::vector<double>*> columns;  ///< none: the time
+};
+struct replay_plan {
+  std::vector<thing_source> sources;
+  const std::vector<double>* time;
+};
+}  // namespace detail
+
+/// A scene with one recording that grows row by row: what `scene_recording` is, whatever the chain.
+class recorded_scene {
+ public:
+  /// A row: of each track the position and the matrix of the rotation by rows; q; v; the cells.
+  struct row_numbers {
+    std::vector<double> poses, q, v, cells;
+  };
+
+  /// The scene with what was recorded so far.
+  const scene& contents() const { return scene_; }
+
+ protected:
+  recorded_scene(const detail::chain_parts& chain, const recording_options& options);
+
+  /// Where to read a row from.
+  const std::vector<detail::thing_place>& tracked() const { return tracked_; }
+  const std::vector<detail::thing_place>& freedoms() const { return freedoms_; }
+  const std::vector<detail::recorded>& cells() const { return cells_; }
+  /// What a row takes from a table; the columns that nothing takes are added as they are. Throws `unknown_name` for
+  /// coordinates that have no columns, `bad_argument` for numbers and times that cannot be.
+  detail::replay_plan replay(const detail::chain_parts& chain, const table& numbers);
+
+  /// A row to be filled.
+  row_numbers& blank() { return row_; }
+  /// Takes the row.
+  void add(double t);
+
+ private:
+  scene scene_;
+  std::vector<detail::thing_place> tracked_, freedoms_;
+  std::vector<detail::recorded> cells_;
+  row_numbers row_;
+  bool broken_ = false;  ///< whether there were numbers that are not finite
+};
+
+}  // namespace kte

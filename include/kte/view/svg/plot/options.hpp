@@ -1,0 +1,36 @@
+#pragma once
+
+#include <kte/view/svg/plot/column_units.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace kte {
+
+/// Which curves share a panel.
+enum class panels {
+  by_unit,   ///< those of one quantity: all angles, all velocities
+  together,  ///< all
+  each       ///< none
+};
+
+/// How a table is plotted: `kte::write_plot("run.svg", run, {"elbow", "elbow/v"}, {.width = 85})`.
+struct plot_options {
+  double width = 170;    ///< mm: journals have columns of 85 mm and pages of 170 mm
+  double height = 0;     ///< mm; 0 is as high as the panels want
+  double font_size = 8;  ///< points of 1/72 inch
+  std::string font = "sans-serif";
+  std::string title{};    ///< above the picture; also what screen readers call it
+  std::string against{};  ///< the column on the horizontal axis; empty for the first one, the time
+  std::string label{};    ///< of the vertical axes, in place of the name or quantity; the unit is put behind it
+  unit_map units{};       ///< of coordinates, inputs, or columns, whose names do not say it
+  panels share = panels::by_unit;
+  bool log_x = false, log_y = false;
+  double from = -std::numeric_limits<double>::infinity();  ///< rows below it on the horizontal axis are left out,
+  double to = std::numeric_limits<double>::infinity();     ///< and those above this
+  bool dashed = true;                                      ///< whether curves differ by dashes besides colours
+  bool grid = true;
+};
+
+}  // namespace kte

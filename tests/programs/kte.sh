@@ -1,0 +1,219 @@
+#!/bin/sh
+# kte.sh PROGRAM: what the commands of `kte` do with arguments, files and standard output, but for `kte eval`.
+kte=$(realpath "$1")
+sources=$(cd "$(dirname "$0")/../.." && pwd)
+. "$(dirname "$0")/common.sh"
+printf 'q_0,v_0\n0.1,0\n' >start.csv
+json() { if ! python3 -m json.tool out >/dev/null 2>&1; then wrong "not JSON: $*"; fi; }
+if ! command -v python3 >/dev/null; then json() { :; }; fi
+
+# The command line.
+gives 2 'kte: A subcommand is required (see kte help)' "$kte"
+gives 2 '(see kte help)' "$kte" nothing
+gives 0 '' "$kte" --version
+prints 'kte '
+gives 0 '' "$kte" --help
+gives 0 '' "$kte" help
+full "$kte" help
+gives 2 "there is no command 'nothing'" "$kte" help nothing
+for command in $("$kte" help --list); do
+  gives 0 '' "$kte" help "$command"
+  prints "usage: kte $command"
+  cp out expected
+  gives 0 '' "$kte" "$command" --help
+  if ! cmp -s out expected; then wrong "help $command and $command --help differ"; fi
+  if [ "$command" != help ]; then gives 2 "(see kte help $command)" "$kte" "$command" --nothing; fi
+done
+gives 0 '' "$kte" help --man
+if ! cmp -s out "$sources/share/man/man1/kte.1"; then wrong 'share/man/man1/kte.1 is not what kte help --man prints'; fi
+for command in $("$kte" help --list); do
+  for option in $("$kte" help "$command" --list); do
+    if ! sed 's/\\-/-/g' "$sources/share/man/man1/kte.1" | grep -qw -- "$option"; then wrong "$command $option is not in the man page"; fi
+  done
+done
+if command -v bash >/dev/null; then
+  mkdir bin && ln -s "$kte" bin/kte
+  complete() { PATH=$PWD/bin:$PATH bash -c '. "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); compopt() { :; }; _kte; echo "${COMPREPLY[*]}"' \
+    "$sources/share/bash-completion/completions/kte" "$@" >out 2>errors; }
+  complete kte si && prints simulate
+  complete kte help b && prints bench
+  complete kte view --op && prints --open
+  complete kte view arm.ur && prints arm.urdf
+fi
+
+# check
+gives 0 '' "$kte" check arm.urdf
+prints "arm.urdf:3: link 'arm': no body can have such an inertia"
+prints 'arm.urdf (URDF): 1 degree of freedom (1 revolute), 1 body of 1 kg, 2 frames, 0.5 m large'
+gives 0 '' "$kte" check arm.urdf --json
+json check
+prints '"is_mechanism":true'
+got=0
+"$kte" check arm.urdf --strict >out 2>errors || got=$?
+if [ "$got" -ne 1 ]; then wrong 'check --strict is content with what is odd'; fi
+gives 0 '' "$kte" check pendulum.kte --strict
+prints 'pendulum.kte: nothing odd is found'
+sed 's/parent link="base"/parent link="nothing"/' arm.urdf >bad.urdf
+got=0
+"$kte" check bad.urdf >out 2>errors || got=$?
+if [ "$got" -ne 1 ]; then wrong 'a file that is no mechanism has exit code 0'; fi
+prints "bad.urdf:7: joint 'q': "
+sed 's|<axis |<limit lower="-180" upper="180" effort="1" velocity="1"/>&|; s/"continuous"/"revolute"/' arm.urdf >degrees.urdf
+gives 0 '' "$kte" check degrees.urdf
+prints "coordinate 'q': its range ends at -180 rad: is that in degrees?"
+sed 's/0 0 -0.5/0 0 -500/' arm.urdf >millimetres.urdf
+gives 0 '' "$kte" check millimetres.urdf
+prints 'it is 500 m large: are lengths in mm?'
+
+# info
+gives 0 '' "$kte" info pendulum.json
+prints "joint: revolute z 'q'"
+prints 'tip [1 kg]: fixed'
+gives 0 '' "$kte" info pendulum.json --json
+json info
+prints '"name":"tip","planar":true,"parent":"joint"'
+gives 0 '' "$kte" info pendulum.json --dot
+prints 'digraph kte {'
+gives 2 '--json and --dot' "$kte" info pendulum.json --dot --json
+
+# simulate
+gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record swing.csv
+prints 'pendulum.json: 1 s by dormand_prince45'
+prints '101 rows in swing.csv'
+cp out expected
+for solver in prince_dormand87 adams bdf rodas kennedy_carpenter34; do
+  gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --tolerance 1e-8 --solver $solver
+done
+for solver in runge_kutta4 semi_implicit_euler implicit_midpoint; do
+  gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --solver $solver
+done
+gives 2 "there is no solver 'rk4', but dormand_prince45" "$kte" simulate pendulum.json --solver rk4
+for file in swing.npy swing.mcap swing.tsv; do
+  gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record $file --frames --column tip/velocity
+  if [ ! -s $file ]; then wrong "$file is empty"; fi
+done
+head -1 swing.csv >out
+prints 't,q,q/v,q/a,q/f,energy/kinetic,energy/potential,energy/total'
+gives 0 '' "$kte" simulate pendulum.json --time 1 --start swing.csv --json  # its first row
+json simulate
+prints '"rejected":'
+printf 't,q_0\n0,0\n1,1\n' >target.csv
+gives 0 '' "$kte" simulate pendulum.json --time 3 --pd target.csv
+prints "PD control: 'q' 25 and 5"
+printf 't,q\n1,1\n0,1\n' >backwards.csv
+gives 1 'backwards.csv:3: t must grow from row to row' "$kte" simulate pendulum.json --pd backwards.csv
+printf 'tau_0\n4.905\n' >torque.csv
+gives 0 '' "$kte" simulate pendulum.json --time 1 --input torque.csv
+prints 'change of energy: 0 J'
+printf 'motor\n1\n' >torque.csv
+gives 1 "torque.csv:1: 'motor' is no input; there are tau_0 to tau_0" "$kte" simulate pendulum.json --input torque.csv
+gives 1 "has no extension of a table" "$kte" simulate pendulum.json --record swing.txt2
+gives 1 "cannot open 'none/a.csv'" "$kte" simulate pendulum.json --record none/a.csv
+gives 2 '--time must be greater than 0' "$kte" simulate pendulum.json --time -1
+gives 2 '--step: '"'0x'"' is not a number' "$kte" simulate pendulum.json --step 0x
+gives 1 "has no configuration 'home'" "$kte" simulate arm.urdf --configuration home
+gives 1 'there is no column q_0 or v_0' "$kte" simulate pendulum.json --start backwards.csv --pd torque.csv
+printf 'q_0\nnan\n' >nan.csv
+gives 1 "nan.csv:2:1: 'nan' is not finite" "$kte" simulate pendulum.json --start nan.csv
+printf 'q_0,v_0\n' >no_rows.csv
+gives 1 'no_rows.csv: has no row of numbers' "$kte" simulate pendulum.json --start no_rows.csv
+
+# view and plot
+gives 0 'kte: wrote pendulum.html' "$kte" view pendulum.json
+gives 0 'kte: wrote a page.html' "$kte" view arm.urdf -o 'a page.html'
+if ! grep -q '"format": *"kte-scene-1"' 'a page.html'; then wrong 'the page has no scene'; fi
+for file in swing.csv swing.npy swing.mcap swing.tsv; do
+  gives 0 'kte: wrote swing.html' "$kte" view pendulum.json $file -o swing.html
+done
+gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --output both.html --title Both
+printf 't,x\n0,1\n' >none.csv
+gives 1 "no columns of coordinates by which the mechanism moves: 'q'" "$kte" view pendulum.json none.csv
+gives 1 "cannot run 'xdg-open'" env PATH=/nowhere "$kte" view pendulum.json --open
+mkdir browser && printf '#!/bin/sh\nprintf "%%s\\n" "$@" >>"$0.log"\n' >browser/xdg-open && chmod +x browser/xdg-open
+gives 0 'kte: wrote -a; touch called.html' env PATH="$PWD/browser:$PATH" "$kte" view pendulum.json --open -o '-a; touch called.html'
+if ! grep -qxF "$PWD/-a; touch called.html" browser/xdg-open.log; then wrong 'xdg-open gets another name'; fi
+gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
+if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
+gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
+gives 1 "cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
+gives 1 'pictures are SVG' "$kte" plot swing.csv q -o swing.png
+
+# ik
+sed 's/"continuous"/"prismatic"/; s/axis xyz="0 1 0"/axis xyz="1 0 0"/' arm.urdf >slide.urdf
+printf 'x,y,z\n0.25,0,0\n' >poses.csv
+gives 0 "slide.urdf:3: link 'arm': no body" "$kte" ik slide.urdf --frame arm --poses poses.csv
+prints 'pose,status,q_0,position_error,rotation_error'
+prints '0,reached,0.2'
+gives 0 "no body" "$kte" ik slide.urdf --frame arm --poses poses.csv --json
+json ik
+prints '"status":"reached"'
+printf 'x,y,z\n0.25,1,0\n' >far.csv
+got=0
+"$kte" ik slide.urdf --frame arm --poses far.csv >out 2>errors || got=$?
+if [ "$got" -ne 1 ] || ! grep -q '1 of 1 poses are not reached' errors; then wrong 'a pose out of reach is reached'; fi
+gives 2 '--frame is required' "$kte" ik slide.urdf --poses poses.csv
+gives 2 '--poses is required' "$kte" ik slide.urdf --frame arm
+gives 1 "'no'" "$kte" ik slide.urdf --frame no --poses poses.csv
+printf 'x,y,z,qw\n' >poses.csv
+gives 1 'poses.csv:1: missing columns: qx, qy, qz' "$kte" ik slide.urdf --frame arm --poses poses.csv
+
+# convert
+for file in a.json a.xml a.kte a.hpp; do
+  gives 0 '' "$kte" convert pendulum.json $file
+  if [ ! -s $file ]; then wrong "$file is empty"; fi
+done
+cmp -s a.kte pendulum.kte || wrong 'pendulum.kte is another'
+gives 0 '' "$kte" convert pendulum.xml - --to json
+cmp -s out a.json || wrong 'JSON from XML is another'
+gives 0 '' "$kte" convert pendulum.json - --to hpp --name swing
+prints 'inline constexpr auto swing = swing_names::assembled();'
+gives 0 "arm.urdf:8: joint 'q': <calibration>: not read" "$kte" convert arm.urdf again.urdf
+gives 0 '' "$kte" check again.urdf
+gives 1 'moments' "$kte" convert arm.urdf arm.mjcf
+if [ -e arm.mjcf ]; then wrong 'there is half a file'; fi
+gives 0 'moments' "$kte" convert arm.urdf arm.mjcf --lossy
+gives 0 '' "$kte" check arm.mjcf
+gives 1 'SDF is read, but not written' "$kte" convert arm.urdf arm.sdf
+gives 2 "there is no format 'png'" "$kte" convert arm.urdf arm.png
+gives 2 'says no format' "$kte" convert arm.urdf arm
+gives 1 'revolute_joint_2D' "$kte" convert pendulum.json a.urdf
+
+# bench
+gives 0 '' "$kte" bench pendulum.json --seconds 0.001
+prints 'forward dynamics'
+gives 0 '' "$kte" bench pendulum.json --seconds 0.001 --json
+json bench
+prints '"errors_against":"50 digits"'
+
+# Files that are none, or have odd names.
+mkdir folder && : >empty && head -c 1000 /dev/urandom >binary
+name='x "$(touch called)'"'; touch called
+.urdf"
+cp arm.urdf "$name"
+escape=$(printf '\033[31m.urdf')
+for command in check info simulate view bench; do
+  gives 1 "cannot read 'folder': Is a directory" "$kte" $command folder
+  gives 1 'kte: empty' "$kte" $command empty
+  gives 1 'kte: binary' "$kte" $command binary
+  gives 1 "cannot open 'none.urdf'" "$kte" $command none.urdf
+  gives 1 '\x1B[31m.urdf' "$kte" $command "$escape"
+done
+"$kte" info "$name" >out 2>errors || wrong 'a name with quotes and a newline is refused'
+prints '\x0A.urdf'
+if [ "$(wc -l <errors)" -ne 1 ]; then wrong 'a warning is more than a line'; fi
+"$kte" convert "$name" "$name.json" 2>errors || wrong 'such a name is not written'
+"$kte" simulate "$name.json" --record "$name.csv" --time 0.1 >out 2>errors || wrong 'such a name is not recorded'
+"$kte" view "$name.json" "$name.csv" -o "$name.html" 2>errors || wrong 'such a name is not shown'
+gives 0 '' "$kte" check -- pendulum.json
+for command in check info; do full "$kte" $command pendulum.json; done
+
+# Names of links and joints that tables do not take.
+sed 's/"arm"/"upper, arm"/; s/link="arm"/link="upper, arm"/; s/name="q"/name="shoulder \&quot;1\&quot;"/' arm.urdf >names.urdf
+gives 0 'no body' "$kte" simulate names.urdf --time 0.1 --record names.csv --frames
+head -1 names.csv >out
+prints 't,shoulder__1_,'
+prints 'upper__arm/position/x'
+gives 0 'wrote names.html' "$kte" view names.urdf names.csv
+
+if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
+[ "$failures" -eq 0 ]

@@ -1,0 +1,146 @@
+#include <kte/io/program.hpp>
+#include <kte/robots/check_robot.hpp>
+#include <kte/runtime_chain/check_chain.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include "commands.hpp"
+#include "json_writer.hpp"
+#include "message.hpp"
+#include "odd_numbers.hpp"
+
+namespace kte_tool {
+
+namespace {
+
+struct options {
+  reading in;
+  bool json = false, strict = false;
+};
+
+/// What was found: texts with places, what of the file was not read, and what moves.
+struct findings {
+  std::string format;
+  std::vector<kte::robot_note> odd, not_read;
+  std::optional<structure> parts;  ///< none where the file is no mechanism
+};
+
+/// The note of an error, whose text begins with its place.
+kte::robot_note placed(kte::robot_note note, const std::string& file) {
+  if (!note.text.starts_with("kte: ")) return note;
+  note.text.erase(0, 5);
+  if (!note.text.starts_with(file + ":")) return note;
+  note.text.erase(0, file.size() + 1);
+  std::size_t digits = 0;
+  while (digits < note.text.size() && note.text[digits] >= '0' && note.text[digits] <= '9') ++digits;
+  if (digits > 0 && digits < 9) note.line = std::stoi(note.text.substr(0, digits)), note.text.erase(0, digits + 1);
+  note.text.erase(0, note.text.find_first_not_of(' '));
+  return note;
+}
+
+void add_once(std::vector<kte::robot_note>& list, const kte::robot_note& note) {
+  for (const auto& n : list)
+    if (n.text == note.text && n.line == note.line && n.file == note.file) return;
+  list.push_back(note);
+}
+
+findings look_at(const options& o) {
+  findings f;
+  try {
+    const auto m = read_mechanism(o.in);
+    f.format = m.format, f.not_read = m.robot.not_read;
+    if (m.description)
+      for (const auto& n : kte::check_robot(*m.description, o.in.robot)) add_once(f.odd, n);
+    for (const auto& text : kte::check_chain(m.chain())) add_once(f.odd, {0, text});
+    f.parts.emplace(m.chain());
+    for (const auto& b : f.parts->bodies)
+      if (m.model && b.as_published)
+        add_once(f.odd,
+                 {0, "body of '" + b.frame + "': its inertia is taken as published, though no body may have it"});
+    for (const auto& text : odd_numbers(m, *f.parts)) add_once(f.odd, {0, text});
+  } catch (const broken_mechanism& e) {
+    f.format = e.format, f.not_read = e.description.not_read;
+    for (const auto& n : kte::check_robot(e.description, o.in.robot)) add_once(f.odd, placed(n, o.in.file));
+  }
+  return f;
+}
+
+/// "7 degrees of freedom (7 revolute), 2 followers, 8 bodies of 32.1 kg, 17 frames, 1.3 m large"
+std::string mobility_text(const structure& s) {
+  std::map<std::string, std::size_t> kinds;
+  std::size_t followers = 0;
+  int dofs = 0;
+  for (const auto& c : s.coordinates) {
+    dofs += c.nv;
+    followers += c.v < 0;
+  }
+  for (const auto& f : s.frames)
+    if (f.parent >= 0 && !f.moved_by.empty()) ++kinds[short_type(f.by)];
+  std::string joints;
+  for (const auto& [type, n] : kinds) joints += (joints.empty() ? "" : ", ") + std::to_string(n) + " " + type;
+  return degrees_text(dofs) + (joints.empty() ? "" : " (" + joints + ")") +
+         (followers ? ", " + counted(followers, "follower") : "") + ", " + bodies_text(s.bodies.size()) + " of " +
+         short_number(s.mass) + " kg, " + counted(s.frames.size(), "frame") + ", " + short_number(s.size) + " m large";
+}
+
+std::string text_of(const findings& f, const options& o) {
+  const auto file = printable(o.in.file);
+  std::string s;
+  for (const auto& text : texts_of(f.odd, file)) s += text + '\n';
+  if (s.empty()) s = file + ": nothing odd is found\n";
+  if (const auto ignored = texts_of(f.not_read, ""); !ignored.empty()) {
+    s += "not read (" + std::to_string(ignored.size()) + "):\n";
+    for (const auto& text : ignored) s += "  " + text + '\n';
+  }
+  if (f.parts) s += file + " (" + f.format + "): " + mobility_text(*f.parts) + '\n';
+  return s;
+}
+
+std::string json_of(const findings& f, const options& o) {
+  json_writer j;
+  const auto notes = [&](const char* name, const std::vector<kte::robot_note>& all) {
+    j.key(name).list();
+    for (const auto& n : all)
+      j.object()
+          .member("file", n.file.empty() ? o.in.file : n.file)
+          .member("line", n.line)
+          .member("text", n.text)
+          .member("changes_motion", n.changes_motion)
+          .end();
+    j.end();
+  };
+  j.object().member("file", o.in.file).member("format", f.format).member("is_mechanism", f.parts.has_value());
+  notes("odd", f.odd), notes("not_read", f.not_read);
+  if (f.parts) {
+    int dofs = 0;
+    std::size_t followers = 0;
+    for (const auto& c : f.parts->coordinates) dofs += c.nv, followers += c.v < 0;
+    j.member("degrees_of_freedom", dofs).member("followers", followers).member("bodies", f.parts->bodies.size());
+    j.member("mass", f.parts->mass).member("size", f.parts->size).member("frames", f.parts->frames.size());
+  }
+  return j.end().text();
+}
+
+int check(const options& o) {
+  const auto f = look_at(o);
+  kte::detail::write_standard_output(printable_lines(o.json ? json_of(f, o) : text_of(f, o)));
+  return !f.parts || (o.strict && !f.odd.empty()) ? 1 : 0;
+}
+
+}  // namespace
+
+void add_check(command_line& line) {
+  const auto o = std::make_shared<options>();
+  add_reading(line.add("check", "what is odd about a mechanism",
+                       "Tells what is odd about a mechanism: inertias that no body can have, joints that move no mass, "
+                       "ranges of nothing, masses, lengths and angles that seem to be in other units, a nearly "
+                       "singular mass matrix, why links and joints make no tree; then what of the file was not read, "
+                       "and how many degrees of freedom there are. The exit code is 1 if the file is no mechanism."),
+              o->in)
+      .flag("--strict", o->strict, "exit code 1 also if anything is odd")
+      .flag("--json", o->json, "as JSON")
+      .runs([o] { return check(*o); });
+}
+
+}  // namespace kte_tool

@@ -1,0 +1,57 @@
+#include "commands.hpp"
+#include "digits50.hpp"
+#include "eval/rows.hpp"
+#include "eval/static_program.hpp"
+#include "message.hpp"
+
+namespace kte_tool {
+
+namespace {
+
+struct options {
+  reading in;
+  evaluate::options what;
+  std::string states, digits = "17";
+  bool by_type = false;
+};
+
+int eval(options& o) {
+  if (o.digits != "17" && o.digits != "50") throw usage_error("--precision is 17 or 50, not '" + o.digits + "'");
+  o.what.digits = o.digits == "50" ? 50 : 17, o.what.states = o.states;
+  try {
+    evaluate::operations::of(o.what.ops, false);
+  } catch (const kte::bad_argument& e) {
+    throw usage_error(std::string(e.what()).substr(5));
+  }
+  const evaluate::evaluated_robot r(read_and_warn(o.in));
+  if (o.by_type) return evaluate::run_static(r, o.what);
+  if (o.what.digits == 50) {
+    print_with_50_digits(r, o.what);
+  } else {
+    evaluate::runtime_model<double> model(r.chain, o.what.frames);
+    print_rows(model, evaluate::state_table(o.what.states), r.coordinates, o.what);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_eval(command_line& line) {
+  const auto o = std::make_shared<options>();
+  add_reading(line.add("eval", "dynamics at the states of a table",
+                       "Prints inverse and forward dynamics, mass matrix, energies and centre of mass at the states of "
+                       "a table: a line of column names (q_0, q_1, ..., v_0, ..., and where there are some a_0, ..., "
+                       "tau_0, ...), then a line of numbers a state. Coordinates are in the order of the file."),
+              o->in, false)
+      .word("STATES", o->states, "the table, numbers with commas between them")
+      .text("--ops", "NAMES", o->what.ops,
+            "these alone, with commas between them: id, fd, m, g (gravity forces), h (those and of velocities), "
+            "energy, com, did and dfd (derivatives)")
+      .texts("--frame", "NAME", o->what.frames, "also its pose and its Jacobian in axes of the world; repeatable")
+      .flag("--derivatives", o->what.derivatives, "also those of inverse and forward dynamics by q and v")
+      .text("--precision", "DIGITS", o->digits, "17, the usual, or 50: all is calculated with 50 digits")
+      .flag("--static", o->by_type, "by a program for this robot, which is compiled once and kept")
+      .runs([o] { return eval(*o); });
+}
+
+}  // namespace kte_tool

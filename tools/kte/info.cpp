@@ -1,0 +1,222 @@
+#include <kte/io/dot.hpp>
+#include <kte/io/program.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include "commands.hpp"
+#include "json_writer.hpp"
+#include "message.hpp"
+#include "structure.hpp"
+#include "text_format.hpp"
+
+namespace kte_tool {
+
+namespace {
+
+struct options {
+  reading in;
+  bool json = false, dot = false;
+};
+
+struct limits_of_one {
+  double lower, upper, rate, effort;
+};
+/// Of a coordinate of one number.
+limits_of_one limits(const mechanism& m, const structure::coordinate& c) {
+  const auto v = static_cast<std::size_t>(c.v);
+  const auto& l = m.robot.limits;
+  return {l.lower[v], l.upper[v], l.rate[v], l.effort[v]};
+}
+const structure::coordinate* free_number(const structure& s, const std::string& name) {
+  for (const auto& c : s.coordinates)
+    if (c.name == name && c.v >= 0 && c.nv == 1) return &c;
+  return nullptr;
+}
+
+/// "q1 in [-2.9, 2.9] rad, at most 1.5 rad/s, 320 Nm", "q2, which follows others".
+std::string coordinate_text(const mechanism& m, const structure& s, const std::string& name) {
+  const auto* const c = free_number(s, name);
+  if (!c) {
+    const auto follows = std::any_of(s.coordinates.begin(), s.coordinates.end(),
+                                     [&](const auto& x) { return x.name == name && x.v < 0; });
+    return "'" + name + "'" + (follows ? ", which follows others" : "");
+  }
+  const auto l = limits(m, *c);
+  std::string text = "'" + name + "'";
+  if (std::isfinite(l.lower) || std::isfinite(l.upper))
+    text += " in [" + short_number(l.lower) + ", " + short_number(l.upper) + "] " + c->unit;
+  std::string most;
+  if (std::isfinite(l.rate)) most = short_number(l.rate) + " " + c->unit + "/s";
+  if (std::isfinite(l.effort)) most += (most.empty() ? "" : ", ") + short_number(l.effort) + (c->turns ? " Nm" : " N");
+  return text + (most.empty() ? "" : ", at most " + most);
+}
+
+/// The tree of frames: under each those that joints and links carry.
+class tree_text {
+ public:
+  tree_text(const mechanism& m, const structure& s) : m_(m), s_(s), children_(s.frames.size()) {
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < s.frames.size(); ++i)
+      (s.frames[i].parent < 0 ? roots : children_[static_cast<std::size_t>(s.frames[i].parent)]).push_back(i);
+    for (const auto r : roots) {
+      text_ += s.frames[r].name + bodies_at(r) + '\n';
+      add_children(r);
+    }
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  /// Depth first, without recursion: chains may be long.
+  void add_children(std::size_t root) {
+    struct level {
+      std::size_t frame, next;
+      std::string indent;
+    };
+    std::vector<level> open{{root, 0, ""}};
+    while (!open.empty()) {
+      auto& l = open.back();
+      if (l.next == children_[l.frame].size()) {
+        open.pop_back();
+        continue;
+      }
+      const auto child = children_[l.frame][l.next++];
+      const bool last = l.next == children_[l.frame].size();
+      // An only child stays in the column of its parent, so that long chains do not run off the page.
+      const bool alone = children_[l.frame].size() == 1;
+      text_ += l.indent + (alone ? "↓ " : last ? "└ " : "├ ") + line_of(child) + '\n';
+      const std::string deeper = l.indent + (alone ? "" : last ? "  " : "│ ");
+      open.push_back({child, 0, deeper});
+    }
+  }
+  std::string line_of(std::size_t i) const {
+    const auto& f = s_.frames[i];
+    std::string text = f.name + bodies_at(i) + ": " + short_type(f.by);
+    if (f.has_axis) text += " " + axis_text(f.axis);
+    for (const auto& q : f.moved_by) text += " " + coordinate_text(m_, s_, q);
+    return text;
+  }
+  static std::string axis_text(const kte::vec3<>& a) {
+    const char* const names[]{"x", "y", "z"};
+    const double numbers[]{a.x, a.y, a.z};
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(numbers[i]) == 1) return (numbers[i] < 0 ? "-" : "") + std::string(names[i]);
+    return short_vector(a);
+  }
+  std::string bodies_at(std::size_t i) const {
+    std::string text;
+    for (const auto& b : s_.bodies)
+      if (b.frame == s_.frames[i].name) text += (text.empty() ? " [" : ", ") + short_number(b.mass) + " kg";
+    return text.empty() ? text : text + "]";
+  }
+
+  const mechanism& m_;
+  const structure& s_;
+  std::vector<std::vector<std::size_t>> children_;
+  std::string text_;
+};
+
+std::string text_of(const mechanism& m, const structure& s) {
+  const auto& g = m.chain().gravity();
+  std::string t = printable(m.file) + " (" + m.format + "): '" + m.robot.name + "'\n";
+  t += degrees_text(m.chain().dofs()) + ", " + counted(static_cast<std::size_t>(m.chain().nq()), "number") + " in q; " +
+       bodies_text(s.bodies.size()) + " of " + short_number(s.mass) + " kg; " + counted(s.frames.size(), "frame") +
+       "; " + short_number(s.size) + " m large; gravity " + short_vector(g) + " m/s^2\n\n";
+  t += tree_text(m, s).text();
+  const auto centred = [](const structure::body& b) {
+    return short_number(b.mass) + " kg at " + short_vector(b.centre) + " m, moments " + short_number(b.moments[0]) +
+           ", " + short_number(b.moments[1]) + ", " + short_number(b.moments[2]) + " kg m^2";
+  };
+  if (!s.bodies.empty()) t += "\nbodies, in axes of their frames\n";
+  for (const auto& b : s.bodies) t += "  " + b.frame + ": " + centred(b) + '\n';
+  if (!s.coordinates.empty()) t += "\ncoordinates\n";
+  for (const auto& c : s.coordinates) {
+    t += "  " + (c.v < 0 ? "'" + c.name + "', which follows others" : coordinate_text(m, s, c.name));
+    if (c.v >= 0 && c.nv > 1) t += ", a " + c.kind;
+    if (c.v >= 0)
+      t += ": q[" + std::to_string(c.q) + (c.nq > 1 ? ".." + std::to_string(c.q + c.nq - 1) : "") + "], v[" +
+           std::to_string(c.v) + (c.nv > 1 ? ".." + std::to_string(c.v + c.nv - 1) : "") + "]";
+    t += '\n';
+  }
+  if (!s.inputs.empty()) t += "\ninputs\n";
+  for (const auto& name : s.inputs) t += "  " + name + '\n';
+  if (!s.others.empty()) t += "\nother elements\n";
+  for (const auto& e : s.others) t += "  " + e.text + '\n';
+  if (!m.robot.configurations.empty()) t += "\nconfigurations with names\n";
+  for (const auto& c : m.robot.configurations) t += "  " + c.name + '\n';
+  if (!m.robot.shapes.empty()) {
+    const auto solid =
+        std::count_if(m.robot.shapes.begin(), m.robot.shapes.end(), [](const auto& x) { return x.collision; });
+    t += "\n" + counted(m.robot.shapes.size() - static_cast<std::size_t>(solid), "shape") + " to see, " +
+         std::to_string(solid) + " to collide with\n";
+  }
+  if (const auto n = texts_of(m.robot.not_read, "").size())
+    t += "\n" + counted(n, "thing") + " of the file not read: kte check " + printable(m.file) + '\n';
+  return t;
+}
+
+std::vector<double> numbers(const kte::vec3<>& x) { return {x.x, x.y, x.z}; }
+
+std::string json_of(const mechanism& m, const structure& s) {
+  json_writer j;
+  j.object().member("file", m.file).member("format", m.format).member("name", m.robot.name);
+  j.member("gravity", numbers(m.chain().gravity())).member("nq", m.chain().nq()).member("nv", m.chain().dofs());
+  j.member("mass", s.mass).member("size", s.size);
+  j.key("coordinates").list();
+  for (const auto& c : s.coordinates) {
+    j.object().member("name", c.name).member("kind", c.kind).member("unit", c.unit).member("follows", c.v < 0);
+    if (c.v >= 0) j.member("q", c.q).member("nq", c.nq).member("v", c.v).member("nv", c.nv);
+    if (free_number(s, c.name)) {
+      const auto l = limits(m, c);
+      j.member("lower", l.lower).member("upper", l.upper).member("rate", l.rate).member("effort", l.effort);
+    }
+    j.end();
+  }
+  j.end().key("frames").list();
+  for (const auto& f : s.frames) {
+    j.object().member("name", f.name).member("planar", f.planar).key("parent");
+    f.parent < 0 ? j.value(std::nan("")) : j.value(s.frames[static_cast<std::size_t>(f.parent)].name);
+    j.member("by", f.by).member("coordinates", f.moved_by).member("position", numbers(f.position));
+    j.key("rotation").list().value(numbers(f.rotation.x)).value(numbers(f.rotation.y)).value(numbers(f.rotation.z));
+    j.end().end();
+  }
+  j.end().key("bodies").list();
+  for (const auto& b : s.bodies) {
+    const auto& i = b.inertia;
+    j.object().member("frame", b.frame).member("mass", b.mass).member("centre", numbers(b.centre));
+    j.member("inertia", std::vector{i.xx, i.xy, i.xz, i.yy, i.yz, i.zz}).member("moments", b.moments).end();
+  }
+  j.end().key("elements").list();
+  for (const auto& e : s.others) j.object().member("type", e.type).member("text", e.text).end();
+  j.end().member("inputs", s.inputs).key("configurations").list();
+  for (const auto& c : m.robot.configurations) j.object().member("name", c.name).member("q", c.q).end();
+  return j.end().end().text();
+}
+
+int info(const options& o) {
+  if (o.json && o.dot) throw usage_error("--json and --dot are one too many");
+  const auto m = read_and_warn(o.in);
+  if (o.dot) {
+    kte::detail::write_standard_output(kte::to_dot(m.chain()));
+    return 0;
+  }
+  const structure s(m.chain());
+  kte::detail::write_standard_output(o.json ? json_of(m, s) : printable_lines(text_of(m, s)));
+  return 0;
+}
+
+}  // namespace
+
+void add_info(command_line& line) {
+  const auto o = std::make_shared<options>();
+  add_reading(line.add("info", "its tree, masses, limits and frames",
+                       "Shows a mechanism: the tree of its frames, with the joints between them and the limits of "
+                       "their coordinates, the bodies, where coordinates stand in q and v, inputs, and elements that "
+                       "are neither joints nor bodies."),
+              o->in)
+      .flag("--dot", o->dot, "the graph of its elements for Graphviz instead")
+      .flag("--json", o->json, "as JSON: also where frames stand at the neutral configuration")
+      .runs([o] { return info(*o); });
+}
+
+}  // namespace kte_tool

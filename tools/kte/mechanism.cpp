@@ -1,0 +1,108 @@
+#include "mechanism.hpp"
+
+#include <kte/elements/registry.hpp>
+#include <kte/io/limit_records.hpp>
+#include <kte/io/model_content.hpp>
+#include <kte/robots/load_robot.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "message.hpp"
+
+namespace kte_tool {
+
+namespace {
+
+std::string format_of(std::string_view bytes) {
+  const auto text = kte::detail::from_first_tag(kte::detail::without_mark(bytes));
+  return text.starts_with("<mujoco") ? "MJCF" : text.starts_with("<sdf") ? "SDF" : "URDF";
+}
+
+void read_model(const reading& o, mechanism& m) {
+  const auto& r = o.robot;
+  if (r.floating_base || o.joint_dynamics || o.no_joint_dynamics || !r.root.empty() || !r.model.empty() ||
+      r.quarter_turn_tolerance != kte::robot_options{}.quarter_turn_tolerance)
+    throw kte::bad_argument("kte: " + o.file +
+                            " is a model file, which is taken as it is: of these options it takes "
+                            "--gravity alone");
+  m.format = "model file";
+  m.robot.name = std::filesystem::path(o.file).stem().string();
+  m.robot.chain = kte::to_chain(*m.model);
+  if (r.gravity) m.robot.chain.gravity(*r.gravity);
+  m.robot.limits = m.robot.soft_limits = kte::limits_of(m.robot.chain, *m.model);
+  for (const auto& e : kte::layout(m.robot.chain)) m.robot.joints.push_back(e.name);
+}
+
+}  // namespace
+
+command& add_reading(command& c, reading& o, bool joint_dynamics) {
+  o.robot.joint_dynamics = joint_dynamics;
+  c.word("FILE", o.file, "URDF, MJCF, SDF, or a model file of the library, known by its content")
+      .vector("--gravity", "X Y Z", o.robot.gravity, "m/s^2; if left out (0, 0, -9.81), or what the file says")
+      .flag("--floating-base", o.robot.floating_base, "the root link moves freely, by a coordinate that comes first")
+      .text("--root", "LINK", o.robot.root, "the link that is the base, if not the file's root")
+      .text("--model", "NAME", o.robot.model, "the model to read of an SDF file that has several")
+      .texts("--search", "FOLDER", o.robot.search_path, "where model:// and package:// are looked for; repeatable")
+      .number("--quarter-turns", "RAD", o.robot.quarter_turn_tolerance,
+              "angles this near to a quarter turn are one, exactly; 1e-15 if left out");
+  if (joint_dynamics)
+    c.flag("--no-joint-dynamics", o.no_joint_dynamics, "without damping, friction, springs and rotors of joints");
+  else
+    c.flag("--joint-dynamics", o.joint_dynamics, "with damping, friction, springs and rotors of joints");
+  return c;
+}
+
+kte::robot_options robot_options_of(const reading& o) {
+  auto wanted = o.robot;
+  if (o.joint_dynamics || o.no_joint_dynamics) wanted.joint_dynamics = o.joint_dynamics;
+  return wanted;
+}
+
+mechanism read_mechanism(const reading& o) {
+  mechanism m;
+  m.file = o.file;
+  const auto bytes = kte::detail::text_of_file(o.file);
+  m.model = kte::detail::model_in(bytes, o.file);
+  if (m.model) {
+    read_model(o, m);
+    return m;
+  }
+  const auto wanted = robot_options_of(o);
+  m.format = format_of(bytes);
+  m.description = kte::describe_robot(bytes, o.file, wanted);
+  try {
+    m.robot = kte::to_robot(*m.description, wanted);
+  } catch (const kte::error& e) {
+    throw broken_mechanism(e.what(), m.format, *m.description);
+  }
+  return m;
+}
+
+mechanism read_and_warn(const reading& o) {
+  auto m = read_mechanism(o);
+  for (const auto& text : texts_of(m.robot.warnings, m.file)) say(text);
+  return m;
+}
+
+std::vector<std::string> coordinates_of(const mechanism& m, const kte::kte_map_chain& chain) {
+  std::set<std::string> free;
+  std::vector<std::string> all;
+  for (const auto& e : kte::layout(chain)) free.insert(e.name);
+  for (const auto& e : kte::layout(chain))  // the base, which is no joint of the file
+    if (std::find(m.robot.joints.begin(), m.robot.joints.end(), e.name) == m.robot.joints.end()) all.push_back(e.name);
+  for (const auto& name : m.robot.joints)  // those that follow others have no columns
+    if (free.contains(name)) all.push_back(name);
+  return all;
+}
+
+std::vector<std::string> texts_of(const std::vector<kte::robot_note>& notes, const std::string& source) {
+  std::vector<std::string> all;
+  for (const auto& note : notes) {
+    const auto text = kte::detail::place_text(note.file.empty() ? source : note.file, note.line) + note.text;
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  }
+  return all;
+}
+
+}  // namespace kte_tool

@@ -1,0 +1,283 @@
+#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/io/model_inputs.hpp>
+#include <kte/io/program.hpp>
+#include <kte/io/table_writer.hpp>
+#include <kte/models/modes.hpp>
+#include <kte/robots/motors.hpp>
+
+#include <chrono>
+
+#include "commands.hpp"
+#include "json_writer.hpp"
+#include "message.hpp"
+#include "simulate/law.hpp"
+#include "simulate/solvers.hpp"
+#include "text_format.hpp"
+
+namespace kte_tool {
+
+namespace {
+
+struct options {
+  reading in;
+  run_settings run{"dormand_prince45"};
+  std::string start, configuration, pd, input, record;
+  std::vector<std::string> columns;
+  std::optional<double> kp, kd;
+  bool motors = false, compensate = false, frames = false, json = false;
+};
+
+/// q and v at the start.
+struct initial_state {
+  Eigen::VectorXd q, v;
+
+  initial_state(const options& o, const mechanism& m, const kte::kte_map_chain& c)
+      : q(kte::neutral_configuration(c)), v(Eigen::VectorXd::Zero(c.dofs())) {
+    if (!o.configuration.empty()) take_configuration(o.configuration, m);
+    if (o.start.empty()) return;
+    const evaluate::state_table table(o.start);
+    if (table.rows() == 0) throw kte::bad_file("kte: " + o.start + ": has no row of numbers");
+    const state_input input(table, m, c);
+    input.read_q(0, q), input.read_v(0, v);
+  }
+
+ private:
+  void take_configuration(const std::string& name, const mechanism& m) {
+    std::string known;
+    for (const auto& c : m.robot.configurations) {
+      known += (known.empty() ? "" : ", ") + ("'" + c.name + "'");
+      if (c.name == name) {
+        q = Eigen::Map<const Eigen::VectorXd>(c.q.data(), static_cast<Eigen::Index>(c.q.size()));
+        return;
+      }
+    }
+    throw kte::unknown_name("kte: " + m.file + " has no configuration '" + name + "'" +
+                            (known.empty() ? "" : ", but " + known));
+  }
+};
+
+/// A file of the numbers of states over time.
+class recording_file {
+ public:
+  recording_file(const std::string& path, const kte::kte_map_chain& c, const std::vector<std::string>& names)
+      : state_(c, names), numbers_(state_.columns().size() + 3) {
+    std::vector<std::string> columns{"t"};
+    for (const auto& x : state_.columns()) columns.push_back(x.name);
+    for (const char* const energy : {"energy/kinetic", "energy/potential", "energy/total"}) {
+      std::string name = energy;
+      while (std::find(columns.begin(), columns.end(), name) != columns.end()) name += '_';
+      columns.push_back(name);
+    }
+    out_.emplace(path, columns);
+  }
+  void row(double t, const kte::kte_map_chain& c, const kte::runtime_state& s) {
+    state_.read(s, numbers_.data());
+    auto own = s;  // energies use its memory
+    const auto e = kte::energy(c, own);
+    double* const last = numbers_.data() + state_.columns().size();
+    last[0] = e.kinetic, last[1] = e.potential, last[2] = e.kinetic + e.potential;
+    out_->row(t, numbers_);
+    ++rows_;
+  }
+  void close() { out_->close(); }
+  std::size_t rows() const { return rows_; }
+
+ private:
+  recorded_state state_;
+  std::vector<double> numbers_;
+  std::optional<kte::table_writer> out_;
+  std::size_t rows_ = 0;
+};
+
+struct summary {
+  run_result run;
+  double seconds = 0;
+  kte::energies<> before, after;
+  Eigen::VectorXd q, v;
+  std::size_t rows = 0;
+  std::string control;
+};
+
+double total(const kte::energies<>& e) { return e.kinetic + e.potential; }
+
+std::string text_of(const options& o, const mechanism& m, const summary& s) {
+  const auto& n = s.run.statistics;
+  const auto energy = [](const char* when, const kte::energies<>& e) {
+    return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
+           short_number(e.kinetic) + ", potential " + short_number(e.potential) + '\n';
+  };
+  std::string t = printable(m.file) + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " +
+                  std::to_string(n.steps) + " steps, " + std::to_string(n.rejected) + " rejected, " +
+                  std::to_string(n.evaluations) + " evaluations" +
+                  (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
+                  short_number(s.seconds) + " s of time\n";
+  t += s.control;
+  t += energy("start", s.before) + energy("end", s.after);
+  t += "change of energy: " + short_number(total(s.after) - total(s.before)) + " J\n";
+  if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + printable(o.record) + '\n';
+  t += "state at the end\n";
+  char digits[64];
+  for (const auto& e : kte::layout(m.chain())) {
+    t += "  " + e.name + ": q";
+    for (int i = e.q; i < e.q + e.nq; ++i) std::snprintf(digits, sizeof digits, " %.12g", s.q[i]), t += digits;
+    t += ", v";
+    for (int i = e.v; i < e.v + e.nv; ++i) std::snprintf(digits, sizeof digits, " %.12g", s.v[i]), t += digits;
+    t += '\n';
+  }
+  return t;
+}
+
+std::string json_of(const options& o, const mechanism& m, const summary& s) {
+  const auto list = [](const Eigen::VectorXd& x) { return std::vector<double>(x.data(), x.data() + x.size()); };
+  const auto& n = s.run.statistics;
+  json_writer j;
+  j.object().member("file", m.file).member("solver", o.run.solver).member("time", o.run.end);
+  j.member("tolerance", o.run.tolerance).member("step", o.run.step);
+  j.member("steps", n.steps).member("rejected", n.rejected).member("evaluations", n.evaluations);
+  j.member("events", s.run.events).member("seconds", s.seconds);
+  const auto energy = [&j](const char* name, const kte::energies<>& e) {
+    j.key(name).object().member("kinetic", e.kinetic).member("potential", e.potential).member("total", total(e)).end();
+  };
+  energy("energy_at_start", s.before), energy("energy_at_end", s.after);
+  if (!o.record.empty()) j.member("recording", o.record).member("rows", s.rows);
+  j.key("coordinates").list();
+  for (const auto& e : kte::layout(m.chain())) j.value(e.name);
+  return j.end().member("q", list(s.q)).member("v", list(s.v)).end().text();
+}
+
+void check_settings(const options& o) {
+  const auto positive = [](const char* name, double x) {
+    if (!(x > 0)) throw usage_error(std::string(name) + " must be greater than 0, not " + short_number(x));
+  };
+  positive("--time", o.run.end), positive("--tolerance", o.run.tolerance);
+  positive("--step", o.run.step), positive("--every", o.run.every);
+  if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
+  if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
+  if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
+}
+
+/// What drives the mechanism.
+struct drives {
+  std::optional<pd_control> pd;
+  std::optional<input_table> inputs;
+  Eigen::VectorXd constant;  ///< inputs that the model file has
+};
+
+int simulate(options& o) {
+  check_settings(o);
+  auto m = read_and_warn(o.in);
+  if (o.motors) {
+    if (m.model) throw kte::bad_argument("kte: --motors is of files of robots; a model file has the motors it has");
+    const auto before = m.robot.warnings.size();
+    kte::add_motors(m.robot);
+    for (std::size_t i = before; i < m.robot.warnings.size(); ++i) say(texts_of({m.robot.warnings[i]}, m.file)[0]);
+  }
+  if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom: nothing can move");
+
+  const initial_state start(o, m, m.chain());
+  std::vector<std::string> force_of(static_cast<std::size_t>(m.chain().dofs()));
+  auto chain = m.chain();
+  if (!o.pd.empty() || !o.input.empty()) {
+    const driven_chain driven(m.chain());
+    chain = driven.chain, force_of = driven.force_of;
+  }
+  drives d;
+  const auto law = [&d, nq = chain.nq()](double t, const plant::state& x, Eigen::VectorXd& u) {
+    u = d.constant;
+    if (d.inputs) d.inputs->put_inputs(t, u);
+    if (d.pd) d.pd->put_forces(t, x, nq, u);
+  };
+  const bool has_law = !o.pd.empty() || !o.input.empty();
+  plant p(chain, has_law ? plant::law(law) : nullptr, o.pd.empty());
+  if (m.model) kte::detail::restore_inputs(*m.model, p.model());
+  d.constant = p.model().input();
+  summary s;
+  if (!o.input.empty()) d.inputs.emplace(evaluate::state_table(o.input), m, p.model(), force_of);
+  std::optional<evaluate::state_table> targets;
+  if (!o.pd.empty()) {
+    targets.emplace(o.pd);
+    d.pd.emplace(*targets, m, m.chain(), o.compensate);
+    const auto masses = d.pd->largest_masses(start.q);
+    s.control = "PD control";
+    for (const auto& e : kte::layout(m.chain())) {
+      if (e.nv != 1) continue;
+      const double felt = masses[e.v], kp = o.kp.value_or(100 * felt), kd = o.kd.value_or(20 * felt);
+      const auto before = d.pd->joints().size();
+      d.pd->add({e.q, e.v, place_of_input(p.model(), force_of[static_cast<std::size_t>(e.v)]), kp, kd,
+                 m.robot.limits.effort[static_cast<std::size_t>(e.v)]});
+      if (d.pd->joints().size() > before)
+        s.control += (before ? ", '" : ": '") + e.name + "' " + short_number(kp) + " and " + short_number(kd);
+    }
+    if (d.pd->joints().empty()) throw kte::bad_file("kte: " + o.pd + ":1: has no target of a coordinate of one number");
+    s.control += " (N/m or Nm/rad, and their rates)\n";
+  }
+
+  const auto energy_at = [&](const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+    auto state = chain.make_state();
+    return kte::energy(chain, state, q, v);
+  };
+  s.before = energy_at(start.q, start.v);
+  plant::state x = p.model().make_x(start.q, start.v);
+  p.set_inputs(0, x);
+  x = kte::settled(p.model(), 0.0, x);
+  std::optional<recording_file> out;
+  auto columns = o.columns;
+  if (o.frames)
+    for (const auto k : {kte::kind::frame_2D, kte::kind::frame_3D})
+      for (const auto& name : chain.wiring().names[static_cast<std::size_t>(k)]) columns.push_back("frame:" + name);
+  if (!o.record.empty()) out.emplace(o.record, chain, columns);
+  const auto began = std::chrono::steady_clock::now();
+  try {
+    s.run = run(p, x, o.run, [&](double t, const plant::state& at) {
+      if (out) out->row(t, chain, p.state_at(t, at));
+    });
+  } catch (...) {
+    if (out) out->close();  // what there was until then
+    throw;
+  }
+  s.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  if (out) out->close(), s.rows = out->rows();
+  s.q = p.model().positions_of(x), s.v = p.model().velocities_of(x);
+  s.after = energy_at(s.q, s.v);
+  kte::detail::write_standard_output(o.json ? json_of(o, m, s) : printable_lines(text_of(o, m, s)));
+  return 0;
+}
+
+}  // namespace
+
+void add_simulate(command_line& line) {
+  const auto o = std::make_shared<options>();
+  add_reading(line.add("simulate", "lets it move, and records how",
+                       "Integrates the equations of motion, by gravity alone or under control, and prints energies and "
+                       "the state at the end. On a terminal a bar shows how far it is."),
+              o->in)
+      .number("--time", "S", o->run.end, "how long, s; 10 if left out")
+      .text("--start", "TABLE", o->start,
+            "q and v at the start, in its first row: columns q_0, ..., v_0, ... as of kte eval, or as recordings have "
+            "them; what is missing is 0")
+      .text("--configuration", "NAME", o->configuration, "q at the start: one that has a name in the file (MJCF)")
+      .text("--pd", "TABLE", o->pd,
+            "PD control to targets over time: columns t, q_0, ..., v_0, ...; linear between rows, forces within limits")
+      .number("--kp", "GAIN", o->kp,
+              "of --pd, Nm/rad or N/m; if left out 100/s^2 times the largest mass that it feels at targets")
+      .number("--kd", "GAIN", o->kd, "of --pd, Nms/rad or Ns/m; if left out 20/s times that mass")
+      .flag("--compensate", o->compensate, "of --pd, also the forces against gravity")
+      .text("--input", "TABLE", o->input,
+            "inputs over time: columns t, names of inputs, tau_0, ... of forces on coordinates; linear between rows")
+      .flag("--motors", o->motors, "the motors of the robot's file, with their inputs")
+      .text("--solver", "NAME", o->run.solver,
+            std::string("dormand_prince45 if left out. By tolerance: ") + solvers_by_tolerance +
+                ". Of a fixed step: " + solvers_of_fixed_step)
+      .number("--tolerance", "X", o->run.tolerance, "absolute and relative, of each step; 1e-9 if left out")
+      .number("--step", "S", o->run.step, "of solvers of a fixed step, s; 0.001 if left out")
+      .text("--record", "FILE", o->record,
+            "what coordinates and inputs do, and energies: .csv, .npy, .mcap (Foxglove, PlotJuggler), .ssv, .tsv")
+      .texts("--column", "NAME", o->columns, "also this, as tool/position or tool/velocity/x; repeatable")
+      .flag("--frames", o->frames, "also where all frames are")
+      .number("--every", "S", o->run.every, "time from row to row of the recording, s; 0.01 if left out")
+      .flag("--json", o->json, "the result as JSON")
+      .runs([o] { return simulate(*o); });
+}
+
+}  // namespace kte_tool

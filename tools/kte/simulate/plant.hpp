@@ -1,0 +1,61 @@
+#pragma once
+
+#include <kte/models/runtime_dynamics_model.hpp>
+
+namespace kte_tool {
+
+/// x' = f(t, x) of a chain whose inputs follow a law, at every evaluation: of one type, whatever the law.
+class plant {
+ public:
+  using model_type = kte::manipulator_dynamics_model<kte::kte_map_chain>;
+  using S = double;
+  using state = model_type::state;
+  using rate = model_type::rate;
+  using jacobian_matrix = model_type::jacobian_matrix;
+  /// Puts the inputs at t and x into u.
+  using law = std::function<void(double t, const state& x, Eigen::VectorXd& u)>;
+
+  /// A law of the time alone leaves the derivatives of f by x as they are.
+  plant(const kte::kte_map_chain& c, law l, bool of_time_alone)
+      : model_(c), u_(model_.input()), law_(std::move(l)), of_time_alone_(of_time_alone) {}
+
+  model_type& model() { return model_; }
+  const model_type& model() const { return model_; }
+  void set_inputs(double t, const state& x) {
+    if (!law_) return;
+    law_(t, x, u_);
+    model_.setInput(u_);
+  }
+  const rate& operator()(double t, const state& x) {
+    set_inputs(t, x);
+    return model_(t, x);
+  }
+  bool jacobian(double t, const state& x, jacobian_matrix& j) {
+    if (law_ && !of_time_alone_) return false;
+    set_inputs(t, x);
+    return model_.jacobian(t, x, j);
+  }
+  /// With all frames, accelerations and forces; valid until the next call.
+  const kte::runtime_state& state_at(double t, const state& x) {
+    set_inputs(t, x);
+    return model_.state_at(t, x);
+  }
+
+  // What integrators ask of a model.
+  Eigen::Index rates() const { return model_.rates(); }
+  auto freedoms() const { return model_.freedoms(); }
+  auto velocities_of(const state& x) const { return model_.velocities_of(x); }
+  auto internals_of(const state& x) const { return model_.internals_of(x); }
+  void displace(const state& x, const rate& d, state& out) const { model_.displace(x, d, out); }
+  void pull_back(const rate& d, rate& r) const { model_.pull_back(d, r); }
+  void magnitudes(const state& x, rate& m) const { model_.magnitudes(x, m); }
+  void rounding(const state& x, const rate& d, const state& out, rate& rest) const { model_.rounding(x, d, out, rest); }
+
+ private:
+  model_type model_;
+  Eigen::VectorXd u_;
+  law law_;
+  bool of_time_alone_;
+};
+
+}  // namespace kte_tool

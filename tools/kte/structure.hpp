@@ -1,0 +1,50 @@
+#pragma once
+
+#include "mechanism.hpp"
+
+namespace kte_tool {
+
+/// A chain as people look at it: frames in a tree, bodies, coordinates.
+struct structure {
+  struct frame {
+    std::string name;
+    bool planar = false;
+    int parent = -1;                    ///< of the list; -1: a base
+    std::string by;                     ///< the type of the joint or link from the parent; empty: a base
+    std::vector<std::string> moved_by;  ///< coordinates of that joint
+    kte::vec3<> axis{};                 ///< of a joint that has one
+    bool has_axis = false;
+    kte::vec3<> position{};  ///< at the neutral configuration, in the world
+    kte::mat3<kte::vec3<>> rotation{};
+  };
+  struct body {
+    std::string frame;
+    double mass = 0;
+    kte::vec3<> centre{};             ///< in axes of the frame
+    kte::sym3<> inertia{};            ///< about the centre, in axes of the frame
+    std::array<double, 3> moments{};  ///< principal ones, ascending
+    bool as_published = false;
+  };
+  struct coordinate {
+    std::string name, kind, unit;        ///< the unit is of q; empty where it has several numbers
+    std::vector<std::string> moves;      ///< types of joints
+    int q = -1, nq = 0, v = -1, nv = 0;  ///< -1: it follows others
+    bool turns = false;                  ///< whether it is an angle
+  };
+  struct other {
+    std::string type, text;
+  };
+  std::vector<frame> frames;
+  std::vector<body> bodies;
+  std::vector<coordinate> coordinates;
+  std::vector<other> others;  ///< elements that are neither joints nor links nor bodies
+  std::vector<std::string> inputs;
+  double mass = 0, size = 0;  ///< kg; m, the diagonal of the box that holds all frames and centres of mass
+
+  explicit structure(const kte::kte_map_chain& chain);
+};
+
+/// "revolute" of "revolute_joint_3D".
+std::string short_type(const std::string& type);
+
+}  // namespace kte_tool

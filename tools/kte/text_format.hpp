@@ -1,0 +1,31 @@
+#pragma once
+
+#include <kte/math/vec.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+/// Numbers for people: few digits.
+namespace kte_tool {
+
+inline std::string short_number(double x) {
+  if (std::isinf(x)) return x < 0 ? "-inf" : "inf";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.5g", x == 0 ? 0.0 : x);
+  return text;
+}
+inline std::string short_vector(const kte::vec3<>& x) {
+  return "(" + short_number(x.x) + ", " + short_number(x.y) + ", " + short_number(x.z) + ")";
+}
+/// "1 joint", "2 joints".
+inline std::string counted(std::size_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+inline std::string degrees_text(int dofs) {
+  return std::to_string(dofs) + (dofs == 1 ? " degree of freedom" : " degrees of freedom");
+}
+inline std::string bodies_text(std::size_t n) { return n == 1 ? "1 body" : std::to_string(n) + " bodies"; }
+
+}  // namespace kte_tool

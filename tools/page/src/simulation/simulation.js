@@ -1,0 +1,49 @@
+// A simulation by kte in the page: steps with the clock of the screen, and writes a recording.
+
+import { GrowingRecording } from '../scene/growing_recording.js';
+
+const longest_step = 0.25;     // s of the clock between two pictures; slower machines simulate slower
+const sample = 1 / 60;         // s of the clock between samples of the recording
+const most_milliseconds = 24;  // of work between two pictures
+
+export class Simulation {
+  constructor(scene, engine) {
+    this.scene = scene;
+    this.engine = engine;
+    this.running = false;
+    this.damping = 0;
+    this.pace = 1;  // of what the clock and the speed ask for, the mean of late
+  }
+
+  start(q, v) {
+    this.engine.start(q, v);
+    this.engine.damping(this.damping);
+    this.recording = new GrowingRecording(this.scene, 'simulated here', q.length);
+    this.read();
+  }
+
+  read() {
+    const { t, q, v, energy } = this.engine.state();
+    Object.assign(this, { time: t, q, v, energy: energy.kinetic + energy.potential });
+    this.poses = this.engine.poses(q);
+    if (!this.recording.add(t, this.poses, q, this.energy)) this.running = false;
+  }
+
+  set_damping(c) {
+    this.damping = c;
+    if (this.recording) this.engine.damping(c);
+  }
+
+  advance(elapsed, speed) {
+    if (!this.running) return;
+    const begin = this.time;
+    const end = this.time + Math.min(elapsed, longest_step) * speed, latest = performance.now() + most_milliseconds;
+    while (this.running && this.time < end) {
+      const left = latest - performance.now();
+      if (left <= 0) break;
+      this.engine.step(Math.min(sample * speed, end - this.time), left);
+      this.read();
+    }
+    if (elapsed > 0) this.pace += 0.1 * ((this.time - begin) / (elapsed * speed) - this.pace);
+  }
+}

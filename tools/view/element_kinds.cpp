@@ -1,0 +1,89 @@
+#include "element_kinds.hpp"
+
+#include <algorithm>
+
+namespace kte::view {
+
+namespace {
+constexpr element_kind all[]{{"acceleration_measure", drawn::force, "other"},
+                             {"ang_velocity_control", drawn::link, ""},
+                             {"ang_velocity_measure", drawn::force, "other"},
+                             {"base", drawn::base, ""},
+                             {"brake", drawn::force, "friction"},
+                             {"bushing", drawn::force, "bushing"},
+                             {"constant_force", drawn::force, "other"},
+                             {"damper", drawn::force, "damper"},
+                             {"dc_motor", drawn::force, "motor"},
+                             {"differential", drawn::force, "other"},
+                             {"driving_actuator", drawn::force, "motor"},
+                             {"dry_revolute_joint", drawn::joint, "revolute"},
+                             {"dyad_bar1", drawn::force, "loop"},
+                             {"dyad_bar2", drawn::force, "loop"},
+                             {"external_force", drawn::force, "other"},
+                             {"flexible_beam", drawn::force, "beam"},
+                             {"fluid_drag", drawn::force, "other"},
+                             {"follower_force", drawn::force, "other"},
+                             {"force_actuator", drawn::force, "motor"},
+                             {"force_law", drawn::force, "other"},
+                             {"four_bar_coupler", drawn::force, "loop"},
+                             {"four_bar_rocker", drawn::force, "loop"},
+                             {"free_joint", drawn::joint, "free"},
+                             {"inertia", drawn::body, ""},
+                             {"inertial_beam", drawn::force, "beam"},
+                             {"joint_backlash", drawn::force, "limit"},
+                             {"joint_backlash_mode", drawn::force, "limit"},
+                             {"joint_damping", drawn::force, "damper"},
+                             {"joint_elasto_plastic", drawn::force, "friction"},
+                             {"joint_friction", drawn::force, "friction"},
+                             {"joint_limit", drawn::force, "limit"},
+                             {"joint_lugre", drawn::force, "friction"},
+                             {"joint_motor", drawn::force, "motor"},
+                             {"joint_stiction", drawn::force, "friction"},
+                             {"joint_stiffness", drawn::force, "spring"},
+                             {"law_follower", drawn::force, "other"},
+                             {"law_signal", drawn::force, "other"},
+                             {"law_spring", drawn::force, "spring"},
+                             {"line_point_mindist", drawn::link, ""},
+                             {"mimic", drawn::force, "other"},
+                             {"pid_control", drawn::force, "other"},
+                             {"planar_joint", drawn::joint, "planar"},
+                             {"plane_point_mindist", drawn::link, ""},
+                             {"position_control", drawn::link, ""},
+                             {"position_measure", drawn::force, "other"},
+                             {"prismatic_joint", drawn::joint, "prismatic"},
+                             {"revolute_joint", drawn::joint, "revolute"},
+                             {"rigid_link", drawn::link, ""},
+                             {"rotation_control", drawn::link, ""},
+                             {"rotation_measure", drawn::force, "other"},
+                             {"rotor", drawn::force, "motor"},
+                             {"screw_joint", drawn::joint, "screw"},
+                             {"slider_crank_rod", drawn::force, "loop"},
+                             {"slider_crank_slider", drawn::force, "loop"},
+                             {"spherical_joint", drawn::joint, "spherical"},
+                             {"spring", drawn::force, "spring"},
+                             {"sticking_prismatic_joint", drawn::joint, "prismatic"},
+                             {"sticking_revolute_joint", drawn::joint, "revolute"},
+                             {"table_spring", drawn::force, "spring"},
+                             {"torque_speed_motor", drawn::force, "motor"},
+                             {"torsion_damper", drawn::force, "damper"},
+                             {"torsion_spring", drawn::force, "torsion_spring"},
+                             {"velocity_control", drawn::link, ""},
+                             {"velocity_measure", drawn::force, "other"},
+                             {"virtual_kte_interface", drawn::link, ""},
+                             {"vmc_revolute_joint", drawn::joint, "revolute"}};
+}  // namespace
+
+element_kind kind_of_element(std::string_view type) {
+  auto stem = type;
+  for (const std::string_view suffix : {"_gen", "_2D", "_3D"})
+    if (stem.ends_with(suffix)) {
+      stem.remove_suffix(suffix.size());
+      break;
+    }
+  const auto found = std::lower_bound(std::begin(all), std::end(all), stem,
+                                      [](const element_kind& k, std::string_view s) { return k.stem < s; });
+  if (found != std::end(all) && found->stem == stem) return *found;
+  return {stem, drawn::unknown, "other"};
+}
+
+}  // namespace kte::view

@@ -1,0 +1,78 @@
+#include "mesh_files.hpp"
+
+#include <kte/robots/detail/file_places.hpp>
+#include <kte/robots/detail/mesh_file.hpp>
+
+#include <set>
+
+#include "triangles.hpp"
+
+namespace kte::view {
+
+namespace {
+constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;
+constexpr std::size_t most_meshes = 10000;
+
+std::string bytes_text(std::uintmax_t n) { return std::to_string(n >> 20) + " MiB"; }
+}  // namespace
+
+int mesh_files::index_of(const std::string& name, const vec3<>& scale, std::string_view from) {
+  const auto [known, fresh] =
+      known_.emplace(std::pair(std::string(from) + '\n' + name, std::array{scale.x, scale.y, scale.z}), -1);
+  if (fresh) known->second = read(name, scale, from);
+  return known->second;
+}
+
+int mesh_files::cannot(const std::string& name, const std::string& why) {
+  auto note = "mesh '" + name + "' is not drawn: " + why;
+  if (std::find(scene_.notes.begin(), scene_.notes.end(), note) == scene_.notes.end())
+    scene_.notes.push_back(std::move(note));
+  return -1;
+}
+
+/// In the folder of the file and those around it; of `package://name/...` also where the folder has another name.
+std::filesystem::path mesh_files::find(const std::string& name, std::string_view from) const {
+  const auto folder = std::filesystem::path(from.empty() ? file_ : std::string(from)).parent_path();
+  const auto path = detail::path_in_uri(name);
+  auto places = detail::file_places(path, folder, search_path_);
+  if (name.starts_with("package://") || name.starts_with("model://")) {
+    const auto slash = path.find('/');
+    if (slash != path.npos)
+      for (auto& p : detail::file_places(path.substr(slash + 1), folder, search_path_)) places.push_back(std::move(p));
+  }
+  places.emplace_back(path);
+  std::error_code none;
+  for (auto& p : places)
+    if (std::filesystem::is_regular_file(p, none)) return std::move(p);
+  return {};
+}
+
+int mesh_files::read(const std::string& name, const vec3<>& scale, std::string_view from) {
+  if (name.empty()) return cannot(name, "the file does not name one, as of meshes that are written out in it");
+  if (scene_.meshes.size() == most_meshes) return cannot(name, "there are " + std::to_string(most_meshes) + " already");
+  const auto extension = detail::lower_extension(name);
+  if (extension != ".stl" && extension != ".obj" && extension != ".msh")
+    return cannot(name, "of meshes, .stl, .obj and .msh are read");
+  const auto path = find(name, from);
+  if (path.empty())
+    return cannot(name,
+                  "it is not found, neither in the folders around the robot's file nor in those of "
+                  "robot_options::search_path");
+  std::error_code none;
+  const auto size = std::filesystem::file_size(path, none);
+  if (!none && size > largest_file)
+    return cannot(name, "its file has " + bytes_text(size) + ", above " + bytes_text(largest_file));
+  try {
+    const auto mesh = detail::placed_mesh(detail::read_mesh(path), {}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, scale);
+    if (mesh.faces.empty()) return cannot(name, "it has vertices, but no faces");
+    auto drawn = merged(mesh);
+    drawn.name = std::filesystem::path(detail::path_in_uri(name)).filename().string();
+    if (drawn.indices.empty()) return cannot(name, "all its triangles are without area, or too large for floats");
+    scene_.meshes.push_back(std::move(drawn));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+  } catch (const error& e) {
+    return cannot(name, std::string(e.what()).substr(5));
+  }
+}
+
+}  // namespace kte::view
