@@ -1,13 +1,12 @@
 #pragma once
 
-#include "catch.hpp"
-
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <string>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <string>
+#include "catch.hpp"
 
 /// A client that sends what it is told, byte for byte.
 namespace kte::test {
@@ -85,6 +84,8 @@ struct http_address {
 };
 
 /// "HTTP/1.1 403 ..." as "403".
-inline std::string status_of(const std::string& answer) { return answer.substr(0, 9) == "HTTP/1.1 " ? answer.substr(9, 3) : answer; }
+inline std::string status_of(const std::string& answer) {
+  return answer.substr(0, 9) == "HTTP/1.1 " ? answer.substr(9, 3) : answer;
+}
 
 }  // namespace kte::test

@@ -1,12 +1,12 @@
 #include <kte/view/live_page.hpp>
 
-#include "catch.hpp"
-#include "chain/models.hpp"
-#include "view/http_client.hpp"
-
 #include <atomic>
 #include <list>
 #include <thread>
+
+#include "catch.hpp"
+#include "chain/models.hpp"
+#include "view/http_client.hpp"
 
 using namespace kte;
 using kte::test::contains_text, kte::test::http_address, kte::test::http_client, kte::test::says, kte::test::status_of;
@@ -26,7 +26,8 @@ bool comes_true(const Condition& c) {
 
 /// A page that is open.
 struct open_page : http_client {
-  explicit open_page(const http_address& at, int receive_buffer = 0) : http_client(at.port, "127.0.0.1", receive_buffer) {
+  explicit open_page(const http_address& at, int receive_buffer = 0)
+      : http_client(at.port, "127.0.0.1", receive_buffer) {
     send(at.text("GET", "events"));
   }
   /// The next event of a kind.
@@ -116,8 +117,9 @@ TEST_CASE("other hosts and pages of others are refused") {
   const http_address at(page.url());
   const auto port = std::to_string(at.port);
   auto other = at;
-  for (const std::string& host : {std::string("evil.example:" + port), std::string("127.0.0.1"), "127.0.0.1:" + std::to_string(at.port + 1),
-                                 "127.0.0.2:" + port, "localhost.evil.example:" + port, std::string()}) {
+  for (const std::string& host :
+       {std::string("evil.example:" + port), std::string("127.0.0.1"), "127.0.0.1:" + std::to_string(at.port + 1),
+        "127.0.0.2:" + port, "localhost.evil.example:" + port, std::string()}) {
     INFO(host);
     other.host = host;
     CHECK(status_of(other.get("")) == "403");
@@ -125,8 +127,9 @@ TEST_CASE("other hosts and pages of others are refused") {
   }
   CHECK(status_of(at.ask("POST " + at.path + "pause HTTP/1.1\r\n\r\n")) == "403");
   CHECK(status_of(at.ask(at.text("POST", "pause", "Host: evil.example\r\n"))) == "403");
-  for (const std::string& origin : {std::string("http://evil.example"), std::string("null"), "https://127.0.0.1:" + port,
-                                   std::string("http://127.0.0.1"), "http://127.0.0.1:" + port + ".evil.example"}) {
+  for (const std::string& origin :
+       {std::string("http://evil.example"), std::string("null"), "https://127.0.0.1:" + port,
+        std::string("http://127.0.0.1"), "http://127.0.0.1:" + port + ".evil.example"}) {
     INFO(origin);
     CHECK(status_of(at.ask(at.text("POST", "pause", "Origin: " + origin + "\r\n"))) == "403");
     CHECK(status_of(at.ask(at.text("GET", "", "Origin: " + origin + "\r\n"))) == "403");
@@ -181,7 +184,9 @@ TEST_CASE("states come as events") {
   auto s = make_state(pendulum);
   const http_address at(page.url());
   open_page client(at);
-  CHECK(client.event("controls") == R"({"paused":false,"recording":false,"full":false,"speed":1,"message":"","sliders":[]})" "\n\n");
+  CHECK(client.event("controls") ==
+        R"({"paused":false,"recording":false,"full":false,"speed":1,"message":"","sliders":[]})"
+        "\n\n");
   pendulum.doMotion(s);
   page.show(1.5, s);
   // joint and tip at 7 numbers each, q, and the columns q, q/v, tip/velocity/x and y: in base64 of float32
@@ -251,14 +256,16 @@ TEST_CASE("sliders") {
   open_page client(at);
   client.event("controls");
   page.slider("gain", -1, 2, 0.5, "N m");
-  CHECK_THAT(client.event("controls"), contains_text(R"({"name":"gain","unit":"N m","lower":-1,"upper":2,"value":0.5})"));
+  CHECK_THAT(client.event("controls"),
+             contains_text(R"({"name":"gain","unit":"N m","lower":-1,"upper":2,"value":0.5})"));
   CHECK(page.value("gain") == 0.5);
   CHECK(status_of(at.post("slider?index=0&value=-0.25")) == "204");
   CHECK(page.value("gain") == -0.25);
   CHECK_THAT(client.event("controls"), contains_text("\"value\":-0.25"));
-  for (const char* const bad : {"slider?index=0&value=2.1", "slider?index=0&value=nan", "slider?index=0&value=1x",
-                                "slider?index=0&value=", "slider?index=0", "slider?value=1", "slider?index=1&value=1",
-                                "slider?index=-1&value=1", "slider?index=0&value=1&value=2", "speed?value=0", "speed?value=inf"}) {
+  for (const char* const bad :
+       {"slider?index=0&value=2.1", "slider?index=0&value=nan", "slider?index=0&value=1x",
+        "slider?index=0&value=", "slider?index=0", "slider?value=1", "slider?index=1&value=1",
+        "slider?index=-1&value=1", "slider?index=0&value=1&value=2", "speed?value=0", "speed?value=inf"}) {
     INFO(bad);
     CHECK(status_of(at.post(bad)) == "400");
   }
@@ -276,8 +283,9 @@ TEST_CASE("names in events are text") {
   open_page client{http_address(page.url())};
   client.event("controls");
   page.slider("</script>\n\nevent: end\ndata: \"\xff\xE2\x80\xA8", 0, 1, 0);
-  CHECK_THAT(client.event("controls"),
-             contains_text(R"("name":"\u003c/script>\u000a\u000aevent: end\u000adata: \")" "\xEF\xBF\xBD" R"(\u2028")"));
+  CHECK_THAT(client.event("controls"), contains_text(R"("name":"\u003c/script>\u000a\u000aevent: end\u000adata: \")"
+                                                     "\xEF\xBF\xBD"
+                                                     R"(\u2028")"));
 }
 
 TEST_CASE("pause, step, run, reset") {
@@ -356,7 +364,8 @@ TEST_CASE("programs wait for a page, and pages hear of the end") {
 TEST_CASE("options of live pages that make no sense") {
   live_page page(pendulum);
   const int port = http_address(page.url()).port;
-  CHECK_THROWS_MATCHES(live_page(pendulum, {.port = port}), bad_argument, says("cannot listen at port " + std::to_string(port)));
+  CHECK_THROWS_MATCHES(live_page(pendulum, {.port = port}), bad_argument,
+                       says("cannot listen at port " + std::to_string(port)));
   CHECK_THROWS_AS(live_page(pendulum, {.port = -1}), bad_argument);
   CHECK_THROWS_AS(live_page(pendulum, {.port = 65536}), bad_argument);
   CHECK_THROWS_AS(live_page(pendulum, {.speed = 0}), bad_argument);

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <httplib.h>
-
 #include <array>
 #include <chrono>
 #include <functional>
+#include <httplib.h>
 
 namespace kte::live {
 

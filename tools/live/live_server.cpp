@@ -1,11 +1,10 @@
+#include <kte/errors.hpp>
 #include <kte/view/live_server.hpp>
+
+#include <cmath>
 
 #include "../view/page_text.hpp"
 #include "server.hpp"
-
-#include <kte/errors.hpp>
-
-#include <cmath>
 
 namespace kte {
 
@@ -22,10 +21,11 @@ scene without_model(scene s, const std::string& title) {
 }
 const live_options& checked(const live_options& o) {
   if (o.port < 0 || o.port > 65535)
-    detail::raise<bad_argument>("kte: a port is a number from 1 to 65535, or 0 for one that is free, not " + std::to_string(o.port));
+    detail::raise<bad_argument>("kte: a port is a number from 1 to 65535, or 0 for one that is free, not " +
+                                std::to_string(o.port));
   if (!(o.speed >= live::session::slowest && o.speed <= live::session::fastest))
-    detail::raise<bad_argument>("kte: the speed of a live page is between " + detail::number(live::session::slowest) + " and " +
-                                detail::number(live::session::fastest) + ", not " + detail::number(o.speed));
+    detail::raise<bad_argument>("kte: the speed of a live page is between " + detail::number(live::session::slowest) +
+                                " and " + detail::number(live::session::fastest) + ", not " + detail::number(o.speed));
   return o;
 }
 }  // namespace
@@ -37,7 +37,8 @@ struct live_server::parts {
   parts(const scene& s, const live_options& o)
       : session(static_cast<std::size_t>(s.tracks), s.q.size(), s.recordings.front().columns.size(), o.recording_bytes,
                 o.paused, o.speed),
-        server(session, view::page_text(without_model(s, o.title), {.title = {}, .mesh_bytes = o.mesh_bytes}, "kte", true),
+        server(session,
+               view::page_text(without_model(s, o.title), {.title = {}, .mesh_bytes = o.mesh_bytes}, "kte", true),
                names_of(s), o.port) {}
 };
 

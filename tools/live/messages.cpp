@@ -1,8 +1,8 @@
 #include "messages.hpp"
 
-#include "../view/json_text.hpp"
-
 #include <kte/math/quaternion.hpp>
+
+#include "../view/json_text.hpp"
 
 namespace kte::live {
 

@@ -1,23 +1,22 @@
 #include "server.hpp"
 
-#include "connection.hpp"
-#include "worker_threads.hpp"
-
 #include <kte/errors.hpp>
 #include <kte/io/text_table.hpp>
 
+#include <charconv>
 #include <fcntl.h>
 #include <sys/socket.h>
 
-#include <charconv>
+#include "connection.hpp"
+#include "worker_threads.hpp"
 
 namespace kte::live {
 
 namespace {
 using httplib::Request, httplib::Response;
 
-/// What every answer has: nothing is kept, nothing else may read it or show it in a frame, and the page reaches nothing but
-/// this server.
+/// What every answer has: nothing is kept, nothing else may read it or show it in a frame, and the page reaches nothing
+/// but this server.
 constexpr std::pair<const char*, const char*> headers[] = {
     {"Content-Security-Policy",
      "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data:; "
@@ -69,8 +68,10 @@ server::server(session& s, std::string page, std::vector<std::string> columns, i
   else if (!bind_to_port(local, port))
     port = -1;
   if (port < 0)
-    detail::raise<bad_argument>("kte: a live page cannot listen at " +
-                                (wanted == 0 ? "127.0.0.1" : "port " + std::to_string(wanted) + " of 127.0.0.1: another program does, or it is not allowed"));
+    detail::raise<bad_argument>(
+        "kte: a live page cannot listen at " +
+        (wanted == 0 ? "127.0.0.1"
+                     : "port " + std::to_string(wanted) + " of 127.0.0.1: another program does, or it is not allowed"));
   const auto number = ':' + std::to_string(port);
   hosts_ = {local + number, "localhost" + number};
   url_ = "http://" + hosts_[0] + '/' + token_ + '/';
@@ -138,7 +139,8 @@ void server::post(const std::string& what, const Request& in, Response& out) {
   if (what == "slider" || what == "speed") {
     const auto value = number_of<double>(in, "value");
     const auto index = number_of<std::size_t>(in, "index");
-    const bool fits = value && (what == "speed" ? session_.set_speed(*value) : index && session_.set_slider(*index, *value));
+    const bool fits =
+        value && (what == "speed" ? session_.set_speed(*value) : index && session_.set_slider(*index, *value));
     if (!fits) say(out, 400, "there is no such slider, or the number is out of its limits");
     return;
   }
@@ -169,7 +171,8 @@ void server::send_recording(Response& out) {
     std::string text;
     if (all->next == 0) all->table.head(columns_, text);
     constexpr std::size_t bytes = 1 << 16;
-    for (; all->next < all->rows.rows() && text.size() < bytes; ++all->next) all->table.row(all->rows.row(all->next), text);
+    for (; all->next < all->rows.rows() && text.size() < bytes; ++all->next)
+      all->table.row(all->rows.row(all->next), text);
     if (!to.write(text.data(), text.size())) return false;
     if (all->next == all->rows.rows()) to.done();
     return true;

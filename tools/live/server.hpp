@@ -1,11 +1,10 @@
 #pragma once
 
+#include <httplib.h>
+#include <thread>
+
 #include "messages.hpp"
 #include "token.hpp"
-
-#include <httplib.h>
-
-#include <thread>
 
 namespace kte::live {
 

@@ -32,7 +32,8 @@ void session::add(slider s) {
   const lock l(mutex_);
   for (const auto& known : controls_.sliders)
     if (known.name == s.name) detail::raise<bad_argument>("kte: the page has a slider '" + s.name + "' already");
-  if (!std::isfinite(s.lower) || !std::isfinite(s.upper) || !(s.lower < s.upper) || !(s.value >= s.lower && s.value <= s.upper))
+  if (!std::isfinite(s.lower) || !std::isfinite(s.upper) || !(s.lower < s.upper) ||
+      !(s.value >= s.lower && s.value <= s.upper))
     detail::raise<bad_argument>("kte: slider '" + s.name + "' goes from " + detail::number(s.lower) + " to " +
                                 detail::number(s.upper) + " and stands at " + detail::number(s.value) +
                                 ": limits are finite and in order, and the value is between them");
@@ -46,7 +47,8 @@ double session::value(std::string_view name) const {
     if (s.name == name) return s.value;
     known.push_back(s.name);
   }
-  detail::raise<unknown_name>("kte: the page has no slider '" + std::string(name) + "'" + detail::did_you_mean(name, known));
+  detail::raise<unknown_name>("kte: the page has no slider '" + std::string(name) + "'" +
+                              detail::did_you_mean(name, known));
 }
 bool session::paused() const {
   const lock l(mutex_);
@@ -190,9 +192,8 @@ session::page::news session::page::next() {
   lock l(s.mutex_);
   const auto closed = [&s] { return s.closed_; };
   s.for_pages_.wait_until(l, last_ + std::chrono::duration_cast<clock::duration>(between_pictures), closed);
-  s.for_pages_.wait_for(l, silence, [&] {
-    return s.closed_ || seen_controls_ != s.controls_version_ || seen_states_ != s.states_;
-  });
+  s.for_pages_.wait_for(
+      l, silence, [&] { return s.closed_ || seen_controls_ != s.controls_version_ || seen_states_ != s.states_; });
   news n;
   n.end = s.closed_;
   if (seen_controls_ != s.controls_version_) n.of_controls = s.controls_;

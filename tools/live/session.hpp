@@ -1,12 +1,12 @@
 #pragma once
 
-#include "recording_rows.hpp"
-
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <string_view>
+
+#include "recording_rows.hpp"
 
 namespace kte::live {
 

@@ -20,7 +20,8 @@ inline std::string random_token() {
 inline bool same_token(std::string_view token, std::string_view text) {
   unsigned difference = token.size() == text.size() ? 0 : 1;
   for (std::size_t i = 0; i < token.size(); ++i)
-    difference |= static_cast<unsigned char>(token[i]) ^ static_cast<unsigned>(i < text.size() ? static_cast<unsigned char>(text[i]) : 0);
+    difference |= static_cast<unsigned char>(token[i]) ^
+                  static_cast<unsigned>(i < text.size() ? static_cast<unsigned char>(text[i]) : 0);
   return difference == 0;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <httplib.h>
-
 #include <deque>
+#include <httplib.h>
 
 namespace kte::live {
 

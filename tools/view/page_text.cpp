@@ -1,10 +1,10 @@
 #include "page_text.hpp"
 
+#include <kte/errors.hpp>
+
 #include "page_limits.hpp"
 #include "page_resource.hpp"
 #include "scene_checks.hpp"
-
-#include <kte/errors.hpp>
 
 namespace kte::view {
 

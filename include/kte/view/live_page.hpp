@@ -13,7 +13,8 @@ class live_rows : public scene_recording<Chain> {
   using base = scene_recording<Chain>;
 
  public:
-  live_rows(const Chain& chain, const std::vector<std::string>& more) : base(chain, {.name = "live", .columns = names(chain, more)}) {
+  live_rows(const Chain& chain, const std::vector<std::string>& more)
+      : base(chain, {.name = "live", .columns = names(chain, more)}) {
     auto s = first_state(chain);
     chain_in(chain).doMotion(s);
     base::row(0.0, s);
@@ -55,7 +56,8 @@ class live_page : public live_server {
   explicit live_page(const Chain& chain, const live_options& options = {})
       : live_page(detail::live_rows<Chain>(chain, options.columns), options) {}
 
-  /// The frames as of the last `doMotion` of the state. Never waits. Throws `bad_argument` for a state of another chain.
+  /// The frames as of the last `doMotion` of the state. Never waits. Throws `bad_argument` for a state of another
+  /// chain.
   template <class T, class State>
   void show(const T& t, const State& s) {
     const auto& row = rows_.read(s);

@@ -11,9 +11,9 @@ namespace kte {
 
 /// What a `live_page` is, whatever the chain: the server of the page, its sliders, its buttons, and its clock.
 ///
-/// It listens at 127.0.0.1 alone, and answers who knows the address with its token of 128 bits. Threads of its own serve
-/// the pages: `show` never waits for them, and each gets the newest state when it has taken the one before. All members
-/// may be called in any thread.
+/// It listens at 127.0.0.1 alone, and answers who knows the address with its token of 128 bits. Threads of its own
+/// serve the pages: `show` never waits for them, and each gets the newest state when it has taken the one before. All
+/// members may be called in any thread.
 class live_server {
  public:
   live_server(const live_server&) = delete;
@@ -39,8 +39,9 @@ class live_server {
   /// Seconds of the simulation in a second, as the page has it.
   double speed() const;
 
-  /// Waits until the clock of the page is at t, s: it runs at `speed`, and stands while the page is paused. Step lets one
-  /// call through, Reset too. A t before the last one, and one that comes late, sets the clock to it. False after `stop`.
+  /// Waits until the clock of the page is at t, s: it runs at `speed`, and stands while the page is paused. Step lets
+  /// one call through, Reset too. A t before the last one, and one that comes late, sets the clock to it. False after
+  /// `stop`.
   bool wait(double t);
   /// Waits until a page is open. False after `stop`.
   bool wait_for_page();

@@ -3,21 +3,25 @@
 #include <kte/kte.hpp>
 #include <kte/view/live_page.hpp>
 
-#include <poll.h>
-
 #include <cmath>
 #include <cstdio>
+#include <poll.h>
 #include <thread>
 
 namespace {
-inline constexpr struct q_ final : kte::coord_key<"q"> {} q;
-inline constexpr struct base_ final : kte::frame_2D_key<"base"> {} base;
-inline constexpr struct joint_ final : kte::frame_2D_key<"joint"> {} joint;
-inline constexpr struct tip_ final : kte::frame_2D_key<"tip"> {} tip;
+inline constexpr struct q_ final : kte::coord_key<"q"> {
+} q;
+inline constexpr struct base_ final : kte::frame_2D_key<"base"> {
+} base;
+inline constexpr struct joint_ final : kte::frame_2D_key<"joint"> {
+} joint;
+inline constexpr struct tip_ final : kte::frame_2D_key<"tip"> {
+} tip;
 
-constexpr auto arm = kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rigid_link_2D(joint, tip, kte::along_x(1.0)),
-                                kte::inertia_2D(tip, kte::point_mass(1.0)))
-                         .gravity(kte::along_y(-9.81));
+constexpr auto arm =
+    kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rigid_link_2D(joint, tip, kte::along_x(1.0)),
+               kte::inertia_2D(tip, kte::point_mass(1.0)))
+        .gravity(kte::along_y(-9.81));
 
 /// Stops a page at the end of the input, or after two minutes.
 void stop_in_time(kte::live_server& page) {

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <pthread.h>
-
 #include <atomic>
 #include <csignal>
 #include <functional>
+#include <pthread.h>
 #include <thread>
 
 namespace kte_tool {

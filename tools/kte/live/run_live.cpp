@@ -23,7 +23,8 @@ constexpr double frame = 0.01;  // s of a clock between states that are shown
 
 void check_settings(const live_settings& o) {
   const auto refuse = [](const std::string& what, double x) { throw usage_error(what + ", not " + short_number(x)); };
-  if (!(o.port >= 0 && o.port <= 65535) || o.port != std::floor(o.port)) refuse("--port is a number up to 65535", o.port);
+  if (!(o.port >= 0 && o.port <= 65535) || o.port != std::floor(o.port))
+    refuse("--port is a number up to 65535", o.port);
   if (!(o.speed >= 1e-3 && o.speed <= 1e3)) refuse("--speed is between 0.001 and 1000", o.speed);
   if (!(o.tolerance > 0)) refuse("--tolerance must be greater than 0", o.tolerance);
   if (o.end && !(*o.end > 0)) refuse("--time must be greater than 0", *o.end);
@@ -46,7 +47,9 @@ int run_live(const live_settings& o) {
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom: nothing can move");
   const driven_chain driven(m.chain());
   std::optional<hand_inputs> inputs;
-  plant p(driven.chain, [&](double, const plant::state& x, Eigen::VectorXd& u) { inputs->put(x, driven.chain.nq(), u); }, false);
+  plant p(
+      driven.chain, [&](double, const plant::state& x, Eigen::VectorXd& u) { inputs->put(x, driven.chain.nq(), u); },
+      false);
   if (m.model) kte::detail::restore_inputs(*m.model, p.model());
   const Eigen::VectorXd q = kte::neutral_configuration(driven.chain), v = Eigen::VectorXd::Zero(driven.chain.dofs());
   inputs.emplace(m, driven, p.model(), q);
@@ -59,9 +62,10 @@ int run_live(const live_settings& o) {
   kte::robot shown = m.robot;  // with shapes; its states are those of the chain that is simulated
   shown.chain = driven.chain;
   interruption interrupted;
-  kte::live_page page(shown, {.title = m.robot.name.empty() ? std::filesystem::path(m.file).stem().string() : m.robot.name,
-                              .port = static_cast<int>(o.port),
-                              .speed = o.speed});
+  kte::live_page page(shown,
+                      {.title = m.robot.name.empty() ? std::filesystem::path(m.file).stem().string() : m.robot.name,
+                       .port = static_cast<int>(o.port),
+                       .speed = o.speed});
   inputs->show(page);
   interrupted.calls([&page] { page.stop(); });
   kte::detail::write_standard_output(page.url() + '\n');

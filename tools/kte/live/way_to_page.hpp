@@ -6,8 +6,8 @@
 
 namespace kte_tool {
 
-/// A file that leads a browser to an address, in a folder that only its user can read: on a command line all users of the machine
-/// would see the address, and its token. It is removed at the end.
+/// A file that leads a browser to an address, in a folder that only its user can read: on a command line all users of
+/// the machine would see the address, and its token. It is removed at the end.
 class way_to_page {
  public:
   explicit way_to_page(const std::string& url) {
