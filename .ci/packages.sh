@@ -31,6 +31,7 @@ install_packages() {
   need libbenchmark-dev
   need libcereal-dev
   need libcli11-dev
+  need libcpp-httplib-dev
   need libsundials-dev
   need libtinyxml2-dev
   need libxsimd-dev

@@ -22,16 +22,16 @@ inline constexpr struct tip_   final : kte::frame_2D_key<"tip">   {} tip;
 // clang-format on
 
 constexpr auto double_pendulum =
-    kte::chain(kte::revolute_joint_2D(upper, base, rod1), kte::rigid_link_2D(rod1, elbow, kte::along_x(0.5)),
+    kte::chain(kte::revolute_joint_2D(upper, base, rod1), kte::rigid_link_2D(rod1, elbow, kte::along_x(1.0)),
                kte::inertia_2D(elbow, kte::point_mass(1.0)), kte::revolute_joint_2D(lower, elbow, rod2),
-               kte::rigid_link_2D(rod2, tip, kte::along_x(0.4)), kte::inertia_2D(tip, kte::point_mass(0.7)))
+               kte::rigid_link_2D(rod2, tip, kte::along_x(0.8)), kte::inertia_2D(tip, kte::point_mass(0.7)))
         .gravity(kte::along_y(-9.81));
 
 /// Let go from rest: `lower` is the angle between the rods.
 kte::scene swing(double duration, double rate) {
   kte::scene_recording rec(double_pendulum, {.columns = {"upper", "lower", "upper/v", "lower/v", "tip/velocity"}});
   kte::manipulator_dynamics_model model(double_pendulum);
-  const auto x0 = model.make_x(std::array{0.9, 0.7}, std::array{0.0, 0.0});
+  const auto x0 = model.make_x(std::array{0.6, 0.8}, std::array{0.0, 0.0});
   kte::prince_dormand87 solver(std::cref(model), 0.0, x0, {.absolute = 1e-13, .relative = 1e-13});
   solver.integrate(duration, kte::every(1 / rate), [&](double t, const auto& x) { rec.row(t, model.state_at(t, x)); });
   return rec.contents();
@@ -64,14 +64,15 @@ kte::scene reach() {
 
 int main(int count, char** arguments) {
   const std::filesystem::path folder = count > 1 ? arguments[1] : ".";
-  const auto pendulum = swing(8, 25);
-  kte::write_moving_picture(folder / "double_pendulum.svg", pendulum,
-                            {.width = 85, .title = "A double pendulum, simulated by kte", .trails = {"tip"}});
-  kte::write_picture(folder / "double_pendulum_times.svg", pendulum, {.every = 0.12, .to = 0.8, .trails = {"tip"}});
-  kte::write_plot(folder / "double_pendulum_plot.svg", table_of(swing(8, 200).recordings[0]),
-                  {"upper", "lower", "tip/velocity"}, {.units = kte::units_of(pendulum)});
-  kte::write_picture(folder / "iiwa14_reach.svg", reach(),
-                     {.every = 0.4, .trails = {"tool"}, .labels = {"tool"}, .bodies = false});
+  const auto fine = swing(8, 200);
+  kte::write_moving_picture(
+      folder / "double_pendulum.svg", fine,
+      {.width = 85, .title = "A double pendulum, simulated by kte", .trails = {"tip"}, .rate = 40});
+  kte::write_picture(folder / "double_pendulum_times.svg", fine, {.every = 0.15, .to = 1.2, .trails = {"tip"}});
+  kte::write_plot(folder / "double_pendulum_plot.svg", table_of(fine.recordings[0]), {"upper", "lower", "tip/velocity"},
+                  {.units = kte::units_of(fine)});
+  kte::write_picture(folder / "iiwa14_reach.svg", reach(), {.every = 0.4, .trails = {"tool"}, .bodies = false});
   kte::write_topology(folder / "solo12_topology.svg", robots::solo12);
   std::printf("Wrote 5 pictures in '%s'.\n", folder.string().c_str());
+  return 0;
 }

@@ -15,11 +15,11 @@
 #include <kte/dynamics/runtime_frames.hpp>
 #include <kte/dynamics/runtime_regressor.hpp>
 #include <kte/elements/registry.hpp>
-#include <kte/io/model_reader.hpp>
-#include <kte/io/recording.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
+#include <kte/io/model_reader.hpp>
+#include <kte/io/recording.hpp>
 #include <kte/io/table_writer.hpp>
 #include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>

@@ -44,7 +44,7 @@ class Browser:
         options.binary_location = chromium
         for flag in ['--headless=new', '--no-sandbox', '--no-first-run', '--disable-quic', '--disable-background-networking',
                      '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--use-angle=swiftshader',
-                     '--enable-unsafe-swiftshader', '--host-resolver-rules=MAP * ~NOTFOUND', '--hide-scrollbars',
+                     '--enable-unsafe-swiftshader', '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1', '--hide-scrollbars',
                      f'--window-size={width},{height}', *flags]:
             options.add_argument(flag)
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
@@ -111,7 +111,7 @@ class Browser:
     def colour(self, point):
         """What is drawn where a point of the world is, as r g b, or None outside of the canvas."""
         return self.run('''
-            kte_page.sources.update(kte_page.player.time, kte_page.simulation);
+            kte_page.sources.update(kte_page.player.time, kte_page.simulating.simulation);
             kte_page.picture.draw(kte_page.player.time, null);
             const stage = kte_page.picture.stage, at = stage.project(...arguments[0], {});
             if (at.x < 0 || at.y < 0 || at.x >= stage.width || at.y >= stage.height) return null;

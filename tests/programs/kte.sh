@@ -92,6 +92,7 @@ for file in swing.npy swing.mcap swing.tsv; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record $file --frames --column tip/velocity
   if [ ! -s $file ]; then wrong "$file is empty"; fi
 done
+if ! grep -qa foxglove.FrameTransforms swing.mcap; then wrong 'MCAP has nothing to see in space'; fi
 head -1 swing.csv >out
 prints 't,q,q/v,q/a,q/f,energy/kinetic,energy/potential,energy/total'
 gives 0 '' "$kte" simulate pendulum.json --time 1 --start swing.csv --json  # its first row
@@ -100,6 +101,11 @@ prints '"rejected":'
 printf 't,q_0\n0,0\n1,1\n' >target.csv
 gives 0 '' "$kte" simulate pendulum.json --time 3 --pd target.csv
 prints "PD control: 'q' 25 and 5"
+gives 0 '' "$kte" simulate pendulum.json --time 5 --pd target.csv --compensate --json
+reached() { sed 's/.*"q":\[\([^]]*\)\].*/\1/' out | awk -v from="$1" -v to="$2" '{ exit !($1 > from && $1 < to) }' || wrong "q is not between $1 and $2"; }
+reached 0.999999 1.000001
+gives 0 '' "$kte" simulate pendulum.json --time 5 --pd target.csv --kp 1000 --kd 100 --json  # 4.905 cos(q) / 1000 below
+reached 0.99725 0.99745
 printf 't,q\n1,1\n0,1\n' >backwards.csv
 gives 1 'backwards.csv:3: t must grow from row to row' "$kte" simulate pendulum.json --pd backwards.csv
 printf 'tau_0\n4.905\n' >torque.csv
@@ -126,16 +132,16 @@ for file in swing.csv swing.npy swing.mcap swing.tsv; do
   gives 0 'kte: wrote swing.html' "$kte" view pendulum.json $file -o swing.html
 done
 gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --output both.html --title Both
-gives 1 'column' "$kte" view arm.urdf target.csv
-mv pendulum.html aside.html
-PATH=/nowhere gives 1 "cannot run 'xdg-open'" "$kte" view pendulum.json --open
+printf 't,x\n0,1\n' >none.csv
+gives 1 "no columns of coordinates by which the mechanism moves: 'q'" "$kte" view pendulum.json none.csv
+gives 1 "cannot run 'xdg-open'" env PATH=/nowhere "$kte" view pendulum.json --open
 mkdir browser && printf '#!/bin/sh\nprintf "%%s\\n" "$@" >>"$0.log"\n' >browser/xdg-open && chmod +x browser/xdg-open
-PATH=$PWD/browser:$PATH gives 0 '' "$kte" view pendulum.json --open -o '-a; touch called.html'
+gives 0 'kte: wrote -a; touch called.html' env PATH="$PWD/browser:$PATH" "$kte" view pendulum.json --open -o '-a; touch called.html'
 if ! grep -qxF "$PWD/-a; touch called.html" browser/xdg-open.log; then wrong 'xdg-open gets another name'; fi
 gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
 if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
 gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
-gives 1 "no column 'nothing'" "$kte" plot swing.csv nothing
+gives 1 "cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
 gives 1 'pictures are SVG' "$kte" plot swing.csv q -o swing.png
 
 # ik
@@ -214,6 +220,8 @@ head -1 names.csv >out
 prints 't,shoulder__1_,'
 prints 'upper__arm/position/x'
 gives 0 'wrote names.html' "$kte" view names.urdf names.csv
+gives 0 'names.mcap has numbers alone' "$kte" simulate names.urdf --time 0.1 --record names.mcap
+gives 0 'wrote names.html' "$kte" view names.urdf names.mcap
 
 if [ -n "$(find . -name called)" ]; then wrong "a shell has read a file's name"; fi
 [ "$failures" -eq 0 ]

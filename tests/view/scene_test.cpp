@@ -5,9 +5,10 @@
 #include <kte/elements/screw_joint.hpp>
 #include <kte/elements/spring.hpp>
 #include <kte/io/model_reader.hpp>
+#include <kte/manipulators/manipulator.hpp>
 #include <kte/view/scene_of.hpp>
 
-#include "../src/view/element_kinds.hpp"
+#include "../tools/view/element_kinds.hpp"
 #include "catch.hpp"
 #include "chain/gear.hpp"
 #include "chain/models.hpp"
@@ -129,6 +130,14 @@ TEST_CASE("joints by their kinds, with seats, axes in the base and ranges by sto
   REQUIRE(s.forces.size() == 2);
   CHECK((s.forces[0].kind == "limit" && s.forces[1].kind == "spring"));
   CHECK(s.forces[1].frames == std::vector{0, 4});
+}
+
+TEST_CASE("manipulators have the ranges of their limits") {
+  const auto chain = models::pendulum;
+  auto limits = unlimited(chain);
+  limits.lower[0] = -0.5;
+  const auto s = scene_of(manipulator(chain, models::tip, limits));
+  CHECK((s.coordinates.at(0).lower == -0.5 && s.coordinates[0].upper == scene::none && s.joints.at(0).lower == -0.5));
 }
 
 TEST_CASE("elements of the program's own are drawn, and then there is no model") {

@@ -5,6 +5,7 @@
 #include <kte/io/program.hpp>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <time.h>
 
@@ -103,6 +104,23 @@ list numbers_of(const M&... m) {
   list out;
   (append(out, m), ...);
   return out;
+}
+
+/// The frame in space with the most joints below it, of several the last; empty where there is none.
+std::string last_frame(const kte::kte_map_chain& c) {
+  std::map<std::string, int> joints;
+  std::string frame;
+  int most = 0;
+  c.for_each_element([&](const kte::kte_element& e) {
+    const auto ports = e.ports();
+    if (ports.back().how != kte::access::out || ports.back().what != kte::kind::frame_3D) return;
+    int below = kte::is_coordinate(ports.front().what);
+    for (std::size_t p = 0; p + 1 < ports.size(); ++p)
+      if (kte::is_frame(ports[p].what)) below += joints[e.names()[p]];
+    joints[e.names().back()] = below;
+    if (below >= most) most = below, frame = e.names().back();
+  });
+  return frame;
 }
 
 struct result {
@@ -205,8 +223,8 @@ std::string time_text(double seconds) {
 }
 
 std::string text_of(const mechanism& m, const bench_run& b) {
-  std::string s = m.file + ": " + counted(static_cast<std::size_t>(m.chain().dofs()), "number") +
-                  " in v; medians, CPU time of a call; errors against 50 digits, relative to the largest number\n";
+  std::string s = printable(m.file) + ": " + degrees_text(m.chain().dofs()) +
+                  "; medians, CPU time of a call; errors against 50 digits, relative to the largest number\n";
   std::size_t width = 0;
   for (const auto& r : b.results) width = std::max(width, r.operation.size());
   for (const auto& r : b.results) {
@@ -244,11 +262,8 @@ int bench(options& o) {
   if (!(o.seconds > 0)) throw usage_error("--seconds must be greater than 0, not " + short_number(o.seconds));
   const auto m = read_and_warn(o.in);
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom");
-  if (o.frame.empty()) {  // the last that moves in space
-    m.chain().for_each_element([&](const kte::kte_element& e) {
-      if (e.ports().back().how == kte::access::out && e.ports().back().what == kte::kind::frame_3D)
-        o.frame = e.names().back();
-    });
+  if (o.frame.empty()) {
+    o.frame = last_frame(m.chain());
   } else if (m.chain().frame(o.frame).what() != kte::kind::frame_3D) {
     throw kte::bad_argument("kte: the frame '" + o.frame + "' is a frame in the plane");
   }
@@ -269,7 +284,8 @@ void add_bench(command_line& line) {
                        "digits, relative to the largest number. Errors are known of joints, links and bodies: without "
                        "damping and friction of joints, unless --joint-dynamics is given."),
               o->in, false)
-      .text("--frame", "NAME", o->frame, "of which pose and Jacobian are measured; if left out the last one")
+      .text("--frame", "NAME", o->frame,
+            "of which pose and Jacobian are measured; if left out the last of those with most joints below")
       .number("--seconds", "S", o->seconds, "time for each operation, s; 0.1 if left out")
       .flag("--json", o->json, "as JSON")
       .runs([o] { return bench(*o); });

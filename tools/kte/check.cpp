@@ -79,14 +79,13 @@ std::string mobility_text(const structure& s) {
     if (f.parent >= 0 && !f.moved_by.empty()) ++kinds[short_type(f.by)];
   std::string joints;
   for (const auto& [type, n] : kinds) joints += (joints.empty() ? "" : ", ") + std::to_string(n) + " " + type;
-  return std::to_string(dofs) + (dofs == 1 ? " degree of freedom" : " degrees of freedom") +
-         (joints.empty() ? "" : " (" + joints + ")") + (followers ? ", " + counted(followers, "follower") : "") + ", " +
-         (s.bodies.size() == 1 ? "1 body" : std::to_string(s.bodies.size()) + " bodies") + " of " +
+  return degrees_text(dofs) + (joints.empty() ? "" : " (" + joints + ")") +
+         (followers ? ", " + counted(followers, "follower") : "") + ", " + bodies_text(s.bodies.size()) + " of " +
          short_number(s.mass) + " kg, " + counted(s.frames.size(), "frame") + ", " + short_number(s.size) + " m large";
 }
 
 std::string text_of(const findings& f, const options& o) {
-  const auto& file = o.in.file;
+  const auto file = printable(o.in.file);
   std::string s;
   for (const auto& text : texts_of(f.odd, file)) s += text + '\n';
   if (s.empty()) s = file + ": nothing odd is found\n";

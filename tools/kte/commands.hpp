@@ -10,6 +10,7 @@ void add_info(command_line& line);
 void add_eval(command_line& line);
 void add_simulate(command_line& line);
 void add_view(command_line& line);
+void add_live(command_line& line);
 void add_ik(command_line& line);
 void add_convert(command_line& line);
 void add_bench(command_line& line);

@@ -118,11 +118,10 @@ class tree_text {
 
 std::string text_of(const mechanism& m, const structure& s) {
   const auto& g = m.chain().gravity();
-  std::string t = m.file + " (" + m.format + "): '" + m.robot.name + "'\n";
-  t += counted(static_cast<std::size_t>(m.chain().dofs()), "number") + " in v, " + std::to_string(m.chain().nq()) +
-       " in q; " + (s.bodies.size() == 1 ? "1 body" : std::to_string(s.bodies.size()) + " bodies") + " of " +
-       short_number(s.mass) + " kg; " + counted(s.frames.size(), "frame") + "; " + short_number(s.size) +
-       " m large; gravity " + short_vector(g) + " m/s^2\n\n";
+  std::string t = printable(m.file) + " (" + m.format + "): '" + m.robot.name + "'\n";
+  t += degrees_text(m.chain().dofs()) + ", " + counted(static_cast<std::size_t>(m.chain().nq()), "number") + " in q; " +
+       bodies_text(s.bodies.size()) + " of " + short_number(s.mass) + " kg; " + counted(s.frames.size(), "frame") +
+       "; " + short_number(s.size) + " m large; gravity " + short_vector(g) + " m/s^2\n\n";
   t += tree_text(m, s).text();
   const auto centred = [](const structure::body& b) {
     return short_number(b.mass) + " kg at " + short_vector(b.centre) + " m, moments " + short_number(b.moments[0]) +
@@ -152,7 +151,7 @@ std::string text_of(const mechanism& m, const structure& s) {
          std::to_string(solid) + " to collide with\n";
   }
   if (const auto n = texts_of(m.robot.not_read, "").size())
-    t += "\n" + counted(n, "thing") + " of the file not read: kte check " + m.file + '\n';
+    t += "\n" + counted(n, "thing") + " of the file not read: kte check " + printable(m.file) + '\n';
   return t;
 }
 

@@ -1,16 +1,19 @@
 #include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/io/memory_table.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/table_writer.hpp>
 #include <kte/models/modes.hpp>
 #include <kte/robots/motors.hpp>
+#include <kte/view/write_mcap.hpp>
 
 #include <chrono>
 
 #include "commands.hpp"
 #include "json_writer.hpp"
 #include "message.hpp"
+#include "recorded_scene.hpp"
 #include "simulate/law.hpp"
 #include "simulate/solvers.hpp"
 #include "text_format.hpp"
@@ -25,7 +28,7 @@ struct options {
   std::string start, configuration, pd, input, record;
   std::vector<std::string> columns;
   std::optional<double> kp, kd;
-  bool motors = false, frames = false, json = false;
+  bool motors = false, compensate = false, frames = false, json = false;
 };
 
 /// q and v at the start.
@@ -57,11 +60,12 @@ struct initial_state {
   }
 };
 
-/// A file of the numbers of states over time.
+/// A file of the numbers of states over time. MCAP also has what Foxglove shows in space: it is written at the end.
 class recording_file {
  public:
-  recording_file(const std::string& path, const kte::kte_map_chain& c, const std::vector<std::string>& names)
-      : state_(c, names), numbers_(state_.columns().size() + 3) {
+  recording_file(const std::string& path, const mechanism& m, const kte::kte_map_chain& c,
+                 const std::vector<std::string>& names)
+      : path_(path), m_(m), state_(c, names), numbers_(state_.columns().size() + 3) {
     std::vector<std::string> columns{"t"};
     for (const auto& x : state_.columns()) columns.push_back(x.name);
     for (const char* const energy : {"energy/kinetic", "energy/potential", "energy/total"}) {
@@ -69,6 +73,7 @@ class recording_file {
       while (std::find(columns.begin(), columns.end(), name) != columns.end()) name += '_';
       columns.push_back(name);
     }
+    if (kte::format_of(path) == kte::table_format::mcap) kept_.emplace(columns);
     out_.emplace(path, columns);
   }
   void row(double t, const kte::kte_map_chain& c, const kte::runtime_state& s) {
@@ -78,15 +83,27 @@ class recording_file {
     double* const last = numbers_.data() + state_.columns().size();
     last[0] = e.kinetic, last[1] = e.potential, last[2] = e.kinetic + e.potential;
     out_->row(t, numbers_);
+    if (kept_) kept_->row(t, numbers_);
     ++rows_;
   }
-  void close() { out_->close(); }
+  void close() {
+    out_->close();
+    if (!kept_ || rows_ == 0) return;
+    try {
+      kte::write_mcap(path_, scene_of(m_, kept_->contents(), ""));
+    } catch (const kte::bad_argument& e) {
+      say(path_ + " has numbers alone, and nothing to see: " + std::string(e.what()).substr(5));
+    }
+  }
   std::size_t rows() const { return rows_; }
 
  private:
+  std::string path_;
+  const mechanism& m_;
   recorded_state state_;
   std::vector<double> numbers_;
   std::optional<kte::table_writer> out_;
+  std::optional<kte::memory_table> kept_;
   std::size_t rows_ = 0;
 };
 
@@ -107,14 +124,15 @@ std::string text_of(const options& o, const mechanism& m, const summary& s) {
     return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
            short_number(e.kinetic) + ", potential " + short_number(e.potential) + '\n';
   };
-  std::string t = m.file + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " + std::to_string(n.steps) +
-                  " steps, " + std::to_string(n.rejected) + " rejected, " + std::to_string(n.evaluations) +
-                  " evaluations" + (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
+  std::string t = printable(m.file) + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " +
+                  std::to_string(n.steps) + " steps, " + std::to_string(n.rejected) + " rejected, " +
+                  std::to_string(n.evaluations) + " evaluations" +
+                  (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
                   short_number(s.seconds) + " s of time\n";
   t += s.control;
   t += energy("start", s.before) + energy("end", s.after);
   t += "change of energy: " + short_number(total(s.after) - total(s.before)) + " J\n";
-  if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + o.record + '\n';
+  if (!o.record.empty()) t += std::to_string(s.rows) + " rows in " + printable(o.record) + '\n';
   t += "state at the end\n";
   char digits[64];
   for (const auto& e : kte::layout(m.chain())) {
@@ -151,7 +169,7 @@ void check_settings(const options& o) {
   };
   positive("--time", o.run.end), positive("--tolerance", o.run.tolerance);
   positive("--step", o.run.step), positive("--every", o.run.every);
-  if (o.pd.empty() && (o.kp || o.kd)) throw usage_error("--kp and --kd are gains of --pd");
+  if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
   if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
   if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
 }
@@ -196,13 +214,12 @@ int simulate(options& o) {
   std::optional<evaluate::state_table> targets;
   if (!o.pd.empty()) {
     targets.emplace(o.pd);
-    d.pd.emplace(*targets, m, m.chain());
-    auto state = m.chain().make_state();
-    const auto& mass = kte::mass_matrix(m.chain(), state, start.q);
+    d.pd.emplace(*targets, m, m.chain(), o.compensate);
+    const auto masses = d.pd->largest_masses(start.q);
     s.control = "PD control";
     for (const auto& e : kte::layout(m.chain())) {
       if (e.nv != 1) continue;
-      const double felt = mass(e.v, e.v), kp = o.kp.value_or(100 * felt), kd = o.kd.value_or(20 * felt);
+      const double felt = masses[e.v], kp = o.kp.value_or(100 * felt), kd = o.kd.value_or(20 * felt);
       const auto before = d.pd->joints().size();
       d.pd->add({e.q, e.v, place_of_input(p.model(), force_of[static_cast<std::size_t>(e.v)]), kp, kd,
                  m.robot.limits.effort[static_cast<std::size_t>(e.v)]});
@@ -226,7 +243,7 @@ int simulate(options& o) {
   if (o.frames)
     for (const auto k : {kte::kind::frame_2D, kte::kind::frame_3D})
       for (const auto& name : chain.wiring().names[static_cast<std::size_t>(k)]) columns.push_back("frame:" + name);
-  if (!o.record.empty()) out.emplace(o.record, chain, columns);
+  if (!o.record.empty()) out.emplace(o.record, m, chain, columns);
   const auto began = std::chrono::steady_clock::now();
   try {
     s.run = run(p, x, o.run, [&](double t, const plant::state& at) {
@@ -260,8 +277,9 @@ void add_simulate(command_line& line) {
       .text("--pd", "TABLE", o->pd,
             "PD control to targets over time: columns t, q_0, ..., v_0, ...; linear between rows, forces within limits")
       .number("--kp", "GAIN", o->kp,
-              "of --pd, Nm/rad or N/m; if left out 100/s^2 times the mass that a coordinate feels")
+              "of --pd, Nm/rad or N/m; if left out 100/s^2 times the largest mass that it feels at targets")
       .number("--kd", "GAIN", o->kd, "of --pd, Nms/rad or Ns/m; if left out 20/s times that mass")
+      .flag("--compensate", o->compensate, "of --pd, also the forces against gravity")
       .text("--input", "TABLE", o->input,
             "inputs over time: columns t, names of inputs, tau_0, ... of forces on coordinates; linear between rows")
       .flag("--motors", o->motors, "the motors of the robot's file, with their inputs")

@@ -32,6 +32,7 @@ class state_input {
                           ":1: there is no column q_0 or v_0, and none of the name of a coordinate");
   }
 
+  std::size_t rows() const { return table_.rows(); }
   bool has_v() const { return !v_.empty(); }
   /// Whether there is a column for number i of q.
   bool has_q(int i) const {

@@ -23,4 +23,9 @@ inline std::string counted(std::size_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
+inline std::string degrees_text(int dofs) {
+  return std::to_string(dofs) + (dofs == 1 ? " degree of freedom" : " degrees of freedom");
+}
+inline std::string bodies_text(std::size_t n) { return n == 1 ? "1 body" : std::to_string(n) + " bodies"; }
+
 }  // namespace kte_tool

@@ -1,10 +1,10 @@
 #include <kte/io/table_reader.hpp>
-#include <kte/view.hpp>
+#include <kte/view/write_page.hpp>
 
+#include "browser.hpp"
 #include "commands.hpp"
-#include "eval/child.hpp"
 #include "message.hpp"
-#include "state_input.hpp"
+#include "recorded_scene.hpp"
 
 namespace kte_tool {
 
@@ -17,51 +17,17 @@ struct options {
   bool open = false;
 };
 
-/// A recording under the names that the library has for its columns: those of `kte simulate` have no blanks, and those
-/// of other programs may be q_0, q_1, ...
-kte::table read_recording(const std::string& path, const mechanism& m) {
-  auto t = kte::read_table(path);
-  const auto& c = m.chain();
-  const recorded_state recorded(c);
-  const evaluate::column_order order(kte::layout(c), coordinates_of(m, c));
-  for (auto& name : t.names)
-    for (const auto& x : recorded.columns()) {
-      const auto numbered = [&](const char* prefix, const std::vector<int>& places, recorded_column::part part) {
-        for (std::size_t i = 0; i < places.size(); ++i)
-          if (x.is == part && x.index == places[i] && name == prefix + std::to_string(i)) return true;
-        return false;
-      };
-      if (name == x.name || numbered("q_", order.q, recorded_column::part::q) ||
-          numbered("v_", order.v, recorded_column::part::v)) {
-        name = x.whole;
-        break;
-      }
-    }
-  return t;
-}
-
-/// In the browser that the desktop has for it.
-void open_page(const std::string& path) {
-  const auto page = std::filesystem::absolute(path).string();
-  const auto end = evaluate::run_child("xdg-open", {page}, STDERR_FILENO, false);
-  if (end.code != 0) throw kte::bad_file("kte: xdg-open did not open '" + page + "': it ended " + end.how);
-}
-
 int view(options& o) {
   const auto m = read_and_warn(o.in);
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
   kte::page_options page;
   page.title = o.title;
-  if (o.recordings.empty()) {
-    kte::write_page(o.out, m.robot, page);
-  } else {
-    std::vector<kte::named_table> tables;
-    for (const auto& path : o.recordings)
-      tables.push_back({std::filesystem::path(path).filename().string(), read_recording(path, m)});
-    kte::write_page(o.out, m.robot, tables, page);
-  }
+  std::vector<kte::scene> all;
+  for (const auto& path : o.recordings)
+    all.push_back(scene_of(m, kte::read_table(path), std::filesystem::path(path).filename().string()));
+  kte::write_page(o.out, all.empty() ? scene_of(m) : kte::joined(all), page);
   say("wrote " + o.out);
-  if (o.open) open_page(o.out);
+  if (o.open) open_in_browser(o.out);
   return 0;
 }
 

@@ -36,8 +36,8 @@ struct robot {
   std::vector<robot_actuator> actuators;  ///< as the file has them
   std::vector<motor> motors;              ///< those in the chain (`add_motors`)
   std::vector<configuration> configurations;
-  std::vector<robot_note> not_read;  ///< what the file holds and the chain does not, with lines
-  std::vector<robot_note> warnings;  ///< first what moves differently from the file's robot, then what is odd
+  std::vector<robot_note> not_read;      ///< what the file holds and the chain does not, with lines
+  std::vector<robot_note> warnings;      ///< first what moves differently from the file's robot, then what is odd
   std::string file;                      ///< what messages call the file; meshes are looked for around it
   std::vector<std::string> search_path;  ///< where else: robot_options::search_path
 };

@@ -28,6 +28,11 @@ struct replay_plan {
 /// A scene with one recording that grows row by row: what `scene_recording` is, whatever the chain.
 class recorded_scene {
  public:
+  /// A row: of each track the position and the matrix of the rotation by rows; q; v; the cells.
+  struct row_numbers {
+    std::vector<double> poses, q, v, cells;
+  };
+
   /// The scene with what was recorded so far.
   const scene& contents() const { return scene_; }
 
@@ -42,10 +47,7 @@ class recorded_scene {
   /// coordinates that have no columns, `bad_argument` for numbers and times that cannot be.
   detail::replay_plan replay(const detail::chain_parts& chain, const table& numbers);
 
-  /// A row to be filled: of each track the position and the matrix of the rotation by rows; q; v; the cells.
-  struct row_numbers {
-    std::vector<double> poses, q, v, cells;
-  };
+  /// A row to be filled.
   row_numbers& blank() { return row_; }
   /// Takes the row.
   void add(double t);

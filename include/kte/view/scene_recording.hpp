@@ -13,31 +13,19 @@ namespace kte {
 ///   solver.integrate(10.0, kte::every(0.01), [&](double t, const auto& x) { rec.row(t, model.state_at(t, x)); });
 ///   kte::write_page("swing.html", rec);
 ///
-/// Of static chains, runtime chains and robots.
+/// Of static chains, runtime chains, manipulators and robots.
 template <drawable Chain>
 class scene_recording : public recorded_scene {
  public:
   /// Throws `unknown_name` for a column that the chain does not have.
   explicit scene_recording(const Chain& chain, const recording_options& options = {})
-      : recorded_scene(detail::parts_of(chain), options), layout_(layout_of(detail::chain_in(chain))) {}
+      : recorded_scene(detail::parts_with_limits(chain), options), layout_(layout_of(detail::chain_in(chain))) {}
 
   /// The frames as of the last `doMotion` of the state. Throws `bad_argument` for a state of another chain, and for a
   /// time before that of the last row.
   template <class T, class State>
   void row(const T& t, const State& s) {
-    check(s);
-    auto& numbers = blank();
-    double* out = numbers.poses.data();
-    const auto put = [&out](const auto& x) { *out++ = static_cast<double>(x); };
-    for (const auto& f : tracked()) detail::with_frame(s, f.what, f.slot, [&put](const auto& x) { put_pose(x, put); });
-    out = numbers.q.data();
-    for (const auto& f : freedoms())
-      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_q(c, put); });
-    out = numbers.v.data();
-    for (const auto& f : freedoms())
-      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_v(c, put); });
-    out = numbers.cells.data();
-    for (const auto& c : cells()) detail::with_kind(c.what, [&]<kind K>() { out = read<K>(c, s, out); });
+    numbers_of(s);
     add(static_cast<double>(t));
   }
 
@@ -53,6 +41,25 @@ class scene_recording : public recorded_scene {
       detail::chain_in(chain).doMotion(s);
       row(t, s);
     }
+  }
+
+ protected:
+  /// Of the state, in the order of `row_numbers`.
+  template <class State>
+  const recorded_scene::row_numbers& numbers_of(const State& s) {
+    check(s);
+    auto& numbers = blank();
+    double* out = numbers.poses.data();
+    const auto put = [&out](const auto& x) { *out++ = static_cast<double>(x); };
+    for (const auto& f : tracked()) detail::with_frame(s, f.what, f.slot, [&put](const auto& x) { put_pose(x, put); });
+    out = numbers.q.data();
+    for (const auto& f : freedoms())
+      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_q(c, put); });
+    out = numbers.v.data();
+    for (const auto& f : freedoms())
+      detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_v(c, put); });
+    detail::read_recorded(cells(), s, numbers.cells.data());
+    return numbers;
   }
 
  private:
@@ -83,12 +90,6 @@ class scene_recording : public recorded_scene {
     const auto &c = x.rotation.cos, &s = x.rotation.sin;
     put(x.position.x), put(x.position.y), put(0);
     put(c), put(-s), put(0), put(s), put(c), put(0), put(0), put(0), put(1);
-  }
-  template <kind K, class State>
-  static double* read(const detail::recorded& c, const State& s, double* out) {
-    double numbers[4];
-    detail::quantities<K, typename State::scalar>[c.quantity].read(s.template get<K>(c.slot), numbers);
-    return std::copy_n(numbers + c.first, c.count, out);
   }
   template <kind K, class State>
   static void put_thing(const detail::thing_source& from, std::size_t row, double t, State& s) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/elements/registry.hpp>
 
 #include "simulate/plant.hpp"
@@ -43,10 +44,11 @@ inline int place_of_input(const plant::model_type& m, const std::string& name) {
 
 /// PD control of the coordinates of one number to a table of targets, within the limits of their efforts:
 ///
-///   tau = kp (q* - q) + kd (v* - v)          (1)
+///   tau = kp (q* - q) + kd (v* - v) + g(q)          (1)
 ///
-/// v* is that of the table, or the slope of q*. Gains that are not given are those of a critically damped oscillator of
-/// 10 rad/s with the mass that the coordinate feels at the start: kp = 100 M_ii, kd = 20 M_ii.
+/// v* is that of the table, or the slope of q*; g, the forces against gravity, is left out unless wanted. Gains that
+/// are not given are those of a critically damped oscillator of 10 rad/s with the largest mass that the coordinate
+/// feels at the start and at targets: kp = 100 M_ii, kd = 20 M_ii.
 class pd_control {
  public:
   struct joint {
@@ -54,8 +56,11 @@ class pd_control {
     double kp, kd, effort;
   };
 
-  pd_control(const evaluate::state_table& table, const mechanism& m, const kte::kte_map_chain& c)
+  pd_control(const evaluate::state_table& table, const mechanism& m, const kte::kte_map_chain& c, bool compensates)
       : input_(table, m, c),
+        chain_(c),
+        state_(c.make_state()),
+        compensates_(compensates),
         q_(table, c.nq(), [this](std::size_t row, Eigen::VectorXd& x) { input_.read_q(row, x); }),
         v_(table, c.dofs(), [this](std::size_t row, Eigen::VectorXd& x) { input_.read_v(row, x); }) {}
 
@@ -64,21 +69,36 @@ class pd_control {
     if (input_.has_q(j.q)) joints_.push_back(j);
   }
   const std::vector<joint>& joints() const { return joints_; }
+  /// The largest M_ii at q, where the table says nothing, and at up to 50 of its rows.
+  Eigen::VectorXd largest_masses(Eigen::VectorXd q) {
+    Eigen::VectorXd most = kte::mass_matrix(chain_, state_, q).diagonal();
+    const std::size_t rows = input_.rows(), step = rows / 50 + 1;
+    for (std::size_t row = 0; row < rows; row += step) {
+      input_.read_q(row, q);
+      most = most.cwiseMax(kte::mass_matrix(chain_, state_, q).diagonal());
+    }
+    return most;
+  }
   void put_forces(double t, const plant::state& x, Eigen::Index nq, Eigen::VectorXd& u) {
     q_.at(t, target_, slope_);
     if (input_.has_v()) v_.at(t, rates_, none_);
+    if (compensates_) weight_ = kte::gravity_forces(chain_, state_, x.head(nq).eval());
     for (const auto& j : joints_) {
       const double v = input_.has_v() ? rates_[j.v] : slope_[j.q];
-      const double tau = j.kp * (target_[j.q] - x[j.q]) + j.kd * (v - x[nq + j.v]);  // (1)
+      const double weight = compensates_ ? weight_[j.v] : 0;
+      const double tau = j.kp * (target_[j.q] - x[j.q]) + j.kd * (v - x[nq + j.v]) + weight;  // (1)
       u[j.u] += std::clamp(tau, -j.effort, j.effort);
     }
   }
 
  private:
   state_input input_;
+  const kte::kte_map_chain& chain_;
+  kte::runtime_state state_;
+  bool compensates_;
   time_table q_, v_;
   std::vector<joint> joints_;
-  Eigen::VectorXd target_, slope_, rates_, none_;
+  Eigen::VectorXd target_, slope_, rates_, none_, weight_;
 };
 
 /// Inputs over time, by their names, or forces tau_0, tau_1, ... on coordinates in the order of the file.

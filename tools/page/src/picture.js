@@ -58,8 +58,21 @@ export class Picture {
     }));
   }
 
-  fit() {
-    this.stage.camera.fit(this.bounds);
+  // from: as Camera.fit has it
+  fit(from) {
+    this.stage.camera.fit(this.bounds, from);
+  }
+
+  // What is drawn as a PNG file.
+  save(name) {
+    this.stage.render();
+    by_id('canvas').toBlob((blob) => {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(blob);
+      link.download = `${name.replace(/[^\p{L}\p{N} _-]/gu, '').trim().slice(0, 60) || 'mechanism'}.png`;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
   }
 
   set_theme(theme) {

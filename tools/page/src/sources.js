@@ -16,6 +16,12 @@ export class Sources {
     for (let k = 0; k < scene.tracks; ++k) this.tracks[7 * k + 3] = 1;
   }
 
+  // A configuration of the sliders.
+  pose(q) {
+    this.mode = 'pose';
+    this.q.set(q);
+  }
+
   // Poses of tracks at a time of the player.
   update(time, simulation) {
     if (this.mode === 'simulate') {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/dynamics/detail/friction_by_load.hpp>
 #include <kte/dynamics/detail/record_masses.hpp>
 #include <kte/kernels/solve.hpp>
 

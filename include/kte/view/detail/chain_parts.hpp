@@ -96,6 +96,17 @@ chain_parts parts_of(const Robot& r) {
   return p;
 }
 
+/// The same with the limits of a manipulator.
+template <class T>
+chain_parts parts_with_limits(const T& c) {
+  auto p = parts_of(c);
+  if constexpr (requires { c.limits().lower; }) {
+    const auto& l = c.limits();
+    p.lower.assign(l.lower.begin(), l.lower.end()), p.upper.assign(l.upper.begin(), l.upper.end());
+  }
+  return p;
+}
+
 template <class T>
 const T& chain_in(const T& c) {
   return c;

@@ -32,7 +32,7 @@ void animate(svg_writer& out, const char* attribute, std::size_t count, double s
 /// The positions of a moving picture.
 class moving_shapes {
  public:
-  moving_shapes(mechanism_canvas& c) : c_(c) {
+  explicit moving_shapes(mechanism_canvas& c) : c_(c) {
     const auto& o = c.options;
     const double from = c.shown_times.front(), to = c.shown_times.back();
     const auto refuse = [](const std::string& what) { raise<bad_argument>("kte: a moving picture " + what); };
@@ -48,6 +48,9 @@ class moving_shapes {
     for (const double t : times) {
       const auto frames = c.motion.frames(t);
       at.push_back(c.shapes.at(frames));
+    }
+    for (std::size_t k = 0; k < trail_parts * (times.size() - 1) + 1; ++k) {
+      const auto frames = c.motion.frames(from + (to - from) * static_cast<double>(k) / (count * trail_parts));
       auto& row = trails.emplace_back();
       for (const int f : c.trails) row.push_back(c.view(frames[static_cast<std::size_t>(f)].position));
     }
@@ -66,6 +69,7 @@ class moving_shapes {
     for (std::size_t i = 0; i < at.front().size(); ++i) {
       const auto& first = at.front()[i];
       begin_shape(out, first);
+      if (!first.name.empty()) out.element("title", first.name);
       const auto shape = [&](std::size_t k) -> const drawn_shape& { return at[k][i]; };
       if (first.radius > 0) {
         animate(out, "cx", at.size(), seconds, [&](std::size_t k) { return decimal(shape(k).points[0].x); });
@@ -97,13 +101,15 @@ class moving_shapes {
       const double dash = part * c_.options.width;
       out.begin("path").set("d", path.text()).set("stroke", colour).set("stroke-width", 0.5).set("stroke-opacity", 0.3);
       out.set("stroke-linecap", "butt").set("stroke-dasharray", decimal(dash) + " " + decimal(along.back() + dash + 1));
-      animate(out, "stroke-dashoffset", along.size(), seconds, [&](std::size_t k) { return decimal(dash - along[k]); });
+      animate(out, "stroke-dashoffset", at.size(), seconds,
+              [&](std::size_t k) { return decimal(dash - along[trail_parts * k]); });
       out.end();
     }
   }
 
-  std::vector<std::vector<drawn_shape>> at;
-  std::vector<std::vector<picture_point>> trails;
+  static constexpr std::size_t trail_parts = 2;    ///< of trails to one position
+  std::vector<std::vector<drawn_shape>> at;        ///< at all positions
+  std::vector<std::vector<picture_point>> trails;  ///< the points of all trails
   double seconds = 0;
 
  private:

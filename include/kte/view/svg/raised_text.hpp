@@ -9,9 +9,9 @@ namespace kte::detail::svg {
 struct raised_text {
   std::string before, exponent{}, after{};
 
-  static constexpr double small = 0.7;  ///< the size of exponents
+  static constexpr double raised_size = 0.7;  ///< the size of exponents
   /// In sizes of the font.
-  double width() const { return text_width(before) + small * text_width(exponent) + text_width(after); }
+  double width() const { return text_width(before) + raised_size * text_width(exponent) + text_width(after); }
   std::string plain() const { return before + (exponent.empty() ? "" : "^" + exponent) + after; }
 };
 
@@ -19,7 +19,7 @@ struct raised_text {
 inline void put_raised(svg_writer& out, const raised_text& t, double font_size) {
   out.text(t.before);
   if (t.exponent.empty()) return;
-  out.begin("tspan").set("font-size", raised_text::small * font_size).set("dy", -0.35 * font_size);
+  out.begin("tspan").set("font-size", raised_text::raised_size * font_size).set("dy", -0.35 * font_size);
   out.text(t.exponent).end();
   if (!t.after.empty()) out.begin("tspan").set("dy", 0.35 * font_size).text(t.after).end();
 }

@@ -2,7 +2,7 @@
 
 import { GrowingRecording } from '../scene/growing_recording.js';
 
-const longest_step = 1 / 15;   // s of the clock between two pictures; slower machines simulate slower
+const longest_step = 0.25;     // s of the clock between two pictures; slower machines simulate slower
 const sample = 1 / 60;         // s of the clock between samples of the recording
 const most_milliseconds = 24;  // of work between two pictures
 

@@ -1,4 +1,5 @@
-// One plot: columns of one unit against time, with a line at the present time. A click or a drag on it sets the time.
+// One plot: columns of one unit against time, with a line at the present time. A click or a drag on it sets the time, the
+// wheel zooms in time.
 
 import uPlot from 'uplot';
 import { value_at } from '../scene/resample.js';
@@ -9,7 +10,8 @@ const height = 190;
 
 export class Plot {
   // series: [{name, values, colour, dashed}], all at `times`
-  constructor(container, times, unit, series, theme, seek) {
+  // seek(time), zoom(factor, time), all(): what the pointer asks for
+  constructor(container, times, unit, series, theme, { seek, zoom, all }) {
     this.times = times;
     this.time = times[0] ?? 0;
     this.series = series;
@@ -37,6 +39,11 @@ export class Plot {
     this.now = element('div', { class: 'now' });
     this.uplot.over.append(this.now);
     this.scrub(seek);
+    this.uplot.over.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      zoom(event.deltaY < 0 ? 0.8 : 1.25, this.time_of(event));
+    }, { passive: false });
+    this.uplot.over.addEventListener('dblclick', all);
   }
 
   // Names, colours and present values.
@@ -50,9 +57,19 @@ export class Plot {
     }));
   }
 
+  time_of(event) {
+    return this.uplot.posToVal(event.clientX - this.uplot.over.getBoundingClientRect().left, 'x');
+  }
+
+  // Times from min to max.
+  show(min, max) {
+    const { x } = this.uplot.scales;
+    if (x.min !== min || x.max !== max) this.uplot.setScale('x', { min, max });
+  }
+
   scrub(seek) {
     const over = this.uplot.over;
-    const to = (event) => seek(this.uplot.posToVal(event.clientX - over.getBoundingClientRect().left, 'x'));
+    const to = (event) => seek(this.time_of(event));
     over.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
       over.setPointerCapture(event.pointerId);

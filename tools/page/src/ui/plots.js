@@ -13,6 +13,9 @@ export class Plots {
     this.seek = seek;
     this.plots = [];
     this.chosen = [];  // names of columns
+    this.span = 0;     // s that are seen; 0 for all
+    this.from = 0;     // s
+    this.time = 0;     // the present one, s
     this.container = by_id('plots');
     by_id('column-search').addEventListener('input', () => this.list());
     new ResizeObserver(() => {
@@ -32,6 +35,13 @@ export class Plots {
     by_id('columns').hidden = this.columns.length === 0;
 
     this.list();
+    this.stale = true;
+  }
+
+  // A recording that has grown.
+  renew(recording) {
+    this.main = recording;
+    this.columns = recording?.columns ?? [];
     this.stale = true;
   }
 
@@ -75,8 +85,9 @@ export class Plots {
         this.container.append(element('p', { class: 'hint', text: `${shown(name)} is not plotted: ${error.message}` }));
       }
     });
+    const calls = { seek: this.seek, zoom: (factor, time) => this.zoom(factor, time), all: () => this.zoom(Infinity, 0) };
     for (const map of [by_unit, differences]) {
-      for (const [unit, series] of map) this.plots.push(new Plot(this.container, times, unit, series, this.theme, this.seek));
+      for (const [unit, series] of map) this.plots.push(new Plot(this.container, times, unit, series, this.theme, calls));
     }
     if (this.container.childElementCount === 0) this.container.append(element('p', { class: 'hint', text: 'Choose columns above.' }));
   }
@@ -93,9 +104,38 @@ export class Plots {
     if (this.wants_difference) add(differences, { name: `\u0394 ${name}`, values: difference(values, others), colour });
   }
 
+  // Shows `factor` times as long a time as before; `time` stays where it is.
+  zoom(factor, time) {
+    const { start, end } = this.bounds(), length = end - start;
+    const span = this.span || length, from = this.span ? this.from : start;
+    const wanted = Math.max(span * factor, length / 1e5);
+    this.span = wanted < length ? wanted : 0;
+    this.from = time - (this.span / span) * (time - from);
+    this.changed();
+  }
+
+  // The part of time that is seen goes with the present time, where that moves.
+  show_span(time) {
+    const { start, end } = this.bounds();
+    if (!(end > start)) return;
+    if (this.span) {
+      if (time !== this.time && (time < this.from || time > this.from + this.span)) this.from = time - 0.1 * this.span;
+      this.from = Math.max(start, Math.min(end - this.span, this.from));
+    }
+    this.time = time;
+    for (const plot of this.plots) plot.show(this.span ? this.from : start, this.span ? this.from + this.span : end);
+  }
+
+  // Times of what is plotted.
+  bounds() {
+    const shown = [this.main, this.other].filter((recording) => recording?.count > 0);
+    return { start: Math.min(...shown.map((r) => r.start)), end: Math.max(...shown.map((r) => r.end)) };
+  }
+
   update(time) {
     if (this.container.clientWidth === 0) return;
     if (this.stale) this.rebuild();
+    this.show_span(time);
     for (const plot of this.plots) plot.update(time);
   }
 }

@@ -32,9 +32,9 @@ export class RecordingChoice {
       this.difference = box.checked;
       call();
     });
+    const both = element('label', { class: 'check', hidden: this.other < 0 }, box, element('span', { text: 'Plot the difference too' }));
     this.box.append(
       select('Recording', this.main, null, (i) => { this.main = i; call(); }),
-      select('Compare', this.other, 'nothing', (i) => { this.other = i; call(); }),
-      element('label', { class: 'check' }, box, element('span', { text: 'Plot the difference too' })));
+      select('Compare', this.other, 'nothing', (i) => { this.other = i; both.hidden = i < 0; call(); }), both);
   }
 }

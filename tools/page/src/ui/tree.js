@@ -6,7 +6,7 @@ import { palettes } from '../view/palette.js';
 import { by_id, element } from './element.js';
 import { mark } from './marks.js';
 
-const most_unfolded = 300, most_rows = 4000;
+const most_unfolded = 1500, most_rows = 4000;
 
 export function item_of(scene, kind, index) {
   const lists = { frame: scene.frames, joint: scene.joints, body: scene.bodies, force: scene.forces };
@@ -74,7 +74,7 @@ export class Tree {
     const { row, depth } = entry;
     const name = shown(this.name_of(row));
     const joint = row.kind === 'joint' ? this.scene.joints[row.index] : null;
-    const kind = joint ? String(joint.kind) : row.kind === 'body' ? 'body' : '';
+    const kind = joint ? shown(joint.kind, 20) : '';
     const item = element('li', {
       role: 'treeitem', tabindex: '-1', 'aria-level': String(depth + 1), 'aria-label': `${name}, ${joint ? `${kind} joint` : row.kind}`,
       'aria-selected': String(entry === this.current),
@@ -120,19 +120,19 @@ export class Tree {
     this.calls.chosen(entry?.row ?? null);
   }
 
-  find(kind, index) { return this.rows.find(({ row }) => row.kind === kind && row.index === index); }
+  find({ kind, index }) { return this.rows.find(({ row }) => row.kind === kind && row.index === index); }
 
   // What the pointer is over in the 3D view.
-  point(kind, index) {
-    const entry = kind === null ? null : this.find(kind, index);
+  point(item) {
+    const entry = item && this.find(item);
     if (this.pointed_item) this.pointed_item.classList.remove('pointed');
     this.pointed_item = entry?.item?.isConnected ? entry.item : null;
     this.pointed_item?.classList.add('pointed');
   }
 
   // What is clicked on in the 3D view.
-  choose_item(kind, index) {
-    const entry = this.find(kind, index);
+  choose_item(item) {
+    const entry = this.find(item);
     if (!entry) return;
     for (let up = entry.parent; up; up = up.parent) up.folded = false;
     this.query = by_id('search').value = '';

@@ -1,8 +1,15 @@
 // Bodies: the homogeneous ellipsoid of equal inertia about the centre of mass, or a small sphere for a point mass.
 
 import { Group } from 'three';
+import { opacities } from './palette.js';
 import { part } from './part.js';
 import { octahedron, sphere } from './solids.js';
+
+// Inertias larger than the mechanism must not hide it.
+function opacity_of(largest, size) {
+  const share = Math.min(1, (0.25 * size) / largest);
+  return Math.max(0.1, Math.round(20 * opacities.body * share) / 20);
+}
 
 export function add_bodies(mechanism) {
   const { scene, materials, unit } = mechanism;
@@ -16,7 +23,7 @@ export function add_bodies(mechanism) {
     const largest = Math.max(...body.ellipsoid);
     if (largest > 0) {
       const thin = Math.max(0.04 * largest, 0.12 * unit);
-      group.add(part(sphere(), materials.of('body'), of, body.ellipsoid.map((a) => Math.max(a, thin))));
+      group.add(part(sphere(), materials.of('body', opacity_of(largest, scene.size)), of, body.ellipsoid.map((a) => Math.max(a, thin))));
       group.add(part(octahedron(), materials.of('mass'), of, 0.22 * unit));
     } else {
       group.add(part(sphere(), materials.of('mass'), of, 0.55 * unit));

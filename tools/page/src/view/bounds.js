@@ -2,6 +2,13 @@
 
 import { Box3, Matrix4, Quaternion, Sphere, Vector3 } from 'three';
 
+// Not axes, planes, collision shapes, and inertias larger than the mechanism.
+function counts(scene, { kind, index }) {
+  if (kind === 'shape') return scene.shapes[index].type !== 'plane' && scene.shapes[index].role !== 'collision';
+  if (kind === 'body') return Math.max(...scene.bodies[index].ellipsoid) < 0.6 * scene.size;
+  return kind !== 'frame';
+}
+
 // Of each frame the box of what hangs on it, in its axes.
 function local_boxes(mechanism) {
   const boxes = new Map(), inverse = new Matrix4(), relative = new Matrix4(), box = new Box3();
@@ -11,9 +18,7 @@ function local_boxes(mechanism) {
     inverse.copy(node.matrixWorld).invert();
     const whole = new Box3();
     node.traverse((object) => {
-      if (!object.isMesh || object.userData.kind === 'frame') return;
-      const shape = object.userData.kind === 'shape' ? scene.shapes[object.userData.index] : null;
-      if (shape && (shape.type === 'plane' || shape.role === 'collision')) return;
+      if (!object.isMesh || !counts(scene, object.userData)) return;
       if (!object.geometry.boundingBox) object.geometry.computeBoundingBox();
       box.copy(object.geometry.boundingBox).applyMatrix4(relative.multiplyMatrices(inverse, object.matrixWorld));
       whole.union(box);
@@ -27,13 +32,19 @@ function local_boxes(mechanism) {
   return boxes;
 }
 
-function add_corners(points, boxes, world) {
-  const p = new Vector3(), rotation = new Quaternion();
+// Middles of the sides of a box, and points towards its corners: of what is round, corners are far off.
+const directions = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
+for (let k = 0; k < 8; ++k) directions.push([k & 1 ? 0.8 : -0.8, k & 2 ? 0.8 : -0.8, k & 4 ? 0.8 : -0.8]);
+
+function add_points(points, boxes, world) {
+  const p = new Vector3(), centre = new Vector3(), half = new Vector3(), rotation = new Quaternion();
   for (const [frame, box] of boxes) {
     const i = 7 * frame;
     rotation.set(world[i + 4], world[i + 5], world[i + 6], world[i + 3]);
-    for (let k = 0; k < 8; ++k) {
-      p.set(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z).applyQuaternion(rotation);
+    box.getCenter(centre);
+    box.getSize(half).multiplyScalar(0.5);
+    for (const [x, y, z] of directions) {
+      p.set(x, y, z).multiply(half).add(centre).applyQuaternion(rotation);
       points.push(p.x + world[i], p.y + world[i + 1], p.z + world[i + 2]);
     }
   }
@@ -44,12 +55,12 @@ function add_corners(points, boxes, world) {
 export function motion_bounds(mechanism, visit) {
   const boxes = local_boxes(mechanism);
   const first = [];
-  add_corners(first, boxes, mechanism.initial);
+  add_points(first, boxes, mechanism.initial);
   const near = new Box3().setFromArray(first);
   if (near.isEmpty()) near.setFromCenterAndSize(new Vector3(), new Vector3(1, 1, 1).multiplyScalar(mechanism.scene.size));
   near.expandByScalar(3 * near.getSize(new Vector3()).length());
   const all = [...first];
-  visit((world) => add_corners(all, boxes, world));
+  visit((world) => add_points(all, boxes, world));
   const points = [], p = new Vector3();
   for (let i = 0; i < all.length; i += 3) if (near.containsPoint(p.fromArray(all, i))) points.push(p.x, p.y, p.z);
   const box = new Box3().setFromArray(points);

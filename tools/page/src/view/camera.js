@@ -4,7 +4,7 @@ import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'th
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { extent_along } from './bounds.js';
 
-const margin = 1.2;  // around what is fitted
+const margin = 1.15;  // around what is fitted
 const offset = new Vector3(), step = new Vector3();
 
 // A direction at right angles to up.
@@ -49,8 +49,8 @@ export class Camera {
     camera.updateProjectionMatrix();
   }
 
-  // Shows all points of the motion, in 3D from the front, the right and above.
-  fit(bounds) {
+  // Shows all points of the motion, in 3D from `from`: shares of right, front and up.
+  fit(bounds, from = [0.62, 0.85, 0.42]) {
     const { camera, controls } = this;
     const radius = Math.max(bounds.sphere.radius, 1e-6);
     controls.target.copy(bounds.sphere.center);
@@ -65,7 +65,7 @@ export class Camera {
       camera.far = 60 * radius;
     } else {
       const right = sideways(this.up), front = step.crossVectors(right, this.up);
-      offset.copy(right).multiplyScalar(0.62).addScaledVector(front, 0.85).addScaledVector(this.up, 0.42).normalize();
+      offset.copy(right).multiplyScalar(from[0]).addScaledVector(front, from[1]).addScaledVector(this.up, from[2]).normalize();
       const distance = this.distance_for(bounds, offset);
       camera.position.copy(bounds.sphere.center).addScaledVector(offset, distance);
       camera.near = distance / 500;

@@ -1,4 +1,4 @@
-// One material a role. A theme changes their colours in place.
+// One material a role and opacity. A theme changes their colours in place.
 
 import { DoubleSide, MeshBasicMaterial, MeshStandardMaterial } from 'three';
 import { opacities, palettes } from './palette.js';
@@ -12,16 +12,16 @@ export class Materials {
     this.coloured = new Map();
   }
 
-  of(role) {
-    let material = this.roles.get(role);
+  of(role, opacity = opacities[role] ?? 1) {
+    const key = `${role} ${opacity}`;
+    let material = this.roles.get(key);
     if (!material) {
-      const opacity = opacities[role] ?? 1;
       const Type = flat.has(role) ? MeshBasicMaterial : MeshStandardMaterial;
       material = new Type({ transparent: opacity < 1, opacity, depthWrite: opacity >= 1, color: palettes[this.theme][role] });
       if (flat.has(role)) material.side = DoubleSide;
       else material.setValues({ roughness: 0.62, metalness: 0.05 });
       if (role === 'ghost') material.depthWrite = true;
-      this.roles.set(role, material);
+      this.roles.set(key, material);
     }
     return material;
   }
@@ -41,6 +41,6 @@ export class Materials {
 
   set_theme(theme) {
     this.theme = theme;
-    for (const [role, material] of this.roles) material.color.setHex(palettes[theme][role]);
+    for (const [key, material] of this.roles) material.color.setHex(palettes[theme][key.split(' ')[0]]);
   }
 }

@@ -78,7 +78,7 @@ export class Mechanism {
   }
 
   show(layer, visible) {
-    if (layer === 'frames' && visible && !this.layers.has('frames')) add_triads(this);
+    if (layer === 'frames' && visible && this.layer('frames').length === 0) add_triads(this);  // many, and rarely asked for
     for (const object of this.layer(layer)) object.visible = visible;
   }
 

@@ -7,8 +7,6 @@ import { box, cylinder, sphere, triangles } from './solids.js';
 
 const sizes = { box: 3, sphere: 1, cylinder: 2, capsule: 2, ellipsoid: 3, plane: 2 };
 
-const size_of = (shape) => (shape.size ?? []).reduce((product, x) => product * x, 1);
-
 function mesh_geometry(mesh, place) {
   const positions = decode_base64(mesh.positions), indices = decode_base64(mesh.indices);
   if (positions.length % 12 || indices.length % 12) throw new Error(`${place}: not whole triangles`);
@@ -54,8 +52,8 @@ export function add_shapes(mechanism, notes) {
       return;
     }
     const collision = shape.role === 'collision';
-    const endless = shape.type === 'plane' && !(size_of(shape) > 0);
-    const material = collision ? materials.of('collision') : endless ? materials.of('plane') : Array.isArray(shape.colour) ? materials.of_colour(shape.colour) : materials.of('visual');
+    const ground = shape.type === 'plane' && (!Array.isArray(shape.colour) || !(shape.size[0] > 0 && shape.size[1] > 0));
+    const material = collision ? materials.of('collision') : ground ? materials.of('plane') : Array.isArray(shape.colour) ? materials.of_colour(shape.colour) : materials.of('visual');
     const mesh = part(drawn[0], material, { kind: 'shape', index, frame: shape.frame }, drawn[1]);
     const [x, y, z, qw, qx, qy, qz] = shape.pose;
     mesh.position.set(x, y, z);

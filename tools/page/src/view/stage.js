@@ -14,7 +14,9 @@ export class Stage {
   // Throws where the browser offers no WebGL.
   constructor(canvas, up, planar, theme, changed) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    const context = canvas.getContext('webgl2', { antialias: true, powerPreference: 'high-performance' });
+    if (!context) throw new Error('this browser offers no WebGL 2 here.');
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     this.world = new Scene();
     this.theme = theme;

@@ -25,7 +25,8 @@ inline drawn_shape body_symbol(const scene_view& view, const scene::body& b, con
     const double x = view.scale() * view.across(axis), y = -view.scale() * view.upwards(axis);
     xx += x * x, xy += x * y, yy += y * y;
   }
-  if (std::sqrt(xx + yy) < least_radius) return {styles::point_mass, name, {at}, least_radius};
+  if (view.scale() * *std::max_element(b.ellipsoid.begin(), b.ellipsoid.end()) < least_radius)
+    return {styles::point_mass, name, {at}, least_radius};
   // The symmetric root of [xx xy; xy yy]: (M + r I) / t with r = sqrt(det M), t = sqrt(trace M + 2 r).
   const double root = std::sqrt((std::max)(xx * yy - xy * xy, 0.0)), t = std::sqrt(xx + yy + 2 * root);
   const double a = (xx + root) / t, c = xy / t, d = (yy + root) / t;

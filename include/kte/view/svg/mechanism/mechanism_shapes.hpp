@@ -69,8 +69,10 @@ class mechanism_shapes {
     if (j.kind == "free") return;
     const auto &a = frames[index(j.before)], &b = frames[index(j.after)];
     const bool slides = j.has_axis && (j.kind == "prismatic" || j.kind == "cylindrical" || j.kind == "screw");
+    const bool moves = j.kind == "planar" || j.kind == "other";  // one from the other; recordings are rounded
+    const double least = 1e-3 * scene_.size;
     if (!slides) {
-      if (length(b.position - a.position) > 0) put_link(out, a, b, styles::seat, j.name);
+      if (moves || length(b.position - a.position) > least) put_link(out, a, b, styles::seat, j.name);
       return;
     }
     const vec3<> axis = a.rotation * vector(j.axis), seat = b.position - dot(b.position - a.position, axis) * axis;
@@ -79,8 +81,7 @@ class mechanism_shapes {
     const double low = known ? j.lower : (std::min)(now - reach, 0.0),
                  high = known ? j.upper : (std::max)(now + reach, 0.0);
     out.push_back({styles::rail, j.name, {view_(seat + low * axis), view_(seat + high * axis)}});
-    if (length(seat - a.position) > 1e-9 * scene_.size)
-      out.push_back({styles::seat, j.name, {view_(a.position), view_(seat)}});
+    if (length(seat - a.position) > least) out.push_back({styles::seat, j.name, {view_(a.position), view_(seat)}});
   }
   void put_joint(std::vector<drawn_shape>& out, const scene::joint& j, const std::vector<placed_frame>& frames) const {
     const double r = o_.joint_radius;

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <kte/contract/nearest_name.hpp>
-#include <kte/errors.hpp>
 #include <kte/math/quaternion.hpp>
-#include <kte/view/scene.hpp>
+#include <kte/view/svg/scene_parts.hpp>
 
 namespace kte::detail::svg {
 
@@ -30,19 +29,15 @@ class scene_motion {
     const std::size_t n = recording_->t.size(), tracks = static_cast<std::size_t>(s.tracks);
     if (n == 0 || recording_->positions.size() != n * tracks * 3 || recording_->rotations.size() != n * tracks * 4)
       raise<bad_argument>("kte: a recording of a scene needs a pose of each track at each time");
-    for (std::size_t i = 0; i < s.frames.size(); ++i) {
-      const auto& f = s.frames[i];
-      if (f.track >= s.tracks || f.parent >= static_cast<int>(i))
-        raise<bad_argument>("kte: the frame '" + f.name + "' of a scene has a track or a parent that is not there");
-    }
+    check_parts(s);
   }
 
   const scene& of() const { return scene_; }
   const std::vector<double>& times() const { return recording_->t; }
-  /// Whether a frame is rigid in the world.
+  /// Whether a frame rests in the world: rigid in it, or a base that does not move in the recording.
   bool rests(int frame) const {
     while (frame >= 0 && scene_.frames[at(frame)].track < 0) frame = scene_.frames[at(frame)].parent;
-    return frame < 0;
+    return frame < 0 || (is_base(frame) && stays(scene_.frames[at(frame)].track));
   }
   /// All frames at a time, between those of the recording on straight lines and turning evenly.
   std::vector<placed_frame> frames(double t) const {
@@ -74,6 +69,25 @@ class scene_motion {
   }
 
  private:
+  /// Whether nothing in the mechanism moves a frame.
+  bool is_base(int frame) const {
+    for (const auto& j : scene_.joints)
+      if (j.after == frame) return false;
+    for (const auto& l : scene_.links)
+      if (l.to == frame) return false;
+    for (const auto& f : scene_.forces)
+      if (f.kind == "loop" && f.frames.size() >= 2 && f.frames.back() == frame) return false;
+    return true;
+  }
+  bool stays(int track) const {
+    const auto same = [&](const auto& numbers, std::size_t size) {
+      const std::size_t row = size * at(scene_.tracks), first = size * at(track);
+      for (std::size_t i = first; i < numbers.size(); i += row)
+        if (!std::equal(&numbers[i], &numbers[i] + size, &numbers[first])) return false;
+      return true;
+    };
+    return same(recording_->positions, 3) && same(recording_->rotations, 4);
+  }
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   placed_frame track(std::size_t row, int track) const {
     const std::size_t i = row * at(scene_.tracks) + at(track);

@@ -54,10 +54,16 @@ inline std::string printed_unit(std::string unit) {
   return unit;
 }
 
-/// What recorders mean by the name of a column.
-inline column_meaning meaning_of_column(std::string_view name, const unit_map& units) {
-  if (const auto u = units.find(name); u != units.end()) return meaning_on_coordinate('q', printed_unit(u->second));
+/// What recorders mean by the name of a column, or of a thing with a unit of its own.
+inline column_meaning meaning_by_name(std::string_view name, const unit_map& units) {
   if (name == "t" || name == "time") return {"s", "time"};
+  if (name == "energy" || name.starts_with("energy/")) return {"J", "energy"};
+  const auto unit_of = [&units](std::string_view thing) {
+    auto u = units.find(thing);
+    for (const std::string_view prefix : {"coordinate:", "signal:"})
+      if (u == units.end() && thing.starts_with(prefix)) u = units.find(thing.substr(prefix.size()));
+    return u == units.end() ? std::string() : printed_unit(u->second);
+  };
   std::string_view thing = name, part;
   const auto cut = [&] {
     const auto slash = thing.rfind('/');
@@ -67,21 +73,25 @@ inline column_meaning meaning_of_column(std::string_view name, const unit_map& u
   cut();
   for (const auto& q : recorded_quantities)
     if (part == q.name) return {std::string(q.unit), std::string(q.quantity)};
-  if (part.size() != 1) return {};
-  for (const std::string_view prefix : {"coordinate:", "signal:"})
-    if (units.find(thing) == units.end() && thing.starts_with(prefix)) thing.remove_prefix(prefix.size());
-  if (part == "v" || part == "a" || part == "f") {
-    const auto u = units.find(thing);
-    return meaning_on_coordinate(part[0], u == units.end() ? std::string_view() : std::string_view(u->second));
-  }
-  if (const auto u = units.find(thing); u != units.end())
-    return meaning_on_coordinate('q', printed_unit(u->second));  // pull/x
+  if (part.empty()) return meaning_on_coordinate('q', unit_of(name));
+  if (part == "v" || part == "a" || part == "f") return meaning_on_coordinate(part[0], unit_of(thing));
   const char component = part[0];
+  if (part.size() != 1 || std::string_view("wxyz").find(component) == std::string_view::npos) return {};
+  if (const auto u = unit_of(thing); !u.empty()) return meaning_on_coordinate('q', u);  // pull/x
   cut();
   for (const auto& q : recorded_quantities)
     if (part == q.name && q.components.find(component) != q.components.npos)
       return {std::string(q.unit), std::string(q.quantity)};
   return {};
+}
+/// The same of a column that may have a unit given by its whole name.
+inline column_meaning meaning_of_column(std::string_view name, const unit_map& units) {
+  auto meaning = meaning_by_name(name, units);
+  const auto u = units.find(name);
+  if (u == units.end()) return meaning;
+  if (meaning.quantity.empty()) return meaning_on_coordinate('q', printed_unit(u->second));
+  meaning.unit = u->second == "1" ? "" : printed_unit(u->second);
+  return meaning;
 }
 
 }  // namespace detail::svg

@@ -92,7 +92,10 @@ class plot_drawing {
     put_text({1.3 * l_.font, (low + high) / 2}, "middle", label, true);
     if (p.names) p.names->put(out_, l_.left, p.legend_top, o_.dashed);
     if (const auto note = p.curves.note(); !note.empty()) {
-      out_.begin("text").set("x", l_.right - 1).set("y", high + l_.font).set("text-anchor", "end");
+      const double width = (text_width(note) + 1) * l_.font;
+      out_.begin("rect").set("x", l_.right - width).set("y", high).set("width", width).set("height", 1.4 * l_.font);
+      out_.set("fill", "#fff").set("fill-opacity", 0.85).end();
+      out_.begin("text").set("x", l_.right - 0.5 * l_.font).set("y", high + l_.font).set("text-anchor", "end");
       out_.set("fill", "#595959").text(note).end();
     }
   }

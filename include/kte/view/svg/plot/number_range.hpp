@@ -22,7 +22,7 @@ struct number_range {
 
 /// A range that an axis can show: one of some width, wider by a part of it on either side.
 inline number_range shown_range(number_range r, double part) {
-  constexpr double most = std::numeric_limits<double>::max();
+  constexpr double most = (std::numeric_limits<double>::max)();
   if (r.empty()) return {0, 1};
   if (r.is_point()) {
     const double middle = r.low / 2 + r.high / 2, around = std::abs(middle) < 1e-320 ? 1 : std::abs(middle) / 10;
@@ -33,7 +33,7 @@ inline number_range shown_range(number_range r, double part) {
 }
 /// The same of positive numbers on a logarithmic axis.
 inline number_range shown_logarithmic_range(number_range r, double part) {
-  constexpr double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
+  constexpr double least = std::numeric_limits<double>::denorm_min(), most = (std::numeric_limits<double>::max)();
   if (r.empty()) return {1, 10};
   const double width = std::log10(r.high) - std::log10(r.low);
   const double factor = std::pow(10.0, width < 1e-9 ? 0.5 : part * width);

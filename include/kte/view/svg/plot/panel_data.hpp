@@ -39,7 +39,7 @@ class panel_data {
   panel_curves curves(const plot_axis& up) const {
     panel_curves all;
     for (const auto& c : panel_.columns) {
-      curve_path path;
+      curve_path path(x_.size() > 20000);
       number_range range;
       for (std::size_t i = 0; i < x_.size(); ++i) {
         const double y = (*c.numbers)[i];

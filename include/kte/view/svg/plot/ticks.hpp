@@ -119,8 +119,8 @@ inline tick_list logarithmic_ticks(double low, double high, std::size_t most) {
     list.ticks.push_back({x, std::move(label)});
   };
   for (int power = first - 1; power <= last; ++power) {
-    const bool major = power % stride == 0;
-    if (power >= first && (major || last - first <= 40)) add(1, power, major);
+    const bool large = power % stride == 0;
+    if (power >= first && (large || last - first <= 40)) add(1, power, large);
     if (stride == 1)
       for (int digit = 2; digit < 10; ++digit) add(digit, power, between && (digit == 2 || digit == 5));
   }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <kte/contract/nearest_name.hpp>
-#include <kte/errors.hpp>
-#include <kte/view/scene.hpp>
+#include <kte/view/svg/scene_parts.hpp>
 
 #include <map>
 #include <set>
@@ -29,6 +27,7 @@ class rigid_groups {
   };
 
   explicit rigid_groups(const scene& s) : scene_(s) {
+    check_parts(s);
     groups.push_back({"ground"});
     for (std::size_t i = 0; i < s.frames.size(); ++i) put_frame(i);
     for (const auto& b : s.bodies) {
@@ -52,8 +51,6 @@ class rigid_groups {
   }
   void put_frame(std::size_t i) {
     const auto& f = scene_.frames[i];
-    if (f.parent >= static_cast<int>(i))
-      raise<bad_argument>("kte: the frame '" + f.name + "' of a scene has a parent that is not there");
     if (f.track >= 0) {
       group_of_.push_back(static_cast<int>(groups.size()));
       groups.push_back({f.name});

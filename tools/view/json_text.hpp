@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <cstring>
 #include <span>
 #include <string>
@@ -35,7 +36,8 @@ class json_text {
     out_ += '"';
   }
   /// What is not finite is null.
-  void number(double x) {
+  template <std::floating_point Number>
+  void number(Number x) {
     comma();
     if (!std::isfinite(x)) {
       out_ += "null";
@@ -44,8 +46,11 @@ class json_text {
     char digits[32];
     out_.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
   }
+  void number(std::integral auto x) { word(std::to_string(x)); }
   void boolean(bool x) { word(x ? "true" : "false"); }
   void null() { word("null"); }
+  /// JSON as it is.
+  void raw(std::string_view json) { word(json); }
   /// Bytes as base64, least significant first.
   template <class Number>
   void numbers_in_base64(std::span<const Number> x) {
@@ -57,7 +62,7 @@ class json_text {
   template <class List>
   void list(const List& x) {
     open_list();
-    for (const auto& each : x) number(static_cast<double>(each));
+    for (const auto& each : x) number(each);
     close_list();
   }
 

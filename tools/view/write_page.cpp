@@ -1,16 +1,11 @@
 #include <kte/io/replace_file.hpp>
 #include <kte/view/write_page.hpp>
 
-#include "page_limits.hpp"
-#include "page_resource.hpp"
-#include "scene_checks.hpp"
+#include "page_text.hpp"
 
 namespace kte {
 
 namespace {
-constexpr std::string_view begin_of_place = R"(<script type="application/json" id="kte-scene">)";
-constexpr std::string_view empty_place = R"(<script type="application/json" id="kte-scene">null</script>)";
-
 /// Whether the recordings of two scenes are of the same frames and coordinates.
 bool same_tracks(const scene& a, const scene& b) {
   const auto same_frame = [](const scene::frame& x, const scene::frame& y) {
@@ -43,18 +38,7 @@ scene joined(const std::vector<scene>& all) {
 }
 
 void write_page(const std::filesystem::path& path, const scene& s, const page_options& options) {
-  view::check(s);
-  scene drawn = view::within_limits(s, options);
-  if (!options.title.empty()) drawn.title = options.title;
-  if (drawn.title.empty()) drawn.title = path.stem().string();
-  const auto page = view::page_resource();
-  const auto place = page.find(empty_place);
-  if (place == page.npos) detail::raise<bad_file>("kte: the page in the library kte::view has no place for a scene");
-  const auto data = place + begin_of_place.size();
-  std::string text(page.substr(0, data));
-  text += to_json(drawn);
-  text += page.substr(data + std::string_view("null").size());
-  detail::replace_file(path, text);
+  detail::replace_file(path, view::page_text(s, options, path.stem().string()));
 }
 
 void write_page(const std::filesystem::path& path,

@@ -33,9 +33,11 @@ std::string unit_of_quantity(const detail::chain_parts& chain, const scene& s, c
   detail::with_kind(x.what, [&]<kind K>() {
     const auto quantity = detail::quantities<K, double>[x.quantity].name;
     if constexpr (K == kind::gen) {
-      for (const auto& slot : chain.slots[static_cast<std::size_t>(K)])
+      for (const auto& slot : chain.slots[static_cast<std::size_t>(K)]) {
+        if (slot.slot != x.slot) continue;
         for (const auto& c : s.coordinates)
-          if (slot.slot == x.slot && c.name == slot.name) unit = unit_of_number(c.unit, quantity);
+          if (c.name == slot.name) unit = unit_of_number(c.unit, quantity);
+      }
     } else {
       unit = unit_of_name(quantity);
     }

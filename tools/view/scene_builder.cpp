@@ -17,7 +17,10 @@ using detail::element_parts;
 /// Goes through the elements of a chain, in their order.
 class scene_builder {
  public:
-  explicit scene_builder(const chain_parts& chain) : chain_(chain) {}
+  explicit scene_builder(const chain_parts& chain) : chain_(chain) {
+    for (std::size_t k = 0; k < kinds; ++k)
+      for (const auto& x : chain.slots[k]) slots_[k].emplace(x.name, x.slot);
+  }
 
   built_scene build() {
     auto& s = out_.picture;
@@ -36,11 +39,7 @@ class scene_builder {
 
  private:
   const std::vector<detail::named_slot>& slots(kind k) const { return chain_.slots[static_cast<std::size_t>(k)]; }
-  int slot_of(kind k, const std::string& name) const {
-    for (const auto& x : slots(k))
-      if (x.name == name) return x.slot;
-    return -1;
-  }
+  int slot_of(kind k, const std::string& name) const { return slots_[static_cast<std::size_t>(k)].at(name); }
 
   // ---- coordinates
   void add_coordinates() {
@@ -201,6 +200,7 @@ class scene_builder {
 
   const chain_parts& chain_;
   built_scene out_;
+  std::array<std::unordered_map<std::string, int>, kinds> slots_;
   std::unordered_map<std::string, int> coordinates_, frames_;
 };
 }  // namespace

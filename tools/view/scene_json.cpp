@@ -76,7 +76,7 @@ class scene_writer {
     x.mesh < 0 ? out_.null() : out_.number(x.mesh);
   }
   void recording(const scene::recording& r) {
-    text("name", r.name), number("count", static_cast<double>(r.t.size()));
+    text("name", r.name), number("count", r.t.size());
     base64("t", r.t), base64("positions", r.positions), base64("rotations", r.rotations);
     out_.key("q");
     if (r.q.empty())
@@ -98,7 +98,7 @@ class scene_writer {
     out_.close_list();
   }
   void text(std::string_view key, std::string_view x) { out_.key(key), out_.text(x); }
-  void number(std::string_view key, double x) { out_.key(key), out_.number(x); }
+  void number(std::string_view key, auto x) { out_.key(key), out_.number(x); }
   template <class List>
   void list(std::string_view key, const List& x) {
     out_.key(key), out_.list(x);

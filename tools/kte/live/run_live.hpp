@@ -1,0 +1,18 @@
+#pragma once
+
+#include "commands.hpp"
+#include "mechanism.hpp"
+
+namespace kte_tool {
+
+struct live_settings {
+  reading in;
+  bool open = false;
+  double port = 0, speed = 1, tolerance = 1e-6;
+  std::optional<double> end;  ///< s
+};
+
+/// Simulates in real time until it is interrupted; the exit code. Throws where it cannot be served.
+int run_live(const live_settings& o);
+
+}  // namespace kte_tool

@@ -1,0 +1,31 @@
+#include "recorded_scene.hpp"
+
+#include <kte/view/scene_of.hpp>
+
+#include "state_input.hpp"
+
+namespace kte_tool {
+
+kte::scene scene_of(const mechanism& m) { return kte::scene_of(m.robot); }
+
+kte::scene scene_of(const mechanism& m, kte::table recording, const std::string& name) {
+  const auto& c = m.chain();
+  const recorded_state recorded(c);
+  const evaluate::column_order order(kte::layout(c), coordinates_of(m, c));
+  for (auto& column : recording.names)
+    for (const auto& x : recorded.columns()) {
+      const auto numbered = [&](const char* prefix, const std::vector<int>& places, recorded_column::part part) {
+        for (std::size_t i = 0; i < places.size(); ++i)
+          if (x.is == part && x.index == places[i] && column == prefix + std::to_string(i)) return true;
+        return false;
+      };
+      if (column == x.name || numbered("q_", order.q, recorded_column::part::q) ||
+          numbered("v_", order.v, recorded_column::part::v)) {
+        column = x.whole;
+        break;
+      }
+    }
+  return kte::scene_of(m.robot, recording, {.name = name});
+}
+
+}  // namespace kte_tool

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <httplib.h>
+#include <thread>
+
+#include "messages.hpp"
+#include "token.hpp"
+
+namespace kte::live {
+
+/// Serves a page and its session at 127.0.0.1.
+///
+///   GET  TOKEN/                          the page
+///   GET  TOKEN/events                    server-sent events
+///   GET  TOKEN/recording.csv             what was recorded
+///   POST TOKEN/pause, run, step, reset, record, keep
+///   POST TOKEN/slider?index=I&value=X, speed?value=X
+class server : private httplib::Server {
+ public:
+  /// columns: names of t and of what is recorded. Throws `bad_argument` where it cannot listen.
+  server(session& s, std::string page, std::vector<std::string> columns, int port);
+  ~server() override;
+
+  const std::string& url() const { return url_; }
+
+ private:
+  bool process_and_close_socket(socket_t socket) override;
+  void answer(const httplib::Request& in, httplib::Response& out);
+  /// Why a request is refused; empty if it is not.
+  std::string refusal(const httplib::Request& in) const;
+  void get(const std::string& what, httplib::Response& out);
+  void post(const std::string& what, const httplib::Request& in, httplib::Response& out);
+  void send_events(httplib::Response& out);
+  void send_recording(httplib::Response& out);
+
+  session& session_;
+  const std::string page_, token_ = random_token();
+  const std::vector<std::string> columns_;
+  std::string url_;
+  std::vector<std::string> hosts_;  ///< that are this server
+  std::thread thread_;
+};
+
+}  // namespace kte::live
