@@ -14,10 +14,10 @@ compile() {
     -DKTE_NO_FORCED_INLINE -DEIGEN_DONT_VECTORIZE "-DKTE_PAGE_VERSION=\"$version\"" -c "$1" -o "$work/$(basename "$1").o"
 }
 for source in engine.cpp library/exceptions.cpp library/no_output.cpp; do compile $source; done
-# Memory: up to 1 GiB, 1 MiB of it the stack, at its start, so that what overflows it fails.
+# Memory: 16 MiB to 1 GiB, 1 MiB of it the stack, at its start, so that what overflows it fails.
 clang++-14 --target=wasm32-wasi -mexec-model=reactor -nodefaultlibs "$work"/*.o -o "$work/linked.wasm" -lc++ -lc++abi -lc \
   "$(clang++-14 -print-resource-dir)/lib/wasi/libclang_rt.builtins-wasm32.a" \
-  -Wl,--gc-sections,--strip-all,-O2,-z,stack-size=1048576,--stack-first,--max-memory=1073741824
+  -Wl,--gc-sections,--strip-all,-O2,-z,stack-size=1048576,--stack-first,--initial-memory=16777216,--max-memory=1073741824
 wasm-opt -Oz --enable-exception-handling --strip-producers "$work/linked.wasm" -o "$work/kte.wasm"
 if [ "$(sh sources.sh)" != "$version" ]; then
   echo "build.sh: sources have changed meanwhile; once more, please" >&2

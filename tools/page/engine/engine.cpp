@@ -79,7 +79,9 @@ KTE_EXPORT(kte_nv) int nv() { return playing ? playing->shown().model().dofs() :
 
 /// One name after the other, then `kte_track`.
 KTE_EXPORT(kte_name) int name(std::size_t bytes) {
-  return guarded([&] { names.emplace_back(text(bytes)); });
+  const int failed = guarded([&] { names.emplace_back(text(bytes)); });
+  if (failed != 0) names = {};
+  return failed;
 }
 KTE_EXPORT(kte_track) int track() {
   const auto all = std::exchange(names, {});
