@@ -26,6 +26,8 @@ class mjcf_meshes {
     const auto* a = asset(model, geom.text("mesh"));
     if (!a) return geom.not_read("there is no mesh '" + excerpt(geom.text("mesh")) + "' among the assets");
     s.scale = a->vector_or("scale", {1, 1, 1});
+    for (const char* const reference : {"refpos", "refquat"})
+      if (a->has(reference)) geom.not_read(std::string("its shape is without the ") + reference + " of its mesh");
     if (a->has("file")) s.mesh = path_of(*a, model).generic_string();
   }
   /// The body of a geom that is a mesh, in the axes of the mesh.
