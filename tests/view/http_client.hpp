@@ -1,6 +1,7 @@
 #pragma once
 
 #include <arpa/inet.h>
+#include <chrono>
 #include <netinet/in.h>
 #include <string>
 #include <sys/socket.h>
@@ -38,8 +39,9 @@ class http_client {
     }
     return true;
   }
-  /// What comes up to this text, with it; all until the end without one.
+  /// What comes up to this text, with it; all until the end without one, or after 20 s.
   std::string read_to(std::string_view end = {}) {
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     for (;;) {
       const auto at = end.empty() ? received_.npos : received_.find(end);
       if (at != received_.npos) {
@@ -49,7 +51,7 @@ class http_client {
       }
       char part[1 << 14];
       const auto n = ::recv(socket_, part, sizeof part, 0);
-      if (n <= 0) return std::exchange(received_, {});
+      if (n <= 0 || std::chrono::steady_clock::now() > patience) return std::exchange(received_, {});
       received_.append(part, static_cast<std::size_t>(n));
     }
   }

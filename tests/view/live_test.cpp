@@ -288,6 +288,17 @@ TEST_CASE("names in events are text") {
                                                      R"(\u2028")"));
 }
 
+TEST_CASE("sentences for the page") {
+  live_page page(pendulum);
+  const http_address at(page.url());
+  open_page client(at);
+  client.event("controls");
+  page.say("the \"motor\" is hot\n");
+  CHECK_THAT(client.event("controls"), contains_text(R"("message":"the \"motor\" is hot\u000a")"));
+  at.post("reset");
+  CHECK_THAT(client.event("controls"), contains_text(R"("message":"")"));
+}
+
 TEST_CASE("pause, step, run, reset") {
   live_page page(pendulum, {.paused = true});
   const http_address at(page.url());
