@@ -145,8 +145,8 @@ struct stored_element {
       spread<P...>(core.doForce(input<P>()...));
     }
   }
-  /// Whether it holds its coordinate, and by how large a force it could; of a joint after doForce, where that depends on
-  /// what it carries.
+  /// Whether it holds its coordinate, and by how large a force it could; of a joint after doForce, where that depends
+  /// on what it carries.
   template <std::size_t... P>
   KTE_INLINE constexpr bool holds(std::index_sequence<P...>) const {
     if constexpr (holds_coordinate<Core>) {
