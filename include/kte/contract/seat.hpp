@@ -66,7 +66,7 @@ inline constexpr bool turns = std::is_same_v<Rotation, no_rotation> || (requires
 
 /// Joints, of this library and others.
 template <class Core>
-requires(is_transmission<Core>&& (port_count<Core> > 2) && !is_seated<Core>) struct seat<Core> {
+requires(is_transmission<Core> && (port_count<Core> > 2) && !is_seated<Core>) struct seat<Core> {
   static constexpr kind dim = Core::ports.back().what;
 
   template <class Position, class Rotation = no_rotation>
