@@ -1,5 +1,6 @@
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/sticking_joint.hpp>
+#include <kte/kte.hpp>
 #include <kte/simulation.hpp>
 
 #include <cmath>
