@@ -50,7 +50,7 @@ class adams : public integrator<adams<F, X>, F, X> {
 
   /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
-  adams(F f, const S& t0, const X& x0, const tolerances<S>& tol = {})
+  adams(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {})
       : base(std::move(f), t0, x0), weights_(checked(tol), this->rates()), past_(this->no_rate()) {
     slope_ = predicted_ = change_ = this->no_rate();
   }

@@ -49,7 +49,8 @@ class bdf : public bdf_step<bdf<F, X>, F, X> {
 
   /// f(t, x), start time (s), start state, tolerances, settings. Throws `bad_argument` for tolerances that make
   /// no sense, for an order that there is not, and for a start that is not finite.
-  bdf(F f, const S& t0, const X& x0, const tolerances<S>& tol = {}, const bdf_settings& settings = {})
+  bdf(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {},
+      const bdf_settings& settings = {})
       : base(std::move(f), t0, x0, tol, settings.formula), max_order_(settings.max_order) {
     constexpr int most = detail::bdf_coefficients<S>::most;
     if (max_order_ < 1 || max_order_ > most)

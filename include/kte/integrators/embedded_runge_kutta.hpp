@@ -41,7 +41,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 
   /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
-  embedded_runge_kutta(F f, const S& t0, const X& x0, const tolerances<S>& tol = {});
+  embedded_runge_kutta(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {});
 
  private:
   void start(const S& t_end) {
@@ -161,7 +161,8 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
 };
 
 template <class Tableau, class F, class X>
-embedded_runge_kutta<Tableau, F, X>::embedded_runge_kutta(F f, const S& t0, const X& x0, const tolerances<S>& tol)
+embedded_runge_kutta<Tableau, F, X>::embedded_runge_kutta(F f, const S& t0, const std::type_identity_t<X>& x0,
+                                                          const tolerances<S>& tol)
     : base(std::move(f), t0, x0), tolerances_(tol), extension_(this->no_rate()) {
   tol.check(this->rates());
   k_.fill(this->no_rate());

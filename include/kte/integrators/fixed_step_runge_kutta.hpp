@@ -31,7 +31,7 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
 
   /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
-  fixed_step_runge_kutta(F f, const S& t0, const X& x0, const S& step);
+  fixed_step_runge_kutta(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step);
 
  private:
   static constexpr std::size_t stages = Tableau::stages;
@@ -64,7 +64,8 @@ class fixed_step_runge_kutta : public fixed_step<fixed_step_runge_kutta<Tableau,
 };
 
 template <class Tableau, class F, class X>
-fixed_step_runge_kutta<Tableau, F, X>::fixed_step_runge_kutta(F f, const S& t0, const X& x0, const S& step)
+fixed_step_runge_kutta<Tableau, F, X>::fixed_step_runge_kutta(F f, const S& t0, const std::type_identity_t<X>& x0,
+                                                              const S& step)
     : base(std::move(f), t0, x0, step) {
   k_.fill(this->no_rate());
 }

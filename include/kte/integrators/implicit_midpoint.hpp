@@ -29,7 +29,7 @@ class implicit_midpoint : public fixed_step<implicit_midpoint<F, X>, F, X> {
 
   /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
-  implicit_midpoint(F f, const S& t0, const X& x0, const S& step)
+  implicit_midpoint(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), k_(this->no_rate()), fresh_(k_) {}
 
  private:

@@ -45,7 +45,7 @@ class rosenbrock : public implicit_integrator<rosenbrock<Coefficients, F, X>, F,
 
   /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that make no sense, and
   /// for a start that is not finite.
-  rosenbrock(F f, const S& t0, const X& x0, const tolerances<S>& tol = {})
+  rosenbrock(F f, const S& t0, const std::type_identity_t<X>& x0, const tolerances<S>& tol = {})
       : base(std::move(f), t0, x0, tol),
         slope_(this->no_rate()),
         last_slope_(slope_),

@@ -25,7 +25,7 @@ class semi_implicit_euler : public fixed_step<semi_implicit_euler<F, X>, F, X> {
 
   /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
-  semi_implicit_euler(F f, const S& t0, const X& x0, const S& step)
+  semi_implicit_euler(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), d_(this->no_rate()) {}
 
  private:

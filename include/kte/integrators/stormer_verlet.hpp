@@ -30,7 +30,7 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
 
   /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
-  stormer_verlet(F f, const S& t0, const X& x0, const S& step)
+  stormer_verlet(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), k0_(this->no_rate()), k1_(k0_), raw_(k0_), d_(k0_) {}
 
  private:

@@ -51,7 +51,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
 
   /// A model, start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, for a start
   /// that is not finite, and for a runtime chain with internal states.
-  variational(F f, const S& t0, const X& x0, const S& step)
+  variational(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step), middle_(this->x_), masses_(chain()) {}
 
  private:
