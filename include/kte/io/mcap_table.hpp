@@ -37,7 +37,8 @@ class mcap_table {
   }
   /// Throws `bad_argument` for times that are no unsigned number of nanoseconds.
   void row(std::span<const double> numbers, std::string& out) {
-    append_mcap_message(out, id, sequence_++, mcap_time(numbers[0]), [&] {
+    const auto time = mcap_time(numbers[0]);
+    append_mcap_message(out, id, sequence_++, time, [&] {
       for (std::size_t i = 0; i < numbers.size(); ++i) out += keys_[i], value(out, numbers[i]);
       out += '}';
     });
