@@ -39,9 +39,9 @@ class erased_system {
   }
 
  private:
-  struct interface {
-    virtual ~interface() = default;
-    virtual std::unique_ptr<interface> copy() const = 0;
+  struct callable {
+    virtual ~callable() = default;
+    virtual std::unique_ptr<callable> copy() const = 0;
     virtual const vector& rate_at(double t, const vector& x) = 0;
     virtual Eigen::Index rates() const = 0;
     virtual void displace(const vector& x, const vector& d, vector& out) const = 0;
@@ -50,10 +50,10 @@ class erased_system {
     virtual void rounding(const vector& x, const vector& d, const vector& out, vector& rest) const = 0;
   };
   template <class F>
-  class held final : public interface {
+  class held final : public callable {
    public:
     explicit held(F f) : f_(std::move(f)) {}
-    std::unique_ptr<interface> copy() const override { return std::make_unique<held>(f_); }
+    std::unique_ptr<callable> copy() const override { return std::make_unique<held>(f_); }
     const vector& rate_at(double t, const vector& x) override {
       if constexpr (std::is_same_v<decltype(f_(t, x)), const vector&> || std::is_same_v<decltype(f_(t, x)), vector&>) {
         return f_(t, x);
@@ -87,7 +87,7 @@ class erased_system {
     vector rate_;
   };
 
-  std::unique_ptr<interface> system_;
+  std::unique_ptr<callable> system_;
 };
 /// Whether F is a right-hand side of states X that can be one.
 template <class F, class X>
