@@ -8,6 +8,7 @@
 
 #include "catch.hpp"
 #include "chain/registered.hpp"
+#include "random.hpp"
 
 // Joints whose friction by what they carry brings them to rest, against closed forms. Static chains, and the same at
 // run time.
@@ -55,6 +56,47 @@ auto simulated(const Model& model, double t_end, const std::array<double, N>& at
     long long evaluations;
   };
   return result{std::move(report), solver.state(), evaluations};
+}
+
+/// n joints that turn and slide in turn about random axes, each with friction mu by what it carries.
+kte_map_chain random_arm(int n, double mu, unsigned seed) {
+  random_numbers draw(seed);
+  kte_map_chain c;
+  c.gravity(along_z(-g)) << base_3D("ground");
+  std::string base = "ground";
+  for (int i = 0; i < n; ++i) {
+    const auto name = "q" + std::to_string(i), mode = name + ".mode", end = "e" + std::to_string(i);
+    const double x = draw(), y = draw(), z = draw(), length = std::sqrt(x * x + y * y + z * z);
+    const vec3<> axis{x / length, y / length, z / length};
+    const vec3<> seat{draw(0.3), draw(0.3), draw(0.3)};
+    if (i % 2 == 0)
+      c << sticking_revolute_joint_3D(name, mode, base, end, axis, 0.05, {mu, mu * 1.3, 0.2})
+               .at(seat, as<double>(matrix(no_rotation{})));
+    else
+      c << sticking_prismatic_joint_3D(name, mode, base, end, axis, {mu, mu * 1.2, 0.5})
+               .at(seat, as<double>(matrix(no_rotation{})));
+    const double mass = 1 + draw(0.5);
+    const vec3<> centre{draw(0.1), draw(0.1), draw(0.1)};
+    c << inertia_3D(end, rigid_body{mass, centre, sym3{0.1, 0.0, 0.0, 0.12, 0.0, 0.09}});
+    base = end;
+  }
+  return c;
+}
+
+TEST_CASE("friction of several joints that is settled to rounding is no jam", "[models][sticking_joint]") {
+  for (const auto& [mu, n] : {std::pair{0.05, 2}, {0.05, 4}, {0.05, 6}, {0.3, 2}, {0.3, 4}, {0.3, 6}})
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      const auto arm = random_arm(n, mu, seed);
+      const manipulator_dynamics_model model(arm);
+      random_numbers draw(seed + 1000);
+      Eigen::VectorXd position(n);
+      for (auto& x : position) x = draw();
+      const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
+      CAPTURE(mu, n, seed);
+      const auto start = settled(model, 0.0, model.make_x(position, none));
+      dormand_prince45 solver(std::cref(model), 0.0, start);
+      CHECK_NOTHROW(solver.integrate(1.0, element_events(model)));
+    }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ if ! command -v python3 >/dev/null; then json() { :; }; fi
 
 # The command line.
 gives 2 'kte: A subcommand is required (see kte help)' "$kte"
-gives 2 '(see kte help)' "$kte" nothing
+gives 2 "kte: there is no command 'simulat', did you mean 'simulate'? (see kte help)" "$kte" simulat x.urdf
 gives 0 '' "$kte" --version
 prints 'kte '
 gives 0 '' "$kte" --help

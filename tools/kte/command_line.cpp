@@ -1,5 +1,6 @@
 #include "command_line.hpp"
 
+#include <kte/contract/nearest_name.hpp>
 #include <kte/io/program.hpp>
 #include <kte/io/table_number.hpp>
 
@@ -113,6 +114,14 @@ command& command_line::add(const std::string& name, const std::string& summary, 
   return *c;
 }
 const std::vector<std::unique_ptr<command>>& command_line::commands() const { return parser_->commands; }
+const command& command_line::named(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const auto& c : commands()) {
+    if (c->name == name) return *c;
+    known.push_back(c->name);
+  }
+  throw usage_error("there is no command '" + name + "'" + kte::detail::did_you_mean(name, known));
+}
 
 int command_line::run(int count, char** arguments) {
   const auto wrong_use = [&](const std::string& why) {
@@ -122,6 +131,7 @@ int command_line::run(int count, char** arguments) {
     return 2;
   };
   try {
+    if (count > 1 && arguments[1][0] != '-') named(arguments[1]);
     parser_->app.parse(count, arguments);
     return exit_code_of([&] { return parser_->chosen()->run(); });
   } catch (const CLI::CallForHelp&) {

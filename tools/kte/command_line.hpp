@@ -59,6 +59,8 @@ class command_line {
 
   command& add(const std::string& name, const std::string& summary, const std::string& description);
   const std::vector<std::unique_ptr<command>>& commands() const;
+  /// Throws `usage_error` for a name that no command has.
+  const command& named(const std::string& name) const;
   /// Runs the subcommand of a command line; the exit code. Messages go to standard error.
   int run(int count, char** arguments);
 

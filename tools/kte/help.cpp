@@ -9,11 +9,6 @@ namespace {
 /// Of all commands.
 const argument help_option{"--help", "", "what the command takes"};
 
-const command& named(const command_line& line, const std::string& name) {
-  for (const auto& c : line.commands())
-    if (c->name == name) return *c;
-  throw usage_error("there is no command '" + name + "'");
-}
 std::vector<argument> options_of(const command& c) {
   std::vector<argument> all;
   for (const auto& a : c.arguments)
@@ -114,7 +109,7 @@ std::string list_of(const command_line& line, const std::string& name) {
   if (name.empty())
     for (const auto& c : line.commands()) s += c->name + '\n';
   else
-    for (const auto& a : options_of(named(line, name)))
+    for (const auto& a : options_of(line.named(name)))
       for (const auto& n : names_of(a)) s += n + '\n';
   return s;
 }
@@ -123,7 +118,7 @@ std::string list_of(const command_line& line, const std::string& name) {
 
 std::string help_text(const command_line& line, const std::string& name) {
   if (name.empty()) return help_of_program(line);
-  const auto& c = named(line, name);
+  const auto& c = line.named(name);
   std::string s = "usage: " + usage_of(c) + "\n\n" + wrapped(c.description, 0) + '\n';
   for (const auto& a : c.arguments)
     if (a.positional) s += row(a.name, a.help);

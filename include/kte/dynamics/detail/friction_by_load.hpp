@@ -53,7 +53,7 @@ class friction_iteration {
   bool by_broyden() {
     best_ = x_;
     S least = (std::numeric_limits<S>::max)();
-    for (int i = 0, idle = 0; i < 60 && idle < 16; ++i) {
+    for (int i = 0, idle = 0; i < 60; ++i) {
       const S error = largest(r_);
       if (is_rounding(error, 4)) return true;
       idle = all(error < S(least / S(2))) ? 0 : idle + 1;
