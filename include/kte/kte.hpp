@@ -32,8 +32,7 @@
 #include <kte/contract/transmission.hpp>
 #include <kte/detail/raise.hpp>
 // clang-format on
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/static.hpp>
 
 #ifdef KTE_COMPILED

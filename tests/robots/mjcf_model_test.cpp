@@ -1,8 +1,12 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/motors.hpp>
 #include <kte/robots/urdf_writer.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_CENTRE_OF_MASS_HPP
+#define KTE_CENTRE_OF_MASS_HPP
 
 #include <kte/dynamics/detail/moved_freely.hpp>
 
@@ -188,3 +189,48 @@ auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, c
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CENTRE_OF_MASS_OF_RUNTIME_CHAINS)
+#define KTE_CENTRE_OF_MASS_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_bodies.hpp>
+
+namespace kte {
+
+/// By composite inertias, with those of the mass matrix.
+template <class S>
+mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_positions(s);
+  detail::carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment, detail::blame_state{"a centre of mass", s})};
+}
+template <class S>
+vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::carry(c, s);
+  return detail::divided_by_mass<S>(tree::weight_in_world(s.tree().forest, s.work).mass,
+                                    detail::momentum_of_coordinates(s, vec3<S>{}).force,
+                                    detail::blame_state{"a velocity", s});
+}
+template <class S, indexable Q>
+mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  return detail::take(c, s, q).call([&] { return centre_of_mass(c, s); });
+}
+template <class S, indexable Q, indexable V>
+vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::take(c, s, q, v).call([&] { return centre_of_mass_velocity(c, s); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template mass_centre<double> centre_of_mass(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template vec3<> centre_of_mass_velocity(const kte_map_chain&, runtime_state&);
+#endif
+
+}  // namespace kte
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_CENTROIDAL_HPP
+#define KTE_CENTROIDAL_HPP
 
 #include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/detail/columns.hpp>
@@ -133,3 +134,69 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CENTROIDAL_OF_RUNTIME_CHAINS)
+#define KTE_CENTROIDAL_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/detail/runtime_jacobian.hpp>
+
+namespace kte {
+
+template <class S>
+linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  const detail::blame_state why{"a momentum", s};
+  const auto h = detail::momentum_of_coordinates(s, detail::divided_by_mass<S>(w.mass, w.moment, why));
+  return detail::checked<S>(h.force, h.torque, why);
+}
+namespace detail {
+/// At positions that are good.
+template <class S>
+basic_runtime_jacobian<S> centroidal_map_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
+  const blame_state why{"a momentum", s};
+  for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment, why), [&a](int row, const tree::dense_wrench<S>& h) {
+    auto column = a.col(row);
+    column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
+    column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
+  });
+  check_result(a.data(), static_cast<std::size_t>(a.size()), why);
+  if (a.cols() == s.dofs()) return a;
+  return folded(c, s, std::move(a));
+}
+}  // namespace detail
+template <class S>
+basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_positions(s);
+  return detail::centroidal_map_of(c, s);
+}
+template <class S, indexable Q, indexable V>
+linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::take(c, s, q, v).call([&] { return centroidal_momentum(c, s); });
+}
+template <class S, indexable Q>
+basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::check_regular(c, s);
+  return detail::take(c, s, q).call([&] { return detail::centroidal_map_of(c, s); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template linear_angular<double> centroidal_momentum(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template runtime_jacobian centroidal_map(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template runtime_jacobian centroidal_map_of(const kte_map_chain&, runtime_state&);
+}
+#endif
+
+}  // namespace kte
+
+#endif

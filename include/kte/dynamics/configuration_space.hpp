@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_CONFIGURATION_SPACE_HPP
+#define KTE_CONFIGURATION_SPACE_HPP
 
 #include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/state_vectors.hpp>
@@ -6,7 +7,9 @@
 #include <kte/math/dual.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
-/// Configurations with rotations are no vectors: these functions take the place of q + dt v and q_1 - q_0.
+/// Configurations with rotations are no vectors: these functions take the place of q + dt v and q_1 - q_0, of static
+/// and runtime chains. Throw `bad_argument` for arguments of another size or not finite, and for quaternions of length
+/// zero.
 namespace kte {
 
 namespace detail {
@@ -188,3 +191,52 @@ auto moving_along(const Chain& c, const Q& q, const V& v) {
 }  // namespace detail
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CONFIGURATION_SPACE_OF_RUNTIME_CHAINS)
+#define KTE_CONFIGURATION_SPACE_OF_RUNTIME_CHAINS
+
+#include <kte/runtime_chain/layout.hpp>
+
+namespace kte {
+
+/// As on static chains (dynamics/configuration_space.hpp).
+template <indexable Q, indexable V>
+Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double dt) {
+  detail::check_configuration(c.nq(), c.dofs(), q), check_size(static_cast<std::size_t>(c.dofs()), v, "v");
+  Eigen::VectorXd out(c.nq());
+  for (const auto& f : c.wiring().free) detail::integrate_one<double>(f, q, v, dt, out);
+  const auto nq = static_cast<std::size_t>(c.nq()), nv = static_cast<std::size_t>(c.dofs());
+  detail::check_result(out, nq, [&] {
+    const auto from = detail::plain_numbers(q, nq), rates = detail::plain_numbers(v, nv);
+    detail::raise_if_time_is_endless("a coordinate", dt);
+    detail::raise_if_no_rotation(layout(c), from);
+    detail::raise_not_finite("a coordinate", layout(c), {{"q", from, true}, {"v", rates}});
+  });
+  return out;
+}
+template <indexable Q>
+Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
+  detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
+  Eigen::VectorXd out(c.dofs());
+  for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
+  detail::check_result(out, static_cast<std::size_t>(c.dofs()), [&] {
+    const auto n = static_cast<std::size_t>(c.nq());
+    const auto a = detail::plain_numbers(from, n), b = detail::plain_numbers(to, n);
+    detail::raise_if_no_rotation(layout(c), a), detail::raise_if_no_rotation(layout(c), b);
+    detail::raise_not_finite("a coordinate", layout(c), {{"from", a, true}, {"to", b, true}});
+  });
+  return out;
+}
+inline Eigen::VectorXd neutral_configuration(const kte_map_chain& c) {
+  Eigen::VectorXd out(c.nq());
+  for (const auto& f : c.wiring().free) detail::neutral_one(f, out);
+  return out;
+}
+
+}  // namespace kte
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_DERIVATIVES_HPP
+#define KTE_DERIVATIVES_HPP
 
 #include <kte/dynamics/detail/column_groups.hpp>
 #include <kte/dynamics/detail/coordinate_derivatives.hpp>
@@ -132,3 +133,134 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_DERIVATIVES_OF_RUNTIME_CHAINS)
+#define KTE_DERIVATIVES_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_duals.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/tree/solve_limbs.hpp>
+
+namespace kte {
+
+namespace detail {
+/// Whether the derivatives of the forces of a chain are known element by element.
+template <class S>
+bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+  const auto& t = s.tree();
+  return t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
+         c.wiring().has_derivatives;
+}
+template <class S>
+const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                                 bool moved = false) {
+  coordinate_forces(c, s, moved);
+  take_needed_forces(s);
+  auto& r = s.work.of_forces;
+  if constexpr (std::is_same_v<S, double>) {
+    if (is_known_by_elements(c, s)) [[likely]]
+      derive_forces(runtime_elements{c}, s);
+    else
+      derive_forces_by_duals(c, s);
+  } else {  // joints, links and bodies alone
+    derive_forces(runtime_elements{c}, s);
+  }
+  r.tau = s.work.forces;
+  check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
+  return r;
+}
+}  // namespace detail
+
+/// Inverse dynamics and its derivatives at the state's positions, rates and accelerations. As
+/// `inverse_dynamics_derivatives` on a static chain, for trees of joints and bodies with forces and masses on
+/// coordinates; others throw `bad_argument`.
+template <class S>
+const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
+  detail::check_positions(s);
+  return detail::forces_derived(c, s);
+}
+/// The same at q, v, a, which are put into the state.
+template <class S, indexable Q, indexable V, indexable A>
+const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                         const A& a) {
+  detail::check_regular(c, s);
+  return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
+    return detail::forces_derived(c, s);
+  });
+}
+
+namespace detail {
+/// After forward dynamics: (1) of dynamics/derivatives.hpp.
+template <class S>
+const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
+                                                                        basic_runtime_state<S>& s) {
+  auto& r = s.work.of_accelerations;
+  const Eigen::Index n = s.dofs();
+  r.a = s.work.forces;
+  r.by_q.resize(n, n), r.by_v.resize(n, n);
+  if constexpr (std::is_same_v<S, double>)
+    if (!s.tree().readers.empty()) [[unlikely]] {
+      const auto& forces = forces_derived(c, s);
+      invert_unheld_rubbing(runtime_elements{c}, s, forces.by_a, r.by_tau);
+      solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
+      return r;
+    }
+  if (s.tree().plan.tree && s.tree().holders.empty()) [[likely]]
+    invert_articulated(s, r.by_tau);
+  else
+    invert_unheld(runtime_elements{c}, s, r.by_tau);
+  const auto& forces = forces_derived(c, s, true);
+  const auto& t = s.tree();
+  if (t.holders.empty() && t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
+    tree::solve_limbs(t.forest, !t.only_bodies, s.work.rows, r.by_tau.data(), forces.by_q.data(), forces.by_v.data(),
+                      r.by_q.data(), r.by_v.data());
+  else
+    solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
+  return r;
+}
+}  // namespace detail
+
+/// Forward dynamics and its derivatives at the state's positions and rates under its inputs. As
+/// `forward_dynamics_derivatives` on a static chain, for chains as above.
+template <class S>
+const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
+  return detail::keep_accelerations(s).call([&]() -> const auto& {
+    forward_dynamics(c, s);
+    return detail::accelerations_derived(c, s);
+  });
+}
+/// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
+template <class S, indexable Q, indexable V, indexable T>
+const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                         const T& tau) {
+  detail::check_regular(c, s);
+  return detail::take(c, s, q, v, detail::found_later{}, tau).call([&]() -> const auto& {
+    detail::accelerations_under(c, s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+    return detail::accelerations_derived(c, s);
+  });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(
+    const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(
+    const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain&,
+                                                                                          runtime_state&, bool);
+KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain&,
+                                                                                                 runtime_state&);
+}  // namespace detail
+#endif
+
+}  // namespace kte
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_ENERGY_HPP
+#define KTE_ENERGY_HPP
 
 #include <kte/dynamics/centre_of_mass.hpp>
 
@@ -134,3 +135,66 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_ENERGY_OF_RUNTIME_CHAINS)
+#define KTE_ENERGY_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_bodies.hpp>
+
+namespace kte {
+
+/// After doMotion, J.
+template <class S>
+S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  c.check(s), detail::check_state_velocities(s);
+  c.doMotion(s);
+  static_assert(detail::goes_through_passes<S>);
+  double sum = 0;
+  for (const auto& e : c.wiring().elements) sum += e.element->kinetic_energy(s);
+  return detail::checked_energy<S>(sum, detail::blame_state{"an energy", s});
+}
+/// Of springs, and of all bodies under the chain's gravity: zero at the origin. J.
+template <class S>
+S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_positions(s);
+  c.doMotion(s);
+  static_assert(detail::goes_through_passes<S>);
+  double sum = 0;
+  for (const auto& e : c.wiring().elements) {
+    sum += e.element->potential_energy(s);
+    if (e.spreads) sum -= dot(c.gravity(), e.element->first_moment(s));
+  }
+  detail::carry_bodies(c, s);
+  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment),
+                                   detail::blame_state{"an energy", s});
+}
+template <class S>
+energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  const S kinetic = kinetic_energy(c, s);
+  return {kinetic, potential_energy(c, s)};
+}
+template <class S, indexable Q, indexable V>
+S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return kinetic_energy(c, s); });
+}
+template <class S, indexable Q>
+S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&] { return potential_energy(c, s); });
+}
+template <class S, indexable Q, indexable V>
+energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return energy(c, s); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template double kinetic_energy(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template double potential_energy(const kte_map_chain&, runtime_state&);
+#endif
+
+}  // namespace kte
+
+#endif

@@ -1,7 +1,9 @@
-#pragma once
+#ifndef KTE_JACOBIAN_HPP
+#define KTE_JACOBIAN_HPP
 
 #include <kte/dynamics/detail/columns.hpp>
 #include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/detail/velocities_at_unit_rates.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 
 namespace kte {
@@ -89,20 +91,15 @@ inline constexpr bool moves_stiffly = [] {
     return moves_stiffly<Chain, K, Chain::wiring::slot(std::size_t{w}, port_count<core_of<Chain, std::size_t{w}>> - 2)>;
   }
 }();
-/// Of a frame that follows others: its velocities at unit rates.
+/// Of a frame that follows others.
 template <bool World, class S, class Frame, class Chain, class At>
 auto jacobian_by_rates(const Chain& c, const At& at) {
   six_by_dofs<S, Chain::dofs> j;
   std::array<S, std::size_t{Chain::dofs}> rates{};
   constexpr same_base base{motion{zero3{}, no_rotation{}, zero3{}, zero3{}, skip{}, skip{}}};
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    rates[k] = S(1);
-    const auto m = motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base});
-    vec3<S> u = as<S>(m.velocity), w = as<S>(m.ang_velocity);
-    if constexpr (World) u = as<S>(matrix(m.rotation) * u), w = as<S>(matrix(m.rotation) * w);
-    j.col(static_cast<Eigen::Index>(k)) << u.x, u.y, u.z, w.x, w.y, w.z;
-    rates[k] = S(0);
-  }
+  put_velocities_at_unit_rates<S>(j, rates, [&] {
+    return velocities_of<S>(motion_at<Frame>(c, given{at, each<S, decltype(rates)>{rates}, same<skip>{}, base}), World);
+  });
   return j;
 }
 
@@ -158,3 +155,74 @@ auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_JACOBIAN_OF_RUNTIME_CHAINS)
+#define KTE_JACOBIAN_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_jacobian.hpp>
+
+namespace kte {
+
+/// Into memory of the caller's, which nothing is allocated for (but where coordinates follow others): a matrix, which
+/// gets the size it needs, or 6 rows of a larger one, or a map.
+///
+///   Eigen::MatrixXd contacts(12, arm.dofs());
+///   kte::jacobian(arm, s, q, left_foot, kte::in_world_axes, contacts.topRows<6>());
+///   kte::jacobian(arm, s, q, right_foot, kte::in_world_axes, contacts.bottomRows<6>());
+///
+/// Throws `bad_argument` where it does not fit.
+template <class S, detail::matrix_like J>
+void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
+  detail::put_jacobian_at_state(c, s, frame, false, j);
+}
+template <class S, detail::matrix_like J>
+void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
+  detail::put_jacobian_at_state(c, s, frame, true, j);
+}
+template <class S, indexable Q, detail::matrix_like J>
+requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                            const name_or_handle& frame, J&& j) {
+  detail::put_jacobian_at(c, s, q, frame, false, j);
+}
+template <class S, indexable Q, detail::matrix_like J>
+requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                            const name_or_handle& frame, in_world_axes_t, J&& j) {
+  detail::put_jacobian_at(c, s, q, frame, true, j);
+}
+/// The same as a value.
+template <class S>
+basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, frame, j);
+  return j;
+}
+template <class S>
+basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+                                   in_world_axes_t axes) {
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, frame, axes, j);
+  return j;
+}
+template <class S, indexable Q>
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                                 const Q& q, const name_or_handle& frame) {
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, q, frame, j);
+  return j;
+}
+template <class S, indexable Q>
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                                 const Q& q, const name_or_handle& frame,
+                                                                 in_world_axes_t axes) {
+  basic_runtime_jacobian<S> j;
+  jacobian(c, s, q, frame, axes, j);
+  return j;
+}
+
+}  // namespace kte
+
+#endif

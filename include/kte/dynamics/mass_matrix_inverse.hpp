@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_MASS_MATRIX_INVERSE_HPP
+#define KTE_MASS_MATRIX_INVERSE_HPP
 
 #include <kte/dynamics/detail/local_inverse_mass.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
@@ -30,7 +31,7 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     auto factors = local_mass_matrix<S>(c, at, base);
     invert_by_factors(factors, m, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
   }
-  check_inverse<typename Chain::wiring>(m, at);
+  check_inverse(m, [&]() KTE_INLINE_LAMBDA { blame_if_endless<typename Chain::wiring>(m, at.q); });
   return m;
 }
 }  // namespace detail
@@ -56,3 +57,56 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
+#define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+
+namespace kte {
+
+namespace detail {
+/// At positions that are good.
+template <class S>
+const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  runtime_matrix<S>& inverse = s.work.inverse;
+  if (s.tree().plan.tree) {
+    articulate_and_invert(runtime_elements{c}, s, inverse);
+  } else {
+    mass_of_coordinates(runtime_elements{c}, s);
+    inverse.resize(s.dofs(), s.dofs());
+    invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+  }
+  check_inverse(inverse, [&] { check_masses(s, inverse); });
+  return inverse;
+}
+}  // namespace detail
+
+/// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
+template <class S>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
+  detail::check_positions(s);
+  return detail::inverse_of_masses(c, s);
+}
+/// The same at q, which is put into the state.
+template <class S, indexable Q>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::check_regular(c, s);
+  return detail::take(c, s, q).call([&]() -> const auto& { return detail::inverse_of_masses(c, s); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const kte_map_chain&, runtime_state&);
+}
+#endif
+
+}  // namespace kte
+
+#endif

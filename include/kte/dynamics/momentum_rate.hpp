@@ -1,7 +1,10 @@
 #pragma once
 
+#include <kte/dynamics/centre_of_mass.hpp>
+#include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/state_vectors.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 /// How the centre of mass and the momentum of a chain change, static and runtime: bases at rest, without gravity, axes
 /// of the base.

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/centroidal.hpp>
-#include <kte/dynamics/energy.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
 #include <kte/tree/momentum.hpp>
 
 /// Loops over the bodies of runtime chains, in the working memory of a state.

@@ -1,5 +1,5 @@
 #include <kte/dynamics/mass_matrix.hpp>
-#include <kte/dynamics/mass_matrix_calc.hpp>
+#include <kte/reak/mass_matrix_calc.hpp>
 
 #include <limits>
 

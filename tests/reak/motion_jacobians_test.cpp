@@ -1,5 +1,5 @@
-#include <kte/dynamics/motion_jacobians.hpp>
 #include <kte/dynamics/relative_motion.hpp>
+#include <kte/reak/motion_jacobians.hpp>
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #include <kte/dynamics/coriolis_matrix.hpp>
-#include <kte/dynamics/mass_matrix_calc.hpp>
 #include <kte/elements/inertial_beam.hpp>
+#include <kte/reak/mass_matrix_calc.hpp>
 
 #include <limits>
 
