@@ -14,7 +14,8 @@ trap 'rm -rf "$work"' EXIT
 
 program() {
   cat <<'END'
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/kte.hpp>
 double runtime(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& x) {
   kte::kte_map_chain arm;

@@ -7,7 +7,9 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 
-/// The algorithms on any number of states of a static chain, W states at once in the lanes of packs.
+/// The algorithms on any number of states of a chain, W states at once in the lanes of packs: of a static chain, or of
+/// a runtime chain of joints, links and bodies. Another runtime chain, with laws of elements of its own, throws
+/// `bad_argument`.
 ///
 /// Arguments are arrays of float or double, all of one type, that have data() and size() (vector, array, span, Eigen):
 /// one state after the other, the numbers of state k from k n on, as in an Eigen matrix with a state a column. Results

@@ -5,14 +5,16 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 
 /// The parts of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others: rates, accelerations
-/// and gravity that do not count are typed zeros (Luh, Walker, Paul 1980; Featherstone 2008, section 5.3). In N and Nm;
-/// q and v as for `inverse_dynamics`, bases at rest, inputs zero. For every chain
+/// and gravity that do not count are left out (Luh, Walker, Paul 1980; Featherstone 2008, section 5.3). dofs numbers,
+/// in N and Nm; arguments, results and errors as for `inverse_dynamics`. For every chain
 ///
 ///   static_forces(q)         = g(q) - Q(q, 0)                                        (1)
 ///   nonlinear_effects(q, v)  = gravity_forces(q) + coriolis_forces(q, v) - Q(q, v)   (2)
 ///   inverse_dynamics(q, v, a) = M(q) a + nonlinear_effects(q, v)                     (3)
 ///
-/// with Q the forces of elements that are no bodies: springs, dampers, motors.
+/// with Q the forces of elements that are no bodies: springs, dampers, motors. Of a runtime chain `f(c, s, q)` or
+/// `f(c, s, q, v)`, or `f(c, s)` at the positions and rates of the state s. `gravity_forces` and `coriolis_forces`
+/// throw `bad_argument` for masses between several things, whose bodies are not known.
 namespace kte {
 
 namespace detail {
@@ -86,7 +88,8 @@ auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 
 namespace kte {
 
-/// As on static chains. The state keeps its velocities and accelerations.
+// The state keeps the velocities and accelerations that do not count.
+
 template <class S>
 const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_positions(s);

@@ -156,7 +156,10 @@ KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
 ///   c = h_base / m                                       (1)
 ///   h_base += R h_end + m_end p,  m_base += m_end        (2)
 ///
-/// from the tips to the base, for a link or joint R, p between base and end. Throws `bad_argument` for a mass of zero.
+/// from the tips to the base, for a link or joint R, p between base and end. Of a runtime chain `centre_of_mass(c, s,
+/// q)`, or `centre_of_mass(c, s)` at the positions of the state s, in the axes in which its bases are given. Arguments
+/// and errors as for `inverse_dynamics`. Throws `bad_argument` also for a mass of zero, and for masses between several
+/// things.
 template <class Gravity, class... E, indexable Q>
 auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -172,7 +175,8 @@ auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
                         })};
 }
 
-/// The velocity of the centre of mass, m/s, in axes of the base, bases at rest: momentum by mass.
+/// The velocity of the centre of mass, m/s, in axes of the base, bases at rest: momentum by mass. Of a runtime chain
+/// `centre_of_mass_velocity(c, s, q, v)` or `(c, s)`; bases that elements move as signals say move.
 template <class Gravity, class... E, indexable Q, indexable V>
 auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
@@ -201,7 +205,6 @@ auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, c
 
 namespace kte {
 
-/// By composite inertias, with those of the mass matrix.
 template <class S>
 mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);

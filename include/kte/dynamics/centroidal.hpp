@@ -85,6 +85,8 @@ class local_momenta : columns<S, Chain, Given> {
 /// the base, bases at rest: momenta are carried from the tips to the base as forces are, and there
 ///
 ///   p = sum p_i,  k_G = k_0 - c x p          (1)
+///
+/// Of a runtime chain `centroidal_momentum(c, s, q, v)` or `(c, s)`. Arguments and errors as for `centre_of_mass`.
 template <class Gravity, class... E, indexable Q, indexable V>
 auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
@@ -108,7 +110,8 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
 ///   X I^c s          (2)
 ///
 /// with I^c the inertia of all that the joint carries, and X the transport of a momentum, as of a wrench, from the end
-/// of the joint to the centre of mass, in axes of the base.
+/// of the joint to the centre of mass, in axes of the base. Of a runtime chain `centroidal_map(c, s, q)` or `(c, s)`, a
+/// value, for which memory is allocated.
 template <class Gravity, class... E, indexable Q>
 auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;

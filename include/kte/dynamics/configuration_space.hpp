@@ -203,7 +203,6 @@ auto moving_along(const Chain& c, const Q& q, const V& v) {
 
 namespace kte {
 
-/// As on static chains (dynamics/configuration_space.hpp).
 template <indexable Q, indexable V>
 Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double dt) {
   detail::check_configuration(c.nq(), c.dofs(), q), check_size(static_cast<std::size_t>(c.dofs()), v, "v");

@@ -83,10 +83,18 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
 }
 }  // namespace detail
 
-/// Inverse dynamics and its derivatives; by_a is the mass matrix, less the derivatives of friction that depends on what
-/// joints carry. Arguments as for `inverse_dynamics`. In a tree of
-/// joints and bodies, with springs, dampers and masses on coordinates, by recursion over the elements
-/// (kernels/variation.hpp); where other forces act between frames, or coordinates follow others, by dual numbers.
+/// Inverse dynamics and its derivatives by q, v and a, dofs x dofs each; by_a is the mass matrix, less the derivatives
+/// of friction that depends on what joints carry. In a tree of joints and bodies, with springs, dampers and masses on
+/// coordinates, by recursion over the elements (kernels/variation.hpp); where other forces act between frames, or
+/// coordinates follow others, by dual numbers.
+///
+///   inverse_dynamics_derivatives(c, q, v, a)       of a static chain, a value
+///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s, for which the first call makes
+///                                                  room
+///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
+///
+/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
+/// acts by more than records say.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
@@ -97,7 +105,6 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   at.check();
   return detail::derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, a);
 }
-/// The same at the positions, rates and accelerations of a state, with its moving bases and its inputs.
 template <class Gravity, class... E, class S>
 auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
@@ -109,7 +116,7 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
 }
 
 /// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, which has
-/// all digits of `mass_matrix_inverse`. Arguments as for `forward_dynamics`. Throws `singular_mass_matrix`.
+/// all digits of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
@@ -121,7 +128,6 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   for (int i = 0; i < n; ++i) f[i] = S(tau[static_cast<std::size_t>(i)]);
   return detail::forward_derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, f);
 }
-/// The same at the positions and rates of a state, with its moving bases and its inputs, and no other forces.
 template <class Gravity, class... E, class S>
 auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
@@ -175,9 +181,6 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
 }
 }  // namespace detail
 
-/// Inverse dynamics and its derivatives at the state's positions, rates and accelerations. As
-/// `inverse_dynamics_derivatives` on a static chain, for trees of joints and bodies with forces and masses on
-/// coordinates; others throw `bad_argument`.
 template <class S>
 const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
@@ -185,7 +188,6 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(c
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
-/// The same at q, v, a, which are put into the state.
 template <class S, indexable Q, indexable V, indexable A>
 const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
@@ -196,7 +198,7 @@ const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_s
 }
 
 namespace detail {
-/// After forward dynamics: (1) of dynamics/derivatives.hpp.
+/// After forward dynamics: (1).
 template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
                                                                         basic_runtime_state<S>& s) {
@@ -226,8 +228,6 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
 }
 }  // namespace detail
 
-/// Forward dynamics and its derivatives at the state's positions and rates under its inputs. As
-/// `forward_dynamics_derivatives` on a static chain, for chains as above.
 template <class S>
 const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s) {
@@ -237,7 +237,6 @@ const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(c
     return detail::accelerations_derived(c, s);
   });
 }
-/// The same at q, v, which are put into the state, under forces tau besides those of the chain's elements.
 template <class S, indexable Q, indexable V, indexable T>
 const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {

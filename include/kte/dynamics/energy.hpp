@@ -87,6 +87,9 @@ KTE_INLINE S checked_energy(const X& energy, const Blame& why = {"an energy"}) {
 ///   T = sum m |v_c|^2 / 2 + w . I w / 2 + sum m q_dot^2 / 2  =  v . M(q) v / 2          (1)
 ///
 /// over the bodies by the velocities of their frames, without M: a sum of what is not negative, so it keeps its digits.
+/// Of a runtime chain `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state
+/// s, of which the frames then are those of `doMotion`; bases move as it says. Arguments and errors as for
+/// `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
 auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
@@ -104,7 +107,8 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 ///
 ///   V = - gravity . sum m c + sum V_spring          (2)
 ///
-/// Elements have a part in it by a function `potential_energy`; dampers and motors have none.
+/// Elements have a part in it by a function `potential_energy`; dampers and motors have none. Of a runtime chain
+/// `potential_energy(c, s, q)`, or `potential_energy(c, s)`.
 template <class Gravity, class... E, indexable Q>
 auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
@@ -147,7 +151,6 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
 
 namespace kte {
 
-/// After doMotion, J.
 template <class S>
 S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
@@ -157,7 +160,6 @@ S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   for (const auto& e : c.wiring().elements) sum += e.element->kinetic_energy(s);
   return detail::checked_energy<S>(sum, detail::blame_state{"an energy", s});
 }
-/// Of springs, and of all bodies under the chain's gravity: zero at the origin. J.
 template <class S>
 S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);

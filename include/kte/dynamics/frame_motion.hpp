@@ -3,7 +3,10 @@
 
 #include <kte/dynamics/forward_kinematics.hpp>
 
-/// How a frame moves, and where all frames stand.
+/// How a frame moves, and where all frames stand; of static chains with bases at rest, of runtime chains with bases as
+/// the state has them. Frames are named by keys of static chains, by texts or handles of runtime chains, of which a
+/// text that names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is
+/// allocated.
 namespace kte {
 
 /// Where all frames of a chain stand, by name: `poses[elbow].position`, `poses[elbow].rotation`.
@@ -96,9 +99,11 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 }
 }  // namespace detail
 
-/// Where all frames stand, relative to a base at the origin: a table of rotations and positions (m), by name.
+/// Where all frames stand: of a static chain a table of rotations and positions (m), by name, relative to a base at the
+/// origin; of a runtime chain the state, of which all frames then are those of `doMotion`.
 ///
-///   auto poses = kte::forward_kinematics(arm, q);   poses[elbow].position.z
+///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
+///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z
 template <class Gravity, class... E, indexable Q>
 auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -119,7 +124,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
 
 /// The velocity of the origin of a frame (m/s) and its angular velocity (rad/s), in its own axes, bases at rest: the
 /// recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and frame
-/// and no others. It is `jacobian(c, q, frame)` times v.
+/// and no others. It is `jacobian(c, q, frame)` times v. Of a runtime chain `frame_velocity(c, s, q, v, "hand")`, or
+/// `frame_velocity(c, s, "hand")` at the positions and rates of the state s.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
 auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
   using namespace detail;
@@ -136,7 +142,9 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 
 /// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
 /// acceleration (rad/s^2), in its own axes, bases at rest, without gravity: (2), (3), (4) of `compose`. With the world
-/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v).
+/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Of a runtime chain
+/// `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`: without the gravity that bases have in the state
+/// (dynamics/detail/moved_in_world.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
 auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
   using namespace detail;
@@ -176,9 +184,6 @@ void check_poses(const basic_runtime_state<S>& s) {
 }
 }  // namespace detail
 
-/// All frames at the state's positions: in the state, which is returned.
-///
-///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position
 template <class S>
 const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s) {
   static_assert(detail::goes_through_passes<S>);
@@ -188,7 +193,6 @@ const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_r
   detail::check_poses(s);
   return s;
 }
-/// The same at q, which is put into the state.
 template <class S, indexable Q>
 requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c,
                                                                                basic_runtime_state<S>& s, const Q& q) {
@@ -217,8 +221,6 @@ linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>
 }
 }  // namespace detail
 
-/// The velocity and angular velocity of a frame in its own axes, as the state has bases and rates. Only the elements
-/// between the bases and the frame are evaluated.
 template <class S>
 linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
@@ -233,8 +235,6 @@ linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>&
   return detail::take(c, s, q, v).call([&] { return detail::velocity_of(c, s, x); });
 }
 
-/// The acceleration of a frame, classical, in its own axes, without gravity, which the bases have in the state and
-/// which is taken away here (dynamics/detail/moved_in_world.hpp).
 template <class S>
 linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);

@@ -55,11 +55,13 @@ struct some_accelerations {
 /// Body Dynamics Algorithms, 2008, section 9.2). known: for a prescribed coordinate its accelerations, for others the
 /// forces applied, as tau of `forward_dynamics`:
 ///
-///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));
+///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));      // static
+///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});              // runtime
 ///
 /// By the articulated-body algorithm, to which a prescribed joint is a link in motion; where coordinates follow others,
 /// or two joints share one, by the rows of M that belong to unknown accelerations. Then by inverse dynamics for the
-/// forces.
+/// forces. Returns a value; other arguments and errors as for `forward_dynamics`. A text that names no degree of
+/// freedom throws `bad_argument` or `unknown_name`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
 auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
                      prescribed_coordinates<Keys...>) {
@@ -117,9 +119,6 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 
 namespace kte {
 
-/// As `hybrid_dynamics` on a static chain: known accelerations of the coordinates named, forces on all others.
-///
-///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});
 template <class S, indexable Q, indexable V, indexable X>
 hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                           const V& v, const X& known,

@@ -139,14 +139,21 @@ KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
 ///
 /// A coordinate that others follow, or that several joints share, has the sum of their columns; where a joint does not
 /// move the frame there are zeros. Only the elements between base and frame are evaluated. A frame in the plane has
-/// rows of zeros for what lies out of it. q as for `inverse_dynamics`.
+/// rows of zeros for what lies out of it.
+///
+///   jacobian(c, q, hand)             of a static chain, a value
+///   jacobian(c, s, q, "hand")        of a runtime chain, a value; (c, s, "hand") at the positions of the state s
+///   jacobian(c, s, q, "hand", j)     the same into memory of the caller's, below
+///
+/// Names and errors as in dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
 auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   return detail::jacobian_of<false, Frame>(c, q);
 }
 
-/// The same in axes of the base, still at the origin of the frame ("local world aligned"): with the end of the joint
-/// standing at R_E, p_E in the base and the origin of the frame at p,
+/// The same in axes of the base, still at the origin of the frame ("local world aligned"); of a runtime chain in axes
+/// of the world, in which bases are given. With the end of the joint standing at R_E, p_E and the origin of the frame
+/// at p,
 ///
 ///   ( R_E s_v + R_E s_w x (p - p_E), R_E s_w )          (2)
 template <class Gravity, class... E, indexable Q, key_type Frame>

@@ -38,8 +38,8 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
 
 /// The inverse of the mass matrix, by the recursion of the articulated-body algorithm: column j is the acceleration
 /// that a unit force on degree of freedom j makes in the chain at rest, without gravity and other forces. M itself is
-/// formed (and factorised) only where coordinates follow others. q as for `inverse_dynamics`. Throws
-/// `singular_mass_matrix`.
+/// formed (and factorised) only where coordinates follow others. Arguments, results and errors as for `mass_matrix`, of
+/// both kinds of chain. Throws also `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q>
 auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -48,7 +48,6 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   return detail::inverse_mass<S>(c, at, detail::base_under_gravity(c));
 }
-/// The same at the positions of a state.
 template <class Gravity, class... E, class S>
 auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   const auto q = positions(s);
@@ -86,14 +85,12 @@ const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime
 }
 }  // namespace detail
 
-/// The inverse of the mass matrix at the state's positions. As `mass_matrix_inverse` on a static chain.
 template <class S>
 const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::inverse_of_masses(c, s);
 }
-/// The same at q, which is put into the state.
 template <class S, indexable Q>
 const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);

@@ -48,8 +48,9 @@ auto inertial_parameters(const static_chain<Gravity, E...>& c) {
 ///
 ///   v . (m a + al x h + w x (w x h)) + u . (I al + w x I w + h x a),   h = m c          (3)
 ///
-/// q, v, a as for `inverse_dynamics`, bases at rest. No heap, unless the matrix is larger than
-/// EIGEN_STACK_ALLOCATION_LIMIT.
+/// A value, of both kinds of chain; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a
+/// joint or link that is more than its `relative`, and for masses between several things. Of a static chain no heap,
+/// unless the matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;
@@ -63,7 +64,6 @@ auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V&
   return regressor_of<S>(c, at, each<S, V>{v}, each<S, A>{a}, rest_base_of<chain_type>(few, whole));
 }
 
-/// The same at the positions, rates and accelerations of a state, with its moving bases.
 template <class Gravity, class... E, class S>
 auto torque_regressor(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
@@ -133,7 +133,6 @@ runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s
 }
 }  // namespace detail
 
-/// As on static chains.
 Eigen::VectorXd inertial_parameters(const kte_map_chain& c);
 #ifdef KTE_FUNCTION
 KTE_FUNCTION Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
@@ -148,16 +147,12 @@ KTE_FUNCTION Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
 }
 #endif
 
-/// The regressor at the positions, rates and accelerations of a state, with its moving bases. As `torque_regressor` on
-/// a static chain. Throws `bad_argument` for a joint or link that is more than its `relative`, and for masses between
-/// several things.
 template <class S>
 runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_state_velocities(s);
   return detail::regressor_of(c, s);
 }
-/// The same at q, v, a, which are put into the state.
 template <class S, indexable Q, indexable V, indexable A>
 runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a) {
