@@ -32,7 +32,6 @@ class motion_aside {
 /// The forces of masses between several things on the degrees of freedom, at rest under the accelerations of the state.
 template <class Elements, class State>
 void forces_of_spread_masses(const Elements& c, State& s) {
-  using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
   bring_up_to_date(c, s);
