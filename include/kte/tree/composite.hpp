@@ -61,8 +61,8 @@ template <bool Bases, class P, class S>
 void carry_bodies(const forest<P>& f, memory<P, S>& m) {
   if constexpr (Bases)
     for (std::size_t b = 0; b < f.base_weight.size(); ++b) engine::assign(m.carried[b], f.base_weight[b]);
-  const record_bodies<P, S> bodies(f, m.spots);
-  engine::composite_inertias<Bases, dense_composite<S>>(engine::looped<record_bodies<P, S>>{bodies}, m.carried.data());
+  const placed_bodies<P, S> bodies(f, m.spots);
+  engine::composite_inertias<Bases, dense_composite<S>>(engine::looped<placed_bodies<P, S>>{bodies}, m.carried.data());
 }
 
 /// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
