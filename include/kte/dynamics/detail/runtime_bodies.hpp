@@ -62,7 +62,7 @@ template <class S>
 void carry_bodies(const kte_map_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
   place_in_world(s);
-  tree::carry_bodies(s.tree().forest, s.work, true);
+  tree::carry_bodies<true>(s.tree().forest, s.work);
 }
 /// The same where bodies are all there is.
 template <class S>
