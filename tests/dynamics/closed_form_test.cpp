@@ -20,7 +20,7 @@ inline constexpr struct motor_ final : input_key<"motor">    {} motor;
 // clang-format on
 }  // namespace
 
-TEST_CASE("double pendulum") {
+TEST_CASE("double pendulum", "[laws]") {
   constexpr double m1 = 1.3, m2 = 0.7, l1 = 0.9, l2 = 1.2, g = 9.81;
   constexpr auto c =
       chain(revolute_joint_2D(q1, base, arm1), rigid_link_2D(arm1, end1, along_x(l1)), inertia_2D(end1, point_mass(m1)),

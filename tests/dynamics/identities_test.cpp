@@ -49,7 +49,7 @@ void check_identities(const Chain& c, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics") {
+TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics", "[laws]") {
   check_identities(pendulum, 1);
   check_identities(tree, 2);
   check_identities(robots::iiwa14, 3);
