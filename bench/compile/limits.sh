@@ -1,3 +1,4 @@
+# shellcheck shell=sh
 # Sourced by gate.sh, runtime.sh, docs.sh and registers.sh, which compare what they count with a file of limits beside
 # them; with the argument `record` they write that file anew.
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -12,7 +13,7 @@ allowed() { echo $(($1 * 21 / 20)); }
 
 # limits_of FILE KEY NAME ...: begins, with the names of the columns.
 limits_of() {
-  limits=$root/bench/compile/$1 over=
+  limits=$root/bench/compile/$1 over=""
   grep '^#' "$limits" >"$work/limits"
   printf '%-32s' "$2"
   shift 2
@@ -21,7 +22,7 @@ limits_of() {
 }
 # compare KEY "COUNT ..." "MOST ...": one row.
 compare() {
-  key=$1 counts=$2 row= new=
+  key=$1 counts=$2 row="" new=""
   # shellcheck disable=SC2086
   set -- $3
   for count in $counts; do
