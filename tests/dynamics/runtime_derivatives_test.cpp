@@ -117,14 +117,14 @@ TEST_CASE("derivatives of runtime chains with forces between frames") {
 }
 
 TEST_CASE("derivatives of runtime chains in which coordinates follow others") {
-  check_derivatives(kte::test::geared, 14);
+  check_derivatives(kte::test::small_chains::geared, 14);
 }
 
 TEST_CASE("the inverse of the mass matrix of runtime chains") {
   SECTION("in space, with springs between frames") { check_inverse(tree_3D, 4, base, cart, motor); }
   SECTION("in the plane, with springs between frames") { check_inverse(tree_2D, 5, floor_2D, wall, motor); }
   SECTION("rotors") { check_inverse(rotors, 6, base, drive, motor, pull); }
-  SECTION("coordinates that follow others") { check_inverse(kte::test::geared, 7); }
+  SECTION("coordinates that follow others") { check_inverse(kte::test::small_chains::geared, 7); }
 }
 
 TEST_CASE("hybrid dynamics of runtime chains") {
@@ -132,25 +132,27 @@ TEST_CASE("hybrid dynamics of runtime chains") {
   SECTION("nothing") { check_hybrid(tree_3D, 9); }
   SECTION("a mass without a joint, and a joint beside a given coordinate") { check_hybrid(rotors, 10, lone, q1); }
   SECTION("in the plane") { check_hybrid(tree_2D, 11, sliding, q2); }
-  SECTION("coordinates that follow others") { check_hybrid(kte::test::geared, 15, kte::test::q1); }
+  SECTION("coordinates that follow others") {
+    check_hybrid(kte::test::small_chains::geared, 15, kte::test::small_chains::q1);
+  }
 }
 
 TEST_CASE("hybrid dynamics where coordinates follow others is between inverse and forward dynamics") {
-  const auto& model = kte::test::geared;
+  const auto& model = kte::test::small_chains::geared;
   random_numbers random(16);
   for (int round = 0; round < 20; ++round) {
     const trial<std::remove_cvref_t<decltype(model)>> x(random);
     const auto a = forward_dynamics(model, x.q, x.v, x.tau);
     joint_vector<double, 2> known = x.tau;
     known[0] = a[0];
-    const auto r = hybrid_dynamics(model, x.q, x.v, known, prescribed(kte::test::q1));
+    const auto r = hybrid_dynamics(model, x.q, x.v, known, prescribed(kte::test::small_chains::q1));
     CHECK(r.a[0] == a[0]);
     CHECK(r.tau[1] == x.tau[1]);
     // Forces are sums of terms of the size of M a.
     const double size = 1 + largest(a) * largest(mass_matrix(model, x.q)) / largest(x.tau);
     CHECK(gap(r.tau, x.tau) < both_errors * size);
     CHECK(gap(r.a, a) < both_errors * size);
-    const auto all = hybrid_dynamics(model, x.q, x.v, x.a, prescribed(kte::test::q1, kte::test::q2));
+    const auto all = hybrid_dynamics(model, x.q, x.v, x.a, prescribed(kte::test::small_chains::q1, kte::test::q2));
     CHECK(all.a == x.a);
     CHECK(gap(all.tau, inverse_dynamics(model, x.q, x.v, x.a)) < both_errors);
   }
