@@ -8,7 +8,7 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct plot_options {
   std::string recording, out, width;
   std::vector<std::string> columns;
   std::optional<double> from, to, height;
@@ -16,7 +16,7 @@ struct options {
   bool each = false, one = false;
 };
 
-int plot(options& o) {
+int plot(plot_options& o) {
   if (o.each && o.one) throw usage_error("--each and --one are one too many");
   if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::together;
   if (o.from) o.plot.from = *o.from;
@@ -35,7 +35,7 @@ int plot(options& o) {
 }  // namespace
 
 void add_plot(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<plot_options>();
   line.add("plot", "columns of a recording as SVG",
            "Plots columns of a recording over time, as SVG with units on its axes. The name of a vector stands for its "
            "components; without names all columns are plotted.")

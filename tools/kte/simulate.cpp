@@ -22,7 +22,7 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct simulate_options {
   reading in;
   run_settings run{"dormand_prince45"};
   std::string start, configuration, pd, input, record;
@@ -35,7 +35,7 @@ struct options {
 struct initial_state {
   Eigen::VectorXd q, v;
 
-  initial_state(const options& o, const mechanism& m, const kte::kte_map_chain& c)
+  initial_state(const simulate_options& o, const mechanism& m, const kte::kte_map_chain& c)
       : q(kte::neutral_configuration(c)), v(Eigen::VectorXd::Zero(c.dofs())) {
     if (!o.configuration.empty()) take_configuration(o.configuration, m);
     if (o.start.empty()) return;
@@ -118,7 +118,7 @@ struct summary {
 
 double total(const kte::energies<>& e) { return e.kinetic + e.potential; }
 
-std::string text_of(const options& o, const mechanism& m, const summary& s) {
+std::string text_of(const simulate_options& o, const mechanism& m, const summary& s) {
   const auto& n = s.run.statistics;
   const auto energy = [](const char* when, const kte::energies<>& e) {
     return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
@@ -145,7 +145,7 @@ std::string text_of(const options& o, const mechanism& m, const summary& s) {
   return t;
 }
 
-std::string json_of(const options& o, const mechanism& m, const summary& s) {
+std::string json_of(const simulate_options& o, const mechanism& m, const summary& s) {
   const auto list = [](const Eigen::VectorXd& x) { return std::vector<double>(x.data(), x.data() + x.size()); };
   const auto& n = s.run.statistics;
   json_writer j;
@@ -163,7 +163,7 @@ std::string json_of(const options& o, const mechanism& m, const summary& s) {
   return j.end().member("q", list(s.q)).member("v", list(s.v)).end().text();
 }
 
-void check_settings(const options& o) {
+void check_settings(const simulate_options& o) {
   const auto positive = [](const char* name, double x) {
     if (!(x > 0)) throw usage_error(std::string(name) + " must be greater than 0, not " + short_number(x));
   };
@@ -181,7 +181,7 @@ struct drives {
   Eigen::VectorXd constant;  ///< inputs that the model file has
 };
 
-int simulate(options& o) {
+int simulate(simulate_options& o) {
   check_settings(o);
   auto m = read_and_warn(o.in);
   if (o.motors) {
@@ -264,7 +264,7 @@ int simulate(options& o) {
 }  // namespace
 
 void add_simulate(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<simulate_options>();
   add_reading(line.add("simulate", "lets it move, and records how",
                        "Integrates the equations of motion, by gravity alone or under control, and prints energies and "
                        "the state at the end. On a terminal a bar shows how far it is."),

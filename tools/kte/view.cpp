@@ -10,14 +10,14 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct view_options {
   reading in;
   std::string out, title;
   std::vector<std::string> recordings;
   bool open = false;
 };
 
-int view(options& o) {
+int view(view_options& o) {
   const auto m = read_and_warn(o.in);
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
   kte::page_options page;
@@ -34,7 +34,7 @@ int view(options& o) {
 }  // namespace
 
 void add_view(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<view_options>();
   add_reading(line.add("view", "a page that shows it, moving",
                        "Writes one HTML file, without any network access, that shows the mechanism in a browser: with "
                        "sliders, or moving as recordings say, several over each other."),
