@@ -31,13 +31,13 @@ std::string text_of(const controls& c) {
 std::string text_of(const shown& s) {
   std::vector<float> numbers;
   const auto put = [&numbers](double x) { numbers.push_back(static_cast<float>(x)); };
-  for (std::size_t k = 0; k < s.poses.size(); k += 12) {
-    const double *p = &s.poses[k], *r = p + 3;
+  for (std::size_t k = 0; k < s.numbers.poses.size(); k += 12) {
+    const double *p = &s.numbers.poses[k], *r = p + 3;
     const auto q = to_quaternion(mat3<vec3<>>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}});
     for (const double x : {p[0], p[1], p[2], q.w, q.x, q.y, q.z}) put(x);
   }
-  for (const double x : s.q) put(x);
-  for (const double x : s.columns) put(x);
+  for (const auto* const list : {&s.numbers.q, &s.numbers.v, &s.numbers.signals, &s.numbers.cells})
+    for (const double x : *list) put(x);
   view::json_text j;
   j.open_object();
   j.key("t"), j.number(s.t), j.key("rows"), j.number(static_cast<double>(s.rows));

@@ -18,6 +18,7 @@ struct thing_source {
   kind what;
   int slot;
   std::vector<const std::vector<double>*> columns;  ///< none: the time
+  bool rates = false;                               ///< of a coordinate
 };
 struct replay_plan {
   std::vector<thing_source> sources;
@@ -28,9 +29,10 @@ struct replay_plan {
 /// A scene with one recording that grows row by row: what `scene_recording` is, whatever the chain.
 class recorded_scene {
  public:
-  /// A row: of each track the position and the matrix of the rotation by rows; q; v; the cells.
+  /// A row: of each track the position and the matrix of the rotation by rows; q; v; inputs, vectors and internal
+  /// states; the cells.
   struct row_numbers {
-    std::vector<double> poses, q, v, cells;
+    std::vector<double> poses, q, v, signals, cells;
   };
 
   /// The scene with what was recorded so far.
@@ -42,6 +44,7 @@ class recorded_scene {
   /// Where to read a row from.
   const std::vector<detail::thing_place>& tracked() const { return tracked_; }
   const std::vector<detail::thing_place>& freedoms() const { return freedoms_; }
+  const std::vector<detail::thing_place>& signals() const { return signals_; }
   const std::vector<detail::recorded>& cells() const { return cells_; }
   /// What a row takes from a table; the columns that nothing takes are added as they are. Throws `unknown_name` for
   /// coordinates that have no columns, `bad_argument` for numbers and times that cannot be.
@@ -54,10 +57,12 @@ class recorded_scene {
 
  private:
   scene scene_;
-  std::vector<detail::thing_place> tracked_, freedoms_;
+  std::vector<detail::thing_place> tracked_, freedoms_, signals_;
   std::vector<detail::recorded> cells_;
   row_numbers row_;
-  bool broken_ = false;  ///< whether there were numbers that are not finite
+  bool broken_ = false;            ///< whether there were numbers that are not finite
+  bool knows_v_ = true;            ///< whether v is known
+  std::vector<bool> unknown_signals_;  ///< of a table
 };
 
 }  // namespace kte
