@@ -30,9 +30,10 @@ class acting {
     pass();
   }
   /// Of what was recorded: v, and the numbers of inputs, vectors and internal states. What is not known is NaN, and so
-  /// are loads that depend on it. Throws `bad_argument` for wrong sizes.
+  /// are loads that depend on it; so are accelerations where something else acted (free = false). Throws `bad_argument`
+  /// for wrong sizes.
   template <indexable Q, indexable V, indexable Signals>
-  void at(double t, const Q& q, const V& v, const Signals& signals) {
+  void at(double t, const Q& q, const V& v, const Signals& signals, bool free = true) {
     if (v.size() != static_cast<std::size_t>(model_.dofs()) || signals.size() != signal_count())
       throw bad_argument("kte: " + std::to_string(v.size()) + " velocities and " + std::to_string(signals.size()) +
                          " signals, not " + std::to_string(model_.dofs()) + " and " + std::to_string(signal_count()));
@@ -47,7 +48,7 @@ class acting {
     }
     for (int i = 0; i < z.size(); ++i) z[i] = signals[signals.size() - static_cast<std::size_t>(z.size() - i)];
     const auto x = model_.make_x(q, v, z);
-    if (x.allFinite() && u.allFinite()) return model_.setInput(u), at(t, x);
+    if (free && x.allFinite() && u.allFinite()) return model_.setInput(u), at(t, x);
     set_positions(state_, x.head(model_.nq()).eval());
     set_velocities(state_, x.segment(model_.nq(), model_.dofs()).eval());
     set_accelerations(state_, Eigen::VectorXd::Constant(model_.dofs(), unknown).eval());

@@ -142,13 +142,13 @@ KTE_EXPORT(kte_state) int state() {
 }
 /// q, v and signals, of so many numbers each, at a time to the loads in the mechanism: how many they are; of each the
 /// element, 1 on a frame and 0 on a coordinate, which of these, a force and a torque; of each track the reaction, a
-/// force and a torque. Without v and signals: at rest.
-KTE_EXPORT(kte_loads) int loads(std::size_t nq, std::size_t nv, std::size_t signals, double t) {
+/// force and a torque. Without v and signals: at rest. Not free: where something else acted too.
+KTE_EXPORT(kte_loads) int loads(std::size_t nq, std::size_t nv, std::size_t signals, double t, int free) {
   return guarded([&] {
     auto& p = loaded();
     put_loads(nv + signals == 0 && p.shown().model().dofs() > 0
                   ? p.loads_at_rest(numbers(0, nq))
-                  : p.loads(t, numbers(0, nq), numbers(nq, nv), numbers(nq + nv, signals)));
+                  : p.loads(t, numbers(0, nq), numbers(nq, nv), numbers(nq + nv, signals), free != 0));
   });
 }
 /// The same of the simulation as it is now.

@@ -87,16 +87,17 @@ class Engine {
 
   /// What acts in the mechanism at q, v and signals: the numbers of inputs, of vectors (three each) and of internal states,
   /// in the order in which they come first in the model. What is not known is NaN, and so are loads that depend on it.
-  /// Without v and signals at rest, with inputs as in the file.
+  /// Without v and signals at rest, with inputs as in the file. free = false: something else acted as well, and so
+  /// accelerations are not known.
   ///
   ///   loads      [{ element, frame or coordinate: which of those of the element, force, torque }]
   ///   reactions  [{ force, torque }] of each tracked frame: of the joint or link that moves it on what is beyond
   ///
   /// On frames in axes of the world, at their origin; on coordinates of one number force[0], N or Nm, on others in the axes
   /// of the frame that moves by them. A pull is the element after those of the model.
-  loads(q, v = [], signals = [], t = 0) {
+  loads(q, v = [], signals = [], t = 0, free = true) {
     this.#put_numbers([...q, ...v, ...signals]);
-    this.#call("kte_loads", q.length, v.length, signals.length, t);
+    this.#call("kte_loads", q.length, v.length, signals.length, t, free ? 1 : 0);
     return this.#take_loads();
   }
   /// The same of the simulation as it is now, damping included.

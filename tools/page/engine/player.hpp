@@ -53,9 +53,9 @@ class player {
   /// The loads of a recorded state (`acting::at`), with the pull, which is the element after those of the model. Valid
   /// until the next call, as the others.
   template <indexable Q, indexable V, indexable Signals>
-  const acting& loads(double t, const Q& q, const V& v, const Signals& signals) {
+  const acting& loads(double t, const Q& q, const V& v, const Signals& signals, bool free) {
     if (!recorded_) recorded_.emplace(shown_.acting_in(shown_.modelled(with_pull())));
-    recorded_->at(t, q, v, signals);
+    recorded_->at(t, q, v, signals, free);
     return *recorded_;
   }
   /// At rest, with inputs as in the file.

@@ -43,8 +43,12 @@ export class Pull {
   }
 
   release() {
-    if (this.frame >= 0) this.engine.pull(null);
+    if (this.frame >= 0) this.end();
     this.frame = -1;
+  }
+
+  end() {
+    this.engine.pull(null);
   }
 
   get active() { return this.frame >= 0; }
