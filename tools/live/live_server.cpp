@@ -58,6 +58,6 @@ void live_server::say(std::string_view text) { parts_->session.say(text); }
 void live_server::stop() { parts_->session.stop(); }
 
 page_pull live_server::pull() const { return parts_->session.pull(); }
-void live_server::publish(double t, const recorded_scene::row_numbers& row) { parts_->session.publish(t, row); }
+void live_server::publish(double t, const scene_row& row) { parts_->session.publish(t, row); }
 
 }  // namespace kte

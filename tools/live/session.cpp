@@ -104,9 +104,9 @@ void session::stop() {
   for_program_.notify_all();
 }
 
-void session::publish(double t, const recorded_scene::row_numbers& row) {
+void session::publish(double t, const scene_row& row) {
   const lock l(mutex_);
-  shown_.t = t, shown_.numbers = row;
+  shown_.t = t, shown_.numbers = row, shown_.pull = pull_now();
   if (controls_.recording) {
     recording_.add(t, row.cells);
     shown_.rows = recording_.rows();
@@ -177,8 +177,9 @@ void session::release() {
 }
 page_pull session::pull() const {
   const lock l(mutex_);
-  return clock::now() - pulled_at_ < hold ? pull_ : page_pull();
+  return pull_now();
 }
+page_pull session::pull_now() const { return clock::now() - pulled_at_ < hold ? pull_ : page_pull(); }
 recording_rows session::recorded() const {
   const lock l(mutex_);
   return recording_;

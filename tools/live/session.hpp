@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/view/recorded_scene.hpp>
+#include <kte/view/scene_row.hpp>
 
 #include <chrono>
 #include <condition_variable>
@@ -29,7 +29,8 @@ struct controls {
 /// The newest state.
 struct shown {
   double t = 0;
-  recorded_scene::row_numbers numbers;
+  scene_row numbers;
+  page_pull pull;
   std::size_t rows = 0;                   ///< of the recording then
 };
 
@@ -49,7 +50,7 @@ class session {
   bool wait_for_page();
   void say(std::string_view text);
   void stop();
-  void publish(double t, const recorded_scene::row_numbers& row);
+  void publish(double t, const scene_row& row);
   page_pull pull() const;
   std::size_t pages() const;
 
@@ -95,6 +96,8 @@ class session {
  private:
   using clock = std::chrono::steady_clock;
   void changed_controls();
+  /// What is pulled, while a page says so.
+  page_pull pull_now() const;
 
   mutable std::mutex mutex_;
   std::condition_variable for_program_, for_pages_;

@@ -21,7 +21,7 @@ class live_rows : public scene_recording<Chain> {
     base::row(0.0, s);
   }
   template <class State>
-  const recorded_scene::row_numbers& read(const State& s) {
+  const scene_row& read(const State& s) {
     return base::numbers_of(s);
   }
 

@@ -2,7 +2,8 @@
 
 #include <kte/view/live_options.hpp>
 #include <kte/view/page_pull.hpp>
-#include <kte/view/recorded_scene.hpp>
+#include <kte/view/scene.hpp>
+#include <kte/view/scene_row.hpp>
 
 #include <memory>
 #include <string_view>
@@ -58,7 +59,7 @@ class live_server {
   /// make no sense, and for a port where it cannot listen.
   live_server(const scene& s, const live_options& options);
 
-  void publish(double t, const recorded_scene::row_numbers& row);
+  void publish(double t, const scene_row& row);
 
  private:
   struct parts;

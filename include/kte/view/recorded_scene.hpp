@@ -4,6 +4,7 @@
 #include <kte/view/detail/chain_parts.hpp>
 #include <kte/view/options.hpp>
 #include <kte/view/scene.hpp>
+#include <kte/view/scene_row.hpp>
 
 namespace kte {
 
@@ -29,12 +30,6 @@ struct replay_plan {
 /// A scene with one recording that grows row by row: what `scene_recording` is, whatever the chain.
 class recorded_scene {
  public:
-  /// A row: of each track the position and the matrix of the rotation by rows; q; v; inputs, vectors and internal
-  /// states; the cells.
-  struct row_numbers {
-    std::vector<double> poses, q, v, signals, cells;
-  };
-
   /// The scene with what was recorded so far.
   const scene& contents() const { return scene_; }
 
@@ -51,7 +46,7 @@ class recorded_scene {
   detail::replay_plan replay(const detail::chain_parts& chain, const table& numbers);
 
   /// A row to be filled.
-  row_numbers& blank() { return row_; }
+  scene_row& blank() { return row_; }
   /// Takes the row.
   void add(double t);
 
@@ -59,7 +54,7 @@ class recorded_scene {
   scene scene_;
   std::vector<detail::thing_place> tracked_, freedoms_, signals_;
   std::vector<detail::recorded> cells_;
-  row_numbers row_;
+  scene_row row_;
   bool broken_ = false;            ///< whether there were numbers that are not finite
   bool knows_v_ = true;            ///< whether v is known
   std::vector<bool> unknown_signals_;  ///< of a table

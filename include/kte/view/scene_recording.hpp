@@ -44,9 +44,9 @@ class scene_recording : public recorded_scene {
   }
 
  protected:
-  /// Of the state, in the order of `row_numbers`.
+  /// Of the state, in the order of `scene_row`.
   template <class State>
-  const recorded_scene::row_numbers& numbers_of(const State& s) {
+  const scene_row& numbers_of(const State& s) {
     check(s);
     auto& numbers = blank();
     double* out = numbers.poses.data();
