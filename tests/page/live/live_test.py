@@ -8,7 +8,7 @@ import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-import browser
+from page_case import WindowTest
 
 
 class Program:
@@ -38,15 +38,7 @@ class Program:
         self.process.stdout.close()
 
 
-class LiveTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.window = browser.Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.window.close()
-
+class LiveTest(WindowTest):
     def setUp(self):
         self.program = Program(program)
         self.window.driver.get(self.program.url)
@@ -55,21 +47,6 @@ class LiveTest(unittest.TestCase):
     def tearDown(self):
         self.program.end()
 
-    def run_script(self, script, *arguments):
-        return self.window.run(script, *arguments)
-
-    def text(self, identifier):
-        return self.run_script('return document.getElementById(arguments[0]).textContent', identifier)
-
-    def click(self, identifier):
-        self.run_script('document.getElementById(arguments[0]).click()', identifier)
-
-    def slide(self, value):
-        self.run_script('''
-            const slider = document.querySelector('#sliders input');
-            slider.value = arguments[0];
-            slider.dispatchEvent(new Event('input'));''', str(value))
-
     def tip(self):
         """Where the tip is in the page's picture."""
         return self.run_script('''
@@ -77,8 +54,8 @@ class LiveTest(unittest.TestCase):
             return [...kte_page.poses.world.slice(7 * i, 7 * i + 3)];''')
 
     def test_mechanism_moves_in_step_with_the_program(self):
-        self.assertEqual(self.text('title'), 'Live </script> arm')
-        self.assertEqual(self.text('tab-move'), 'Live')
+        self.assertEqual(self.text('#title'), 'Live </script> arm')
+        self.assertEqual(self.text('#tab-move'), 'Live')
         first = self.tip()
         self.window.wait(f'Math.abs(kte_page.poses.world[7 * kte_page.scene.frames.findIndex((f) => f.name === "tip") + 1] - {first[1]}) > 0.1')
         x, y, _ = self.tip()
@@ -88,23 +65,23 @@ class LiveTest(unittest.TestCase):
 
     def test_slider_sets_a_value_of_the_program(self):
         self.assertEqual(self.run_script("return document.querySelector('#sliders .name').textContent"), 'angle </script>')
-        self.slide(0.5)
+        self.slide('#sliders input', 0.5)
         self.program.printed('angle 0.5')
-        self.slide(-0.25)
+        self.slide('#sliders input', -0.25)
         self.program.printed('angle -0.25')
         self.assertEqual(self.window.console(), [])
 
     def test_pause_and_reset(self):
-        self.click('live-run')
+        self.click('#live-run')
         self.window.wait("document.getElementById('live-run').textContent === 'Run'")
         self.window.wait("document.getElementById('live-state').textContent.endsWith('paused')")
         self.window.wait('kte_page.simulation.running === false')
         time_there = self.run_script('return kte_page.simulation.time')
         self.assertGreater(time_there, 0)
-        self.click('live-reset')
+        self.click('#live-reset')
         self.program.printed('reset 1')
         self.window.wait('kte_page.simulation.time === 0')
-        self.click('live-run')
+        self.click('#live-run')
         self.window.wait('kte_page.simulation.time > 0.1')
         self.assertEqual(self.window.console(), [])
 
@@ -114,15 +91,15 @@ class LiveTest(unittest.TestCase):
         self.window.wait("document.getElementById('live-run').textContent === 'Run'")
         self.window.wait('kte_page.sources.mode === "play"')
         self.assertAlmostEqual(self.run_script('return kte_page.player.time'), self.run_script('return kte_page.recording.start'))
-        self.click('live-run')
+        self.click('#live-run')
         self.window.wait('kte_page.sources.mode === "simulate" && kte_page.simulation.running')
         self.assertEqual(self.window.console(), [])
 
     def test_recording_is_saved(self):
-        self.click('live-record')
+        self.click('#live-record')
         self.window.wait("document.getElementById('live-recording').textContent.startsWith('Recording: ')")
         self.window.wait('kte_page.panel.row_count > 20')
-        self.click('live-record')
+        self.click('#live-record')
         self.window.wait("document.querySelector('#live-recording a')")
         csv = self.window.driver.execute_async_script("const done = arguments[0]; fetch('recording.csv').then((r) => r.text()).then(done)")
         self.assertTrue(csv.startswith('t,q,q/v\n'))

@@ -33,7 +33,10 @@ export class LoadsPanel {
     this.state = element('p', { class: 'hint', id: 'loads-state', role: 'status' });
     this.rows = element('ul', { class: 'loads' });
     this.list = element('details', { id: 'loads-list' }, element('summary', { text: 'List' }), this.rows);
-    this.list.addEventListener('toggle', () => this.fill());
+    this.list.addEventListener('toggle', () => {
+      this.fill();
+      this.point(null);
+    });
     this.options = element('div', { hidden: true }, ...kinds,
       element('div', { class: 'slider' }, element('span', { text: 'Length of arrows' }), this.output, slider), this.state, this.list);
     const name = element('span', { text: 'Forces and torques as arrows' });
@@ -82,7 +85,7 @@ export class LoadsPanel {
     });
     const more = this.loads.shown_items.length - items.length;
     this.rows.replaceChildren(...this.filled.map(({ row }) => element('li', {}, row)), ...(more > 0 ? [element('li', { class: 'hint', text: `and ${more} more` })] : []));
-    this.updated = 0;
+    this.loads.stale = true;
   }
 
   update(now, why) {
