@@ -1,5 +1,6 @@
 """A page of a program that runs (kte::live_page), in a headless Chromium: python3 live_test.py PROGRAM."""
 
+import math
 import pathlib
 import subprocess
 import sys
@@ -69,6 +70,39 @@ class LiveTest(WindowTest):
         self.program.printed('angle 0.5')
         self.slide('#sliders input', -0.25)
         self.program.printed('angle -0.25')
+        self.assertEqual(self.window.console(), [])
+
+    def test_a_drag_pulls_a_body_of_the_program(self):
+        self.run_script('kte_page.player.speed = 0.05')  # or the tip is not where it was
+        self.window.wait('kte_page.controls.speed === 0.05')
+        tip = self.tip()
+        x, y = self.middle(tip)
+        self.drag((x, y), self.middle([tip[0], tip[1] + 0.3, 0]))
+        frame, point, target = self.run_script("const { frame, point, target } = kte_page.pull; return [frame, [...point], target.toArray()]")
+        self.assertEqual(self.run_script('return kte_page.scene.frames[arguments[0]].name', frame), 'joint')
+        self.assertTrue(self.run_script('return kte_page.picture.pull_line.object.visible'))
+        self.program.printed(f'pull joint at {point[0]:.3f} {point[1]:.3f} to {target[0]:.3f} {target[1]:.3f}')
+        self.window.wait('kte_page.simulation.pull?.frame === "joint"')
+        time.sleep(2.5)
+        self.assertNotIn('released\n', self.program.lines, 'it holds on')
+        self.window.mouse('mouseReleased', x, y)
+        self.program.printed('released')
+        self.window.wait('kte_page.simulation.pull === null && !kte_page.picture.pull_line.object.visible')
+        self.assertEqual(self.window.console(), [])
+
+    def test_forces_are_shown(self):
+        self.window.key('v')
+        self.window.wait('kte_page.acting.loads.engine && kte_page.acting.loads.arrows.length === 1')
+        self.click('#loads-reactions')
+        self.window.wait('kte_page.acting.loads.arrows.length === 2')
+        # of 1 kg at 1 m
+        force, q, v, a = self.run_script("""
+            const { engine, arrows } = kte_page.acting.loads, { q, v, signals } = kte_page.simulation;
+            const at = engine.loads(q, v, signals), track = kte_page.scene.frames.find((f) => f.name === 'joint').track;
+            return [at.reactions[track].force, q[0], v[0], engine.accelerations(q, v)[0]];""")
+        x, y = math.cos(q), math.sin(q)
+        for got, wanted in zip(force, (-a * y - v * v * x, a * x - v * v * y + 9.81, 0)):
+            self.assertAlmostEqual(got, wanted, places=4)
         self.assertEqual(self.window.console(), [])
 
     def test_pause_and_reset(self):
