@@ -105,7 +105,7 @@ class Forces(PageTest):
         self.assertGreater(at(0, -0.1)[2], at(0, -0.1)[1] + 60)
         self.assertFalse(far(at(0, -0.22), ground))
         self.drawn()
-        self.assertEqual(self.text('#loads .slider output'), f'0.1 m: {0.1 * 9.81 / 0.35 * 10**0.3:.2f} N')
+        self.assertEqual(self.text('#loads .slider output'), f'0.1 m = {0.1 * 9.81 / 0.35 * 10**0.3:.2f} N')
 
     def test_torques_are_arcs(self):
         self.open()

@@ -83,7 +83,8 @@ TEST_CASE("pages pull frames, and let them go") {
   CHECK(pull.damping == within(2 * 0.4 * 4 * 9, 1e-12));
   auto s = p.chain.make_state();
   p.chain.doMotion(s), page.show(1, s);
-  CHECK_THAT(client.event("state"), contains_text(R"("pull":{"frame":"arm","point":[0.25,0,0],"target":[0.5,-0.1,0],)"));
+  CHECK_THAT(client.event("state"),
+             contains_text(R"("pull":{"frame":"arm","point":[0.25,0,0],"target":[0.5,-0.1,0],)"));
   CHECK(status_of(at.post("release")) == "204");
   CHECK(page.pull().frame.empty());
   REQUIRE(status_of(at.post(request("1", "0", "0"))) == "204");

@@ -139,8 +139,8 @@ void server::post(const std::string& what, const Request& in, Response& out) {
   if (what == "release") return session_.release();
   if (what != "slider" && what != "speed" && what != "pull") return say(out, 404, "there is nothing here");
   if (!set_numbers(what, in))
-    say(out, 400, "there is no such " + std::string(what == "pull" ? "frame" : "slider") +
-                      ", or a number is out of its limits");
+    say(out, 400,
+        "there is no such " + std::string(what == "pull" ? "frame" : "slider") + ", or a number is out of its limits");
 }
 bool server::set_numbers(const std::string& what, const Request& in) {
   if (what == "pull") {

@@ -31,7 +31,7 @@ struct shown {
   double t = 0;
   scene_row numbers;
   page_pull pull;
-  std::size_t rows = 0;                   ///< of the recording then
+  std::size_t rows = 0;  ///< of the recording then
 };
 
 /// What the program and its pages share. The program puts states and asks what the pages say; the threads of pages wait

@@ -55,8 +55,8 @@ class recorded_scene {
   std::vector<detail::thing_place> tracked_, freedoms_, signals_;
   std::vector<detail::recorded> cells_;
   scene_row row_;
-  bool broken_ = false;            ///< whether there were numbers that are not finite
-  bool knows_v_ = true;            ///< whether v is known
+  bool broken_ = false;                ///< whether there were numbers that are not finite
+  bool knows_v_ = true;                ///< whether v is known
   std::vector<bool> unknown_signals_;  ///< of a table
 };
 

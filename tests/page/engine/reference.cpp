@@ -224,6 +224,7 @@ std::string acting() {
 int main() {
   std::cout << "{\"elements\":" << list_of_texts(kte::element_registry::standard().types()) << ",\"cases\":[\n"
             << iiwa14();
-  for (const auto& one : {solo12(), pendulum(), elastic(), stiff(), switching(), inputs(), acting()}) std::cout << ",\n" << one;
+  for (const auto& one : {solo12(), pendulum(), elastic(), stiff(), switching(), inputs(), acting()})
+    std::cout << ",\n" << one;
   std::cout << "]}\n";
 }

@@ -1,5 +1,5 @@
-/// A mechanism that turns by a slider, for live_test.py: prints its address, what the slider says, and what is pulled, and
-/// ends with its input, or after two minutes.
+/// A mechanism that turns by a slider, for live_test.py: prints its address, what the slider says, and what is pulled,
+/// and ends with its input, or after two minutes.
 #include <kte/kte.hpp>
 #include <kte/view/live_page.hpp>
 

@@ -3,6 +3,8 @@
 #include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
+#include "thing_loads.hpp"
+
 namespace kte::page {
 
 using dynamics_model = manipulator_dynamics_model<kte_map_chain>;
@@ -13,7 +15,7 @@ struct exerted {
   std::size_t element;
   bool on_frame;
   int which;
-  wrench<vec3<>, vec3<>> load;
+  kte::page::load load;
 };
 
 /// The loads in a mechanism at a state: of its elements, one by one, and of its joints.
@@ -73,10 +75,9 @@ class acting {
 
   const std::vector<exerted>& loads() const { return loads_; }
   /// By which the joint or link that moves each frame acts on what is beyond it, in axes of the world.
-  const std::vector<wrench<vec3<>, vec3<>>>& reactions() const { return reactions_; }
+  const std::vector<load>& reactions() const { return reactions_; }
 
  private:
-  using load = wrench<vec3<>, vec3<>>;
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   std::size_t signal_count() const { return signal_count(model_); }
@@ -93,33 +94,6 @@ class acting {
         state_.get<kind::input>(s.slot) = s.u >= 0 ? u[s.u] : t;
   }
 
-  // ---- things that carry loads
-  static vec3<> three(const vec2<>& v) { return {v.x, v.y, 0}; }
-  static vec3<> three(const vec3<>& v) { return v; }
-  static vec3<> three(double about_z) { return {0, 0, about_z}; }
-  static void put(vec2<>& to, const vec3<>& v) { to = {v.x, v.y}; }
-  static void put(vec3<>& to, const vec3<>& v) { to = v; }
-  static void put(double& to, const vec3<>& about_z) { to = about_z.z; }
-  template <class X>
-  static load load_on(const X& x) {
-    load w{};
-    if constexpr (requires { x.f; }) w.force.x = x.f;
-    if constexpr (requires { x.force; }) w.force = three(x.force);
-    if constexpr (requires { x.torque; }) w.torque = three(x.torque);
-    return w;
-  }
-  template <class X>
-  static void put_load(X& x, const load& w) {
-    if constexpr (requires { x.f; }) x.f = w.force.x;
-    if constexpr (requires { x.force; }) put(x.force, w.force);
-    if constexpr (requires { x.torque; }) put(x.torque, w.torque);
-  }
-  /// A load on a frame, in axes of the world.
-  template <class X>
-  static load in_world(const X& frame, const load& w) {
-    const auto r = spatial(frame).rotation;
-    return {as<double>(r * w.force), as<double>(r * w.torque)};
-  }
   template <class Visit>
   void with_thing(kind k, int i, const Visit& visit) {
     if (is_frame(k))

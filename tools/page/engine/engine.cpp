@@ -163,7 +163,8 @@ KTE_EXPORT(kte_pull)
 int pull(double px, double py, double pz, double tx, double ty, double tz, double stiffness, double damping) {
   auto all = std::exchange(names, {});
   return guarded([&] {
-    loaded().pull({all.empty() ? std::string() : std::move(all.back()), {px, py, pz}, {tx, ty, tz}, stiffness, damping});
+    loaded().pull(
+        {all.empty() ? std::string() : std::move(all.back()), {px, py, pz}, {tx, ty, tz}, stiffness, damping});
   });
 }
 KTE_EXPORT(kte_damping) int damping(double c) {

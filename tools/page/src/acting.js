@@ -15,7 +15,7 @@ export class Acting {
     this.pointed = null;  // item
     this.label = by_id('load-label');
     this.panel = new LoadsPanel(this.loads, {
-      switch_on: (on) => this.show(on), choose: (group, on) => this.choose(group, on), rescale: (factor) => this.rescale(factor), point: (item) => this.point(item),
+      switch_on: (on) => this.show(on), choose: (group, on) => this.choose(group, on), rescale: (factor) => this.rescale(factor), point: (item) => this.point(item), later: () => viewer.request(),
     });
   }
 
@@ -77,13 +77,14 @@ export class Acting {
     const { loads, arrows, panel } = this;
     if (!loads.on && !this.was_on) return;
     this.was_on = loads.on;
+    let failed = '';
     try {
       loads.update(time, simulation, world);
     } catch (error) {
-      this.why = error.message;
+      failed = error.message;
     }
     arrows?.update(loads);
-    panel.update(now, this.why);
+    panel.update(now, failed || this.why);
     this.place_label();
   }
 

@@ -15,10 +15,11 @@ export function magnitude(arrow, loads) {
 const scaled = (x) => 10 ** x;
 
 export class LoadsPanel {
-  // loads: Loads; switch_on(on), choose(group, on), rescale(factor), point(item or null): calls
-  constructor(loads, { switch_on, choose, rescale, point }) {
+  // loads: Loads; switch_on(on), choose(group, on), rescale(factor), point(item or null), later(): calls
+  constructor(loads, { switch_on, choose, rescale, point, later }) {
     this.loads = loads;
     this.point = point;
+    this.later = later;
     this.box = element('input', { type: 'checkbox', id: 'loads-on' });
     this.box.addEventListener('change', () => switch_on(this.box.checked));
     const kinds = groups.filter(([group]) => loads.items.some((item) => item.group === group)).map(([group, text]) => {
@@ -40,7 +41,7 @@ export class LoadsPanel {
     this.options = element('div', { hidden: true }, ...kinds,
       element('div', { class: 'slider' }, element('span', { text: 'Length of arrows' }), this.output, slider), this.state, this.list);
     const name = element('span', { text: 'Forces and torques as arrows' });
-    by_id('loads').append(element('label', { class: 'check', title: 'V' }, this.box, name), this.options);
+    by_id('loads').append(element('label', { class: 'check', title: 'Key V' }, this.box, name), this.options);
     by_id('loads').hidden = loads.items.length === 0;
     this.filled = null;
     this.updated = 0;
@@ -57,7 +58,7 @@ export class LoadsPanel {
     const { force, torque } = loads.reference ?? {}, size = loads.scene.size * loads.scale;
     const metres = loads.metres, unit = size > 0 ? 10 ** Math.floor(Math.log10(size)) : 1;
     const per = [[force, metres.force, 'N'], [torque, metres.torque, 'N\u00a0m']].filter(([x]) => x > 0).map(([, m, u]) => `${number(unit / m, 3)} ${u}`);
-    const text = per.length ? `${number(unit)} m: ${per.join(', ')}` : '';
+    const text = per.length ? `${number(unit)} m = ${per.join(', ')}` : '';
     if (this.output.value !== text) this.slider.setAttribute('aria-valuetext', this.output.value = text);
     const said = this.sentence(why);
     if (this.state.textContent !== said) this.state.textContent = said;
@@ -90,7 +91,10 @@ export class LoadsPanel {
 
   update(now, why) {
     if (!this.loads.on) return;
-    if (now - this.updated < list_every && !this.loads.stale) return;
+    if (now - this.updated < list_every && !this.loads.stale) {
+      this.timer ??= setTimeout(() => { this.timer = null; this.later(); }, list_every);
+      return;
+    }
     this.updated = now;
     this.loads.stale = false;
     this.describe(why);
