@@ -9,7 +9,7 @@ import { Arrows } from './view/arrows.js';
 export class Acting {
   constructor(viewer) {
     this.viewer = viewer;
-    this.loads = new Loads(viewer.scene, viewer.sources);
+    this.loads = new Loads(viewer.scene, viewer.sources, (simulation) => viewer.pulled(simulation));
     this.arrows = viewer.picture ? new Arrows(viewer.picture.stage, viewer.picture.mechanism.unit) : null;
     this.why = '';        // there is no engine
     this.pointed = null;  // item

@@ -156,6 +156,11 @@ export class LiveViewer extends Viewer {
     this.request();
   }
 
+  pulled({ pull }) {
+    const frame = pull ? this.scene.frames.findIndex(({ name }) => name === pull.frame) : -1;
+    return frame < 0 ? null : { frame, point: pull.point };
+  }
+
   // What acts in the program's newest state, with what it is pulled by.
   live_loads(engine) {
     const { q, v, signals, pull, time } = this.simulation;

@@ -1,6 +1,6 @@
 // Forces and torques as arrows: what acts at each instant, by the engine, and how long its arrows are.
 
-import { load_items, loads_between, loads_by_key, rotated } from './scene/load_items.js';
+import { element_key, load_items, loads_between, loads_by_key, rotated } from './scene/load_items.js';
 
 const longest = 0.35, widest = 0.14;  // of the mechanism's size: the arrow of a typical large force, the arc of such a torque
 const instants = 24;                  // at which it is looked for
@@ -10,10 +10,14 @@ const nothing = 1e-6;                 // of it: not drawn
 const size_of = ([x, y, z]) => Math.hypot(x, y, z);
 
 export class Loads {
-  constructor(scene, sources) {
+  // pulled(simulation): {frame, point} of what is pulled now, or null
+  constructor(scene, sources, pulled) {
     this.scene = scene;
     this.sources = sources;
+    this.pulled = pulled;
+    this.pull = { group: 'pull', kind: 'pull', index: 0, name: 'pull', frame: -1, point: [0, 0, 0] };
     this.items = load_items(scene);
+    if (this.items.length) this.items.push(this.pull);
     this.on = false;
     this.groups = { weights: true, elements: true, reactions: false };
     this.scale = 1;
@@ -63,7 +67,20 @@ export class Loads {
       const at = rotated(world, 7 * item.frame, item.point);
       this.arrows.push({ item, point: at.map((x, n) => x + world[7 * item.frame + n]), force, torque });
     }
+    this.take_pull(loads, simulation, world);
     this.reference ??= this.find_reference();
+  }
+
+  // It acts at its point, and is the element after those of the model.
+  take_pull(loads, simulation, world) {
+    const hand = this.engine && this.groups.elements && this.sources.mode === 'simulate' ? this.pulled(simulation) : null;
+    if (!hand) return;
+    this.elements ??= JSON.parse(this.scene.model).kte_model.elements.length;
+    const load = loads.get(element_key(this.elements, 'frame', 0));
+    if (!load) return;
+    const at = rotated(world, 7 * hand.frame, hand.point);
+    Object.assign(this.pull, { frame: hand.frame, name: `pull on ${this.scene.frames[hand.frame].name}` });
+    this.arrows.push({ item: this.pull, point: at.map((x, n) => x + world[7 * hand.frame + n]), force: load.force, torque: [0, 0, 0] });
   }
 
   // What the longest arrows stand for, which stays while the mechanism moves.

@@ -182,6 +182,7 @@ export class Viewer {
   get pull() { return this.simulating.pull; }
   set pull(pull) { this.simulating.pull = pull; }
 
+  pulled() { return this.pull?.active ? this.pull : null; }
   load_engine() { this.simulating.load(); }
   run_simulation() { return this.simulating.run(); }
   advance_simulation(elapsed, now) { this.simulating.advance(elapsed, now); }

@@ -6,7 +6,7 @@ import { part } from './part.js';
 import { arc, cone, rod } from './solids.js';
 
 const z = new Vector3(0, 0, 1), direction = new Vector3(), turn = new Quaternion();
-const roles = { weights: 'weight', elements: 'load', reactions: 'reaction' };
+const roles = { weights: 'weight', elements: 'load', reactions: 'reaction', pull: 'pull' };
 
 export class Arrows {
   constructor(stage, unit) {
