@@ -37,10 +37,10 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
   for (const int i : f.inward) {
     const record<P>& r = f.records[static_cast<std::size_t>(i)];
     const spot<S>& at = m.spots[static_cast<std::size_t>(i)];
-    const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
+    const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
     const bool on_base = r.parent < f.bases, yields = m.yields[static_cast<std::size_t>(i)] != 0;
     if (r.moves != joint::several && yields) {
-      const dense_wrench<S> gain = answers[0].gain;
+      const dense_wrench<S> gain = factors[0].gain;
       S* const left = x.left[0];
       w.change(r.first, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {  // (1)
         lanes<S> e;
@@ -64,7 +64,7 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
         w.change(l, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {
           lanes<S> e;
           tree::load<S>(e, left + k);
-          give(load, answers[l - r.first].gain, e);
+          give(load, factors[l - r.first].gain, e);
         });
       }
       if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
@@ -88,7 +88,7 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       const bool own = j < r.first + r.axes;
       std::array<S, 6> rate;
       for (int l = 0; l < axes; ++l)
-        rate[static_cast<std::size_t>(l)] = answers[l].inverse * e[static_cast<std::size_t>(l) * row + j];
+        rate[static_cast<std::size_t>(l)] = factors[l].inverse * e[static_cast<std::size_t>(l) * row + j];
       const auto add = [&](auto count) KTE_INLINE_LAMBDA {
         by_lanes<S>(j, r.last, [&](int k) KTE_INLINE_LAMBDA {
           lanes<S> sum{}, e_k;
@@ -119,15 +119,15 @@ S inverse_mass_of_axis(const forest<P>& f, const memory<P, S>& m, std::size_t i,
   for (bool own = true;; own = false) {
     const record<P>& r = f.records[i];
     for (int l = own ? k : r.axes - 1; m.yields[i] && l >= 0; --l) {
-      const axis_answer<S>& answer = m.answers[static_cast<std::size_t>(r.first + l)];
+      const axis_factors<S>& factor = m.factors[static_cast<std::size_t>(r.first + l)];
       S e(0);
       if (r.moves == joint::several)
         e = component(load.force, load.torque, r.axis[static_cast<std::size_t>(l)]);
       else
         powers_along(r, load, 1, [&e](int, const S& power) { e = power; });
       if (own && l == k) e = S(1);
-      sum += answer.inverse * e * e;  // (2)
-      load = {load.force - e * answer.gain.force, load.torque - e * answer.gain.torque};
+      sum += factor.inverse * e * e;  // (2)
+      load = {load.force - e * factor.gain.force, load.torque - e * factor.gain.torque};
     }
     if (r.parent < f.bases) return sum;
     load = placed{r, m.spots[i]}.out(load);

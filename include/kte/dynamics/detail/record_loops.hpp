@@ -2,7 +2,6 @@
 
 #include <kte/dynamics/detail/record_places.hpp>
 #include <kte/dynamics/detail/record_touched.hpp>
-#include <kte/tree/articulated.hpp>
 #include <kte/tree/composite.hpp>
 #include <kte/tree/newton_euler.hpp>
 
@@ -49,14 +48,14 @@ void push_on_coordinates(const Elements& c, State& s, acting who) {
 }
 
 /// friction(element, row of its coordinate, force on it) of the joints whose friction depends on what they carry, after
-/// `take_needs`.
+/// `transmit_wrenches`.
 template <class Elements, class State, class F>
 void for_each_friction(const Elements& c, State& s, const F& f) {
   using S = typename State::scalar;
   const auto& forest = s.tree().forest;
   for (const int e : s.tree().readers) {
     const auto& place = forest.frame(c.ports(e).back().what, c.written(e));
-    const auto& needs = s.work.bodies[static_cast<std::size_t>(place.slot)].needs;
+    const auto& needs = s.work.wrenches[static_cast<std::size_t>(place.slot)];
     const auto carried = transmit(inverse(place.at), tree::dense_wrench<S>{-needs.force, -needs.torque});
     const auto& r = forest.records[static_cast<std::size_t>(place.slot - forest.bases)];
     f(r, c.friction(e, s, tree::dense_wrench<S>{as<S>(carried.force), as<S>(carried.torque)}));
@@ -77,11 +76,8 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
   if (t.only_bodies) {
-    if (moved)
-      tree::need_for_motion(t.forest, w);
-    else
-      tree::move_bodies<false>(t.forest, w);
-    tree::take_needs(t.forest, w);
+    if (!moved) tree::move_bodies<false>(t.forest, w);
+    tree::transmit_wrenches(t.forest, w, engine::no_load{});
     if (t.has_own_mass)
       for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
     for (const auto& r : t.forest.records) {
@@ -101,18 +97,16 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   const auto& others = who != acting::bodies ? t.on_frames : t.weights;
   if (others.empty() && (who == acting::bodies || t.late.empty())) {
     tree::move_bodies<false>(t.forest, w);
+    tree::transmit_wrenches(t.forest, w, engine::no_load{});
   } else {
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, true);
     if (who != acting::bodies) move_late(c, s);
     for (auto e = others.rbegin(); e != others.rend(); ++e) c.push(*e, s);
-    for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
-      auto& needs = w.bodies[slot].needs;
-      needs = {needs.force - x.force, needs.torque - x.torque};
-    });
+    take_frame_loads(s);
+    tree::transmit_wrenches(t.forest, w, tree::load_of_slot<S>{w.loads.data()});
   }
-  tree::take_needs(t.forest, w);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
   if (who != acting::bodies) {
