@@ -202,6 +202,10 @@ class Forces(PageTest):
             return [point, force, [...kte_page.pull.from([])], target.toArray(), stiffness, damping, kte_page.simulation.v[0]];""")
         self.near(point, hand)
         self.near(force, [stiffness * (t - x) - damping * rate for t, x, rate in zip(target, point, (-v * point[1], v * point[0], 0))])
+        lengths = self.window.run("""
+            const { loads } = kte_page.acting;
+            return loads.arrows.map(({ force }) => loads.metres.force * Math.hypot(...force));""")
+        self.assertLessEqual(max(lengths), 0.35 + 1e-9)
         self.window.mouse('mouseReleased', *self.middle(target))
         self.window.wait(f'!{pull}')
         self.click('#simulate')

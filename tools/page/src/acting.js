@@ -79,7 +79,7 @@ export class Acting {
     this.was_on = loads.on;
     let failed = '';
     try {
-      loads.update(time, simulation, world);
+      loads.update(now, time, simulation, world);
     } catch (error) {
       failed = error.message;
     }

@@ -30,7 +30,7 @@ export class LiveViewer extends Viewer {
         move: (request) => this.tell_newest('pull', request), release: () => this.tell_newest('pull', 'release'),
       });
     }
-    this.panel = new LivePanel({ run: () => this.run_simulation(), tell: (what) => this.tell(what), move: (i, x) => this.tell_newest(`slider ${i}`, `slider?index=${i}&value=${x}`) });
+    this.panel = new LivePanel({ run: () => this.run_simulation(), tell: (what) => this.tell(what), move: (i, x) => this.tell_newest(`slider ${i}`, `slider?index=${i}&value=${x}`), pulls: scene.pulls.length > 0 });
     by_id('tab-move').textContent = 'Live';
     by_id('panel-move').setAttribute('aria-label', 'Live');
     this.tabs.open('move');

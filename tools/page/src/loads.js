@@ -5,6 +5,7 @@ import { element_key, load_items, loads_between, loads_by_key, rotated } from '.
 const longest = 0.35, widest = 0.14;  // of the mechanism's size: the arrow of a typical large force, the arc of such a torque
 const instants = 24;                  // at which it is looked for
 const share = 0.9;                    // of instants with less than that
+const half_life = 6;                  // s, in which it is forgotten while a simulation runs
 const nothing = 1e-6;                 // of it: not drawn
 
 const size_of = ([x, y, z]) => Math.hypot(x, y, z);
@@ -51,8 +52,8 @@ export class Loads {
     return loads;
   }
 
-  // world: poses of all frames at that time.
-  update(time, simulation, world) {
+  // now: ms of the clock of the screen; world: poses of all frames at that time.
+  update(now, time, simulation, world) {
     this.arrows = [];
     this.unknown = [];
     if (!this.on) return;
@@ -69,6 +70,17 @@ export class Loads {
     }
     this.take_pull(loads, simulation, world);
     this.reference ??= this.find_reference();
+    if (this.sources.mode !== 'play') this.adapt(now);
+  }
+
+  // Of a simulation nobody knows what is to come: the longest arrows stand for the largest forces of late.
+  adapt(now) {
+    const kept = 2 ** (-Math.max(0, now - (this.adapted ?? now)) / 1000 / half_life);
+    this.adapted = now;
+    for (const what of ['force', 'torque']) {
+      const largest = this.arrows.reduce((most, arrow) => Math.max(most, size_of(arrow[what])), 0);
+      this.reference[what] = Math.max(largest, kept * this.reference[what]);
+    }
   }
 
   // It acts at its point, and is the element after those of the model.
