@@ -267,6 +267,12 @@ class Panels(PageTest):
             field.dispatchEvent(new Event('input'));''')
         self.assertEqual(self.window.run("return [...document.querySelectorAll('#tree .name')].map((e) => e.textContent)"), ['hinge'])
         self.assertIn('1 name', self.text('#found'))
+        self.window.key('/')
+        self.window.key('ArrowDown')
+        self.assertEqual(self.window.run("return document.activeElement.querySelector('.name').textContent"), 'hinge')
+        self.window.key('/')
+        self.window.key('Enter')
+        self.assertEqual(self.text('#details h2'), 'hinge')
 
     def test_tree_by_keyboard(self):
         self.window.open(scenes.pendulum())
