@@ -18,7 +18,7 @@ function slope(t, numbers, width, count, i, k) {
 }
 
 function fits(rate, at) {
-  return at === null || Math.abs(rate - at.mean) <= at.off + share * Math.max(Math.abs(rate), Math.abs(at.mean));
+  return at === null || !Number.isFinite(rate) || Math.abs(rate - at.mean) <= at.off + share * Math.max(Math.abs(rate), Math.abs(at.mean));
 }
 
 // Of coordinates of one number.
