@@ -38,7 +38,7 @@ void fit_meshes(scene& s, std::size_t limit) {
     s.notes.push_back("mesh '" + m.name + "' is " +
                       (now > 0 ? "drawn with " + std::to_string(now) + " of its " : "not drawn: it has ") +
                       std::to_string(before) + " triangles, and all meshes of a page have " + megabytes(limit) +
-                      " (page_options::mesh_bytes)");
+                      ", unless its options say otherwise");
   }
   std::erase_if(s.shapes, [&s](const scene::shape& x) {
     return x.mesh >= 0 && s.meshes[static_cast<std::size_t>(x.mesh)].indices.empty();
@@ -80,7 +80,7 @@ void fit_recordings(scene& s, std::size_t limit) {
     s.notes.push_back("of the " + std::to_string(n) + " rows of the recording" +
                       (r.name.empty() ? "" : " '" + r.name + "'") + " one in " + std::to_string(step) +
                       " is in the page: all recordings of a page have " + megabytes(limit) +
-                      " (page_options::recording_bytes)");
+                      ", unless its options say otherwise");
   }
 }
 }  // namespace

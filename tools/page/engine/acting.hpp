@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/joint_reactions.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 
 #include "thing_loads.hpp"

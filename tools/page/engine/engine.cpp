@@ -6,8 +6,7 @@
 #include <kte/contract/element.hpp>
 #include <kte/contract/record.hpp>
 #pragma clang attribute pop
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
 #pragma clang attribute push(__attribute__((minsize)), apply_to = function)
 #include <kte/elements/registry.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/energy.hpp>
+#include <kte/dynamics/frame_motion.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/model_reader.hpp>

@@ -80,7 +80,8 @@ export class LivePanel {
       return { input, output };
     });
     this.box.replaceChildren(...sliders.map((s, i) => element('div', { class: 'slider' },
-      element('span', { class: 'name', text: shown(s.name), title: shown(s.name, 400) }), this.sliders[i].output, this.sliders[i].input)));
+      element('span', { class: 'name', text: shown(s.name), title: shown(s.name, 400) }), this.sliders[i].output, this.sliders[i].input,
+      element('span', { class: 'end', text: number(s.lower) }), element('span', { class: 'end', text: number(s.upper) }))));
   }
 
   // Not where the user is moving it.

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/detail/blame.hpp>
-#include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/detail/state_numbers.hpp>
 #include <kte/runtime_chain/runtime_state.hpp>
 
-/// The numbers of a runtime state as vectors, as dynamics/state_vectors.hpp has them for static chains.
+/// The numbers of a runtime state as vectors, and which of them is at fault.
 namespace kte {
 
 /// Numbers of a runtime chain.
@@ -84,36 +84,6 @@ template <class S>
 }
 }  // namespace detail
 
-template <class S>
-runtime_vector<S> positions(const basic_runtime_state<S>& s) {
-  return detail::read_numbers<detail::vector_of::q>(s);
-}
-template <class S>
-runtime_vector<S> velocities(const basic_runtime_state<S>& s) {
-  return detail::read_numbers<detail::vector_of::v>(s);
-}
-template <class S>
-runtime_vector<S> accelerations(const basic_runtime_state<S>& s) {
-  return detail::read_numbers<detail::vector_of::a>(s);
-}
-template <class S>
-runtime_vector<S> forces(const basic_runtime_state<S>& s) {
-  return detail::read_numbers<detail::vector_of::f>(s);
-}
-
-template <class S, indexable X>
-void set_positions(basic_runtime_state<S>& s, const X& q) {
-  detail::write_numbers<detail::vector_of::q>(s, q, "q");
-}
-template <class S, indexable X>
-void set_velocities(basic_runtime_state<S>& s, const X& v) {
-  detail::write_numbers<detail::vector_of::v>(s, v, "v");
-}
-template <class S, indexable X>
-void set_accelerations(basic_runtime_state<S>& s, const X& a) {
-  detail::write_numbers<detail::vector_of::a>(s, a, "a");
-}
-
 #ifdef KTE_EXTERN
 namespace detail {
 /// Only there for the alignment at which the library was compiled: what it allocates by another (-march) could not be
@@ -126,13 +96,6 @@ KTE_EXTERN template void compiled_for_alignment<EIGEN_MAX_ALIGN_BYTES>();
 KTE_EXTERN template void blame(const char*, const runtime_state&, const runtime_vector<double>&);
 KTE_EXTERN template void blame_mass(const runtime_state&, int, bool);
 }  // namespace detail
-KTE_EXTERN template runtime_vector<double> positions(const runtime_state&);
-KTE_EXTERN template runtime_vector<double> velocities(const runtime_state&);
-KTE_EXTERN template runtime_vector<double> accelerations(const runtime_state&);
-KTE_EXTERN template runtime_vector<double> forces(const runtime_state&);
-KTE_EXTERN template void set_positions(runtime_state&, const Eigen::VectorXd&);
-KTE_EXTERN template void set_velocities(runtime_state&, const Eigen::VectorXd&);
-KTE_EXTERN template void set_accelerations(runtime_state&, const Eigen::VectorXd&);
 #endif
 
 }  // namespace kte

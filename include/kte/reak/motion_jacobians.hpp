@@ -1,7 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/jacobian_rate.hpp>
-#include <kte/dynamics/motion_jacobian.hpp>
+#include <kte/reak/motion_jacobian.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 /// Motion Jacobians of a coordinate and a frame, or another coordinate, of a static or runtime chain.
 namespace kte {

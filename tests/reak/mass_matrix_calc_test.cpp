@@ -1,6 +1,6 @@
 #include <kte/dynamics/coriolis_matrix.hpp>
-#include <kte/dynamics/mass_matrix_calc.hpp>
 #include <kte/elements/inertial_beam.hpp>
+#include <kte/reak/mass_matrix_calc.hpp>
 
 #include <limits>
 
@@ -10,6 +10,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <kte/dynamics/detail/mass_blocks.hpp>
-#include <kte/dynamics/motion_jacobians.hpp>
-#include <kte/dynamics/static_mass_matrix_calc.hpp>
+#include <kte/reak/mass_blocks.hpp>
+#include <kte/reak/motion_jacobians.hpp>
+#include <kte/reak/static_mass_matrix_calc.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-/// Of a runtime chain: dynamics/twist_shaping.hpp.
+/// Of a runtime chain: reak/twist_shaping.hpp.
 namespace kte {
 
 template <>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kte/dynamics/detail/mass_blocks.hpp>
-#include <kte/dynamics/motion_jacobians.hpp>
-#include <kte/dynamics/twist_shaping.hpp>
+#include <kte/reak/mass_blocks.hpp>
+#include <kte/reak/motion_jacobians.hpp>
+#include <kte/reak/twist_shaping.hpp>
 
-/// Of a static chain: dynamics/twist_shaping.hpp.
+/// Of a static chain: reak/twist_shaping.hpp.
 namespace kte {
 
 namespace detail {

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <kte/dynamics/jacobian.hpp>
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/detail/velocities_at_unit_rates.hpp>
+#include <kte/tree/jacobian.hpp>
 
 #include <string>
 #include <type_traits>
 #include <utility>
 
-/// Jacobians of frames of runtime chains, under the name they have on static chains (dynamics/jacobian.hpp). Bases are
-/// as the state has them.
+/// Jacobians of frames of runtime chains, into memory of the state or of the caller.
 namespace kte {
 
 /// The Jacobian of a frame, as on static chains.
@@ -26,30 +26,24 @@ Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const kte_map_chain& c, basic_runtime
   hand_on(runtime_elements{c}, s, [&a](int to, int from, const S& ratio) { a.col(to) += ratio * a.col(from); });
   return a.leftCols(s.dofs());
 }
-/// Of a frame that follows others: its velocities at unit rates.
+/// Of a frame that follows others.
 template <class S>
 basic_runtime_jacobian<S> jacobian_by_rates(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                             bool world) {
   static_assert(goes_through_passes<S>);
   basic_runtime_jacobian<S> j(6, s.dofs());
-  const runtime_vector<S> v = velocities(s);
+  const runtime_vector<S> v = read_numbers<vector_of::v>(s);
   runtime_vector<S> rates = runtime_vector<S>::Zero(s.dofs());
-  const auto velocity = [&]() -> linear_angular<S> {
+  const auto velocity = [&] {
     write_numbers<vector_of::v>(s, rates, "v");
     move(c.wiring(), s, x);
-    return with_motion(s, x, [world](const auto& m) -> linear_angular<S> {
-      if (!world) return {as<S>(m.velocity), as<S>(m.ang_velocity)};
-      return {as<S>(matrix(m.rotation) * m.velocity), as<S>(matrix(m.rotation) * m.ang_velocity)};
-    });
+    return with_motion(s, x, [world](const auto& m) { return velocities_of<S>(m, world); });
   };
   const auto at_rest = velocity();  // not zero, if bases move
-  for (int k = 0; k < s.dofs(); ++k) {
-    rates[k] = S(1);
+  put_velocities_at_unit_rates<S>(j, rates, [&]() -> linear_angular<S> {
     const auto [linear, angular] = velocity();
-    const vec3<S> u = linear - at_rest.linear, w = angular - at_rest.angular;
-    j.col(k) << u.x, u.y, u.z, w.x, w.y, w.z;
-    rates[k] = S(0);
-  }
+    return {linear - at_rest.linear, angular - at_rest.angular};
+  });
   write_numbers<vector_of::v>(s, v, "v");
   return j;
 }
@@ -166,62 +160,6 @@ void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q&
   return take<keeping::if_needed>(c, s, q).call([&] { put_jacobian(c, s, x, world, j); });
 }
 }  // namespace detail
-
-/// Into memory of the caller's, which nothing is allocated for (but where coordinates follow others): a matrix, which
-/// gets the size it needs, or 6 rows of a larger one, or a map.
-///
-///   Eigen::MatrixXd contacts(12, arm.dofs());
-///   kte::jacobian(arm, s, q, left_foot, kte::in_world_axes, contacts.topRows<6>());
-///   kte::jacobian(arm, s, q, right_foot, kte::in_world_axes, contacts.bottomRows<6>());
-///
-/// Throws `bad_argument` where it does not fit.
-template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
-  detail::put_jacobian_at_state(c, s, frame, false, j);
-}
-template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
-  detail::put_jacobian_at_state(c, s, frame, true, j);
-}
-template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
-                                            const name_or_handle& frame, J&& j) {
-  detail::put_jacobian_at(c, s, q, frame, false, j);
-}
-template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
-                                            const name_or_handle& frame, in_world_axes_t, J&& j) {
-  detail::put_jacobian_at(c, s, q, frame, true, j);
-}
-/// The same as a value.
-template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
-  basic_runtime_jacobian<S> j;
-  jacobian(c, s, frame, j);
-  return j;
-}
-template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
-                                   in_world_axes_t axes) {
-  basic_runtime_jacobian<S> j;
-  jacobian(c, s, frame, axes, j);
-  return j;
-}
-template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
-                                                                 const Q& q, const name_or_handle& frame) {
-  basic_runtime_jacobian<S> j;
-  jacobian(c, s, q, frame, j);
-  return j;
-}
-template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
-                                                                 const Q& q, const name_or_handle& frame,
-                                                                 in_world_axes_t axes) {
-  basic_runtime_jacobian<S> j;
-  jacobian(c, s, q, frame, axes, j);
-  return j;
-}
 
 #ifdef KTE_EXTERN
 namespace detail {
