@@ -505,7 +505,7 @@ class Robust(PageTest):
         self.window.wait(f'kte_page.drawn > {drawn} + 1')
         self.assertIsNone(self.window.run('return window.harmed'))
         self.window.wait("document.querySelectorAll('button.load').length > 10")
-        self.window.run("document.querySelector('button.load').focus()")
+        self.window.run("document.getElementById('tab-show').click(); document.querySelector('button.load').focus()")
         self.window.wait("document.getElementById('load-label').textContent.includes('</script>')")
         self.assertEqual(self.window.run("return document.querySelectorAll('.loads script, .loads img, #load-label *').length"), 0)
         self.assertEqual(self.window.run("return document.querySelectorAll('#tree script, #tree img, h1 *, #details img').length"), 0)
