@@ -1,7 +1,11 @@
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
 #include <kte/elements/joint_stiction.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "dynamics/small_chains.hpp"
 
@@ -10,6 +14,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -24,7 +29,7 @@ using motion_type = random_motion_of<big, std::remove_const_t<decltype(arm)>>;
 
 }  // namespace
 
-TEST_CASE("derivatives of inverse dynamics under friction by load") {
+TEST_CASE("derivatives of inverse dynamics under friction by load", "[laws]") {
   random_numbers random(1);
   const motion_type m(arm, random);
   const auto r = inverse_dynamics_derivatives(arm, m.q, m.v, m.a);

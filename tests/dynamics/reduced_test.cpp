@@ -1,7 +1,11 @@
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/reduced.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/elements/joint_stiction.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <limits>
 
@@ -11,6 +15,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -74,7 +79,7 @@ void check(const kte_map_chain& c, unsigned seed, const Names&... names) {
 
 }  // namespace
 
-TEST_CASE("chains with locked joints: forces, masses, accelerations") {
+TEST_CASE("chains with locked joints: forces, masses, accelerations", "[laws]") {
   const auto c = models::element_by_element(floating);
   check(c, 1, "q1");
   check(c, 2, "trunk", "q2");

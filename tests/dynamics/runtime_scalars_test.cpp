@@ -1,13 +1,20 @@
 #include <kte/dynamics/carried_inertia.hpp>
 #include <kte/dynamics/coriolis_matrix.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian_rate.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/relative_motion.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/position_measure.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/math/pack.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
@@ -113,7 +120,7 @@ void check(const kte_map_chain& c, const sample& x, const results<digits50>& exa
 }
 }  // namespace
 
-TEST_CASE("runtime chains in other scalars", "[runtime][scalars]") {
+TEST_CASE("runtime chains in other scalars", "[laws]") {
   const kte_map_chain c = creature();
   random_numbers random(11);
   for (int i = 0; i < 5; ++i) {
@@ -123,7 +130,7 @@ TEST_CASE("runtime chains in other scalars", "[runtime][scalars]") {
   }
 }
 
-TEST_CASE("several states of a runtime chain at once", "[runtime][scalars][pack]") {
+TEST_CASE("several states of a runtime chain at once") {
   using four = pack<double, 4>;
   const kte_map_chain c = creature();
   random_numbers random(12);
@@ -140,7 +147,7 @@ TEST_CASE("several states of a runtime chain at once", "[runtime][scalars][pack]
     CHECK(gap(all, results_in<digits50>(c, x[k]), [k](const four& y) { return y[k]; }) < roundings * 0x1p-52);
 }
 
-TEST_CASE("derivatives of a runtime chain by dual numbers", "[runtime][scalars][dual]") {
+TEST_CASE("derivatives of a runtime chain by dual numbers") {
   using number = dual<double, 1>;
   const kte_map_chain c = creature();
   random_numbers random(13);
@@ -203,13 +210,13 @@ void check_shared() {
 }
 }  // namespace
 
-TEST_CASE("derivatives of runtime chains of joints that share coordinates", "[runtime][scalars][derivatives]") {
+TEST_CASE("derivatives of runtime chains of joints that share coordinates") {
   check_shared<double>();
   check_shared<float>();
   check_shared<long double>();
 }
 
-TEST_CASE("what other scalars cannot do is said", "[runtime][scalars][errors]") {
+TEST_CASE("what other scalars cannot do is said") {
   kte_map_chain c = creature();
   c << spring_gen("hip", "knee", 0.0, 10.0);
   CHECK_NOTHROW(c.make_state());

@@ -1,4 +1,5 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/manipulators/era.hpp>
 #include <kte/manipulators/iiwa14.hpp>
 #include <kte/manipulators/opw.hpp>
@@ -13,6 +14,7 @@
 #include <kte/manipulators/ur.hpp>
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/registered.hpp"
@@ -106,7 +108,7 @@ void check_static(const char* name, const Arm& arm) {
 }
 }  // namespace
 
-TEST_CASE("every arm as models of it") {
+TEST_CASE("every arm as models of it", "[laws]") {
   check("3R", runtime(three_r_chain()));
   check("3R3R", three_r_three_r_chain(), three_r_three_r_limits());
   check("P3R3R", p3r3r_chain(), p3r3r_limits());

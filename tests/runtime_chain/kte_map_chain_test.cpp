@@ -1,4 +1,6 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
@@ -49,7 +51,7 @@ double seconds(const F& f) {
 
 }  // namespace
 
-TEST_CASE("a chain that is moved from is empty and usable") {
+TEST_CASE("a chain that is moved from is empty and usable", "[both]") {
   auto a = pendulum();
   a.gravity(along_y(-9.81));
   auto b = std::move(a);

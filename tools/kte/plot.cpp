@@ -12,7 +12,7 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct plot_options {
   std::string recording, out, of;
   std::vector<std::string> columns;
   std::optional<double> from, to, height, dpi;
@@ -36,7 +36,7 @@ kte::unit_map units_of(const std::string& file) {
   return units;
 }
 
-int plot(options& o) {
+int plot(plot_options& o) {
   if (o.each && o.one) throw usage_error("--each and --one are one too many");
   if (o.each || o.one) o.plot.share = o.each ? kte::panels::each : kte::panels::together;
   if (o.from) o.plot.from = *o.from;
@@ -68,7 +68,7 @@ int plot(options& o) {
 }  // namespace
 
 void add_plot(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<plot_options>();
   line.add("plot", "columns of a recording as SVG or PNG",
            "Plots columns of a recording over time, as SVG or PNG with units on its axes. The name of a vector stands "
            "for its components; without names all columns are plotted. PNG needs the program rsvg-convert (Debian: "

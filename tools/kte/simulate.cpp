@@ -25,7 +25,7 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct simulate_options {
   reading in;
   double end = 10, every = 0.01;  ///< s
   start_options start;
@@ -95,7 +95,7 @@ struct summary {
 
 double total(const kte::energies<>& e) { return e.kinetic + e.potential; }
 
-std::string text_of(const options& o, const mechanism& m, const summary& s) {
+std::string text_of(const simulate_options& o, const mechanism& m, const summary& s) {
   const auto& n = s.steps;
   const auto energy = [](const char* when, const kte::energies<>& e) {
     return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
@@ -121,7 +121,7 @@ std::string text_of(const options& o, const mechanism& m, const summary& s) {
   return t;
 }
 
-std::string json_of(const options& o, const mechanism& m, const summary& s) {
+std::string json_of(const simulate_options& o, const mechanism& m, const summary& s) {
   const auto list = [](const Eigen::VectorXd& x) { return std::vector<double>(x.data(), x.data() + x.size()); };
   const auto& n = s.steps;
   json_writer j;
@@ -139,7 +139,7 @@ std::string json_of(const options& o, const mechanism& m, const summary& s) {
   return j.end().member("q", list(s.q)).member("v", list(s.v)).end().text();
 }
 
-void check_settings(const options& o) {
+void check_settings(const simulate_options& o) {
   const auto positive = [](const char* name, double x) {
     if (!(x > 0)) throw usage_error(std::string(name) + " must be greater than 0, not " + short_number(x));
   };
@@ -160,7 +160,7 @@ struct drives {
   Eigen::VectorXd constant;  ///< inputs that the model file has
 };
 
-int simulate(options& o) {
+int simulate(simulate_options& o) {
   check_settings(o);
   auto m = read_and_warn(o.in, o.motors);
   if (o.motors) {
@@ -245,7 +245,7 @@ int simulate(options& o) {
 }  // namespace
 
 void add_simulate(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<simulate_options>();
   auto& c = add_reading(
       line.add("simulate", "lets it move, and records how",
                "Integrates the equations of motion, by gravity alone or under control, and prints energies and "

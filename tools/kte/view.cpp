@@ -12,7 +12,7 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct view_options {
   reading in;
   std::string out, title;
   std::vector<std::string> recordings;
@@ -27,7 +27,7 @@ std::size_t bytes_of(const char* name, double mib) {
   return static_cast<std::size_t>(mib * 1048576);
 }
 
-int view(options& o) {
+int view(view_options& o) {
   const kte::page_options page{.title = o.title,
                                .mesh_bytes = bytes_of("--mesh-size", o.mesh_size),
                                .recording_bytes = bytes_of("--recording-size", o.recording_size)};
@@ -53,7 +53,7 @@ int view(options& o) {
 }  // namespace
 
 void add_view(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<view_options>();
   auto& c = add_reading(
       line.add("view", "a page that shows it, moving",
                "Writes one HTML file, without any network access, that shows the mechanism in a browser: with "

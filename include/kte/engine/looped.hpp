@@ -21,8 +21,8 @@ template <class Value, class Hand, class Step>
 struct kept_values {
   const Value* values;  ///< of bodies
   template <body B>
-  using type = std::remove_cvref_t<decltype(std::declval<const Step&>()(std::declval<const B&>(),
-                                                                        std::declval<const Hand&>()))>;
+  using type =
+      std::remove_cvref_t<decltype(std::declval<const Step&>()(std::declval<const B&>(), std::declval<const Hand&>()))>;
   /// Of body i, whose joint is of the kind of B.
   template <body B>
   KTE_INLINE type<B> of(int i) const {
@@ -98,8 +98,8 @@ struct looped {
   ///   meet(body, carried)                       what its joint makes of it
   ///   hand_on(body, kept value, what was met)   what its parent carries of it; not of bodies on bases
   /// `sums`: of slots; with `Keep` what all bodies carry is left there. `Hand`: its type at hand, which may have typed
-  /// constants for some numbers.
-  template <bool Keep, class Hand, class Sum, class Values, class Own, class Meet, class HandOn>
+  /// constants for some numbers. With `Bases` it is also added to what `sums` has of bases.
+  template <bool Keep, class Hand, bool Bases, class Sum, class Values, class Own, class Meet, class HandOn>
   KTE_LOOP void inward(Sum* const sums, const Values values, const Own own, const Meet meet,
                        const HandOn hand_on) const {
     const int bases = bodies.bases();
@@ -121,16 +121,16 @@ struct looped {
       }
       if constexpr (Keep) assign(sum, hand);
       const int parent = bodies.parent(i);
-      const bool on_base = parent < bases;
+      const bool ends = !Bases && parent < bases;
       if (is_usual(i)) [[likely]] {
         const auto b = bodies.body(i);
         const auto met = meet(b, hand);
-        if (!on_base) assign(hand, hand_on(b, values.template of<usual>(i), met));
+        if (!ends) assign(hand, hand_on(b, values.template of<usual>(i), met));
       } else {
-        inward_apart(i, values, meet, hand_on, on_base, hand);
+        inward_apart(i, values, meet, hand_on, ends, hand);
       }
-      at_hand = !on_base && parent + 1 == bases + i;
-      if (!on_base && !at_hand) assign(sums[parent], sums[parent] + hand);
+      at_hand = parent >= bases && parent + 1 == bases + i;
+      if (!ends && !at_hand) assign(sums[parent], sums[parent] + hand);
     }
   }
 
@@ -155,12 +155,12 @@ struct looped {
       });
   }
   template <class Values, class Meet, class HandOn, class Hand>
-  [[gnu::noinline]] void inward_apart(int i, const Values values, const Meet meet, const HandOn hand_on, bool on_base,
+  [[gnu::noinline]] void inward_apart(int i, const Values values, const Meet meet, const HandOn hand_on, bool ends,
                                       Hand& hand) const {
     if constexpr (!one_kind)
       bodies.with_body(i, [&](const body auto& b) {
         const auto met = meet(b, fresh(hand));
-        if (!on_base) assign(hand, hand_on(b, values.template of<std::remove_cvref_t<decltype(b)>>(i), met));
+        if (!ends) assign(hand, hand_on(b, values.template of<std::remove_cvref_t<decltype(b)>>(i), met));
       });
   }
 };

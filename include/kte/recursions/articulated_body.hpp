@@ -47,7 +47,8 @@ struct axis_factors {
   S rate, inverse;
 };
 
-/// (1)  c = w x (w x p) seen from the parent, 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J; and of joints that are not free
+/// (1)  c = w x (w x p) seen from the parent, 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J; and of joints that are not
+/// free
 ///      S q_ddot besides
 template <body_with_axes B, class M, class S>
 KTE_INLINE constexpr auto bias_motion_of(const B& b, const M& parent, const S* rate, const S* change) {
@@ -120,21 +121,22 @@ KTE_INLINE constexpr auto left_by(const B& b, const Y& y, const V& more, const S
     return articulated_body{without<n>(inertia), without<n>(bias) + wrench{force * s.linear, force * s.angular}};
   }
 }
-/// Below this, what moves along an axis is nothing but rounding of what does not.
-template <class S, class A, class I>
-KTE_INLINE constexpr S least_inertia(const A& s, const I& i) {
+/// Below this, what moves along an axis is nothing but rounding of what does not: of a body of which these are the
+/// traces of the linear and angular parts of I^A.
+template <class S, class A, class I, class J>
+KTE_INLINE constexpr S least_inertia(const A& s, const I& linear, const J& angular) {
   return S(16) * std::numeric_limits<S>::epsilon() *
-         as<S>(dot(s.linear, s.linear) * trace(i.linear) + dot(s.angular, s.angular) * trace(i.angular));
+         as<S>(dot(s.linear, s.linear) * linear + dot(s.angular, s.angular) * angular);
 }
 /// The axes of a joint yield from the last, one by one; the first is left to `seen_by_parent`, which bodies on bases do
 /// without. `bad` becomes the first axis that has nothing to move, unless it is one already.
-template <int K, body_with_axes B, class I, class W, class Force, class S>
-KTE_INLINE constexpr auto yield(const B& b, const I& inertia, const W& bias, const Force& force,
-                                axis_factors<S>* factors, int& bad) {
+template <int K, body_with_axes B, class I, class W, class L, class A, class Force, class S>
+KTE_INLINE constexpr auto yield(const B& b, const I& inertia, const W& bias, const L& linear, const A& angular,
+                                const Force& force, axis_factors<S>* factors, int& bad) {
   const auto s = b.template axis<K>();
   const auto u = accelerating_wrench(inertia, s.linear, s.angular);
   const S d = as<S>(power(s, u) + b.template mass<K>());
-  if (!all(d > least_inertia<S>(s, inertia))) [[unlikely]]
+  if (!all(d > least_inertia<S>(s, linear, angular))) [[unlikely]]
     if (bad < 0) bad = b.first() + K;
   const S inverse = S(1) / d;
   const auto rate = inverse * (force(K) - power(s, bias));
@@ -146,7 +148,7 @@ KTE_INLINE constexpr auto yield(const B& b, const I& inertia, const W& bias, con
     return y;
   } else {
     const auto rest = left_by<K>(b, y, no_wrench, force(K));
-    return yield<K - 1>(b, rest.inertia, rest.bias, force, factors, bad);
+    return yield<K - 1>(b, rest.inertia, rest.bias, linear, angular, force, factors, bad);
   }
 }
 /// I^A and p^A of a body about the origin of its parent and in its axes.
@@ -182,13 +184,16 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
 /// The axes of a joint yield, if it is free.
 template <body_with_axes B, class X, class Force, class S>
 KTE_INLINE constexpr auto yielded(const B& b, const X& x, const Force& force, axis_factors<S>* factors, int& bad) {
-  constexpr int last = B::axes - 1;
+  const auto all_axes = [&]() KTE_INLINE_LAMBDA {
+    return yield<B::axes - 1>(b, x.inertia, x.bias, trace(x.inertia.linear), trace(x.inertia.angular), force, factors,
+                              bad);
+  };
   if constexpr (B::always_free) {
-    return yield<last>(b, x.inertia, x.bias, force, factors, bad);
+    return all_axes();
   } else {
-    dense<S, decltype(yield<last>(b, x.inertia, x.bias, force, factors, bad))> y{};
+    dense<S, decltype(all_axes())> y{};
     if (b.free())
-      assign(y, yield<last>(b, x.inertia, x.bias, force, factors, bad));
+      assign(y, all_axes());
     else
       assign(y.inertia, x.inertia), assign(y.bias, x.bias);
     return y;
@@ -237,17 +242,15 @@ template <class Hand, class Driver, class Kept, class Biases, class Own, class F
 KTE_INLINE int articulate(const Driver& d, const Kept& kept, const Biases& biases, const Own& own, const Force& force,
                           axis_factors<S>* factors) {
   int bad = -1;
-  d.template inward<false, Hand>(
+  d.template inward<false, Hand, false>(
       kept, biases,
       [=](const auto& b, const auto& m) KTE_INLINE_LAMBDA {
         return articulated_body{to_articulated(b.composite()), own(b, m)};
       },
-      [=, &bad](const body_with_axes auto& b, const auto& x) KTE_INLINE_LAMBDA {
-        return yielded(b, x, force(b), factors + b.first(), bad);
-      },
-      [=](const body_with_axes auto& b, const auto& m, const auto& y) KTE_INLINE_LAMBDA {
-        return seen_by_parent(b, m, y, force(b));
-      });
+      [=, &bad](const body_with_axes auto& b, const auto& x)
+          KTE_INLINE_LAMBDA { return yielded(b, x, force(b), factors + b.first(), bad); },
+      [=](const body_with_axes auto& b, const auto& m, const auto& y)
+          KTE_INLINE_LAMBDA { return seen_by_parent(b, m, y, force(b)); });
   return bad;
 }
 /// Articulated inertias alone: of a mechanism at rest, without loads and forces.

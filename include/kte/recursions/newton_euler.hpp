@@ -58,7 +58,7 @@ KTE_INLINE auto motions(const Driver& d, const Kept& kept, const S* rate, const 
 /// carries comes into `force`.
 template <bool Keep, class Driver, class Kept, class Motions, class Own, class S>
 KTE_INLINE void transmit(const Driver& d, const Kept& kept, const Motions& m, const Own& own, S* force) {
-  d.template inward<Keep, wrench<vec3<S>, vec3<S>>>(
+  d.template inward<Keep, wrench<vec3<S>, vec3<S>>, false>(
       kept, m, own,
       [=](const body auto& b, const auto& w) KTE_INLINE_LAMBDA {
         S* const to = force + b.first();
@@ -71,14 +71,15 @@ KTE_INLINE void transmit(const Driver& d, const Kept& kept, const Motions& m, co
 template <bool Keep, class Driver, class Kept, class Motions, class Load, class S>
 KTE_INLINE void transmitted_forces(const Driver& d, const Kept& kept, const Motions& m, const Load& load, S* force) {
   transmit<Keep>(
-      d, kept, m,
-      [=](const auto& b, const auto& moves) KTE_INLINE_LAMBDA { return needed_wrench(b, moves) - load(b); }, force);
+      d, kept, m, [=](const auto& b, const auto& moves) KTE_INLINE_LAMBDA { return needed_wrench(b, moves) - load(b); },
+      force);
 }
 /// The same of loads alone.
 template <class Driver, class Kept, class Load, class S>
 KTE_INLINE void transmitted_loads(const Driver& d, const Kept& kept, const Load& load, S* force) {
   transmit<false>(
-      d, kept, kept_constant<nothing>{}, [=](const auto& b, nothing) KTE_INLINE_LAMBDA { return no_wrench - load(b); }, force);
+      d, kept, kept_constant<nothing>{}, [=](const auto& b, nothing) KTE_INLINE_LAMBDA { return no_wrench - load(b); },
+      force);
 }
 /// In place of loads.
 struct no_load {

@@ -12,8 +12,7 @@ void set_free(const forest<P>& f, memory<P, S>& m, const F& is_free) {
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
     m.yields[i] = is_free(i);
-    m.plain[i] =
-        m.yields[i] && r.moves == joint::revolute && m.own_mass[static_cast<std::size_t>(r.first)] == P(0);
+    m.plain[i] = m.yields[i] && r.moves == joint::revolute && m.own_mass[static_cast<std::size_t>(r.first)] == P(0);
   }
 }
 /// What velocities alone make of the accelerations of all bodies, from `rate` and the motions of bases; of joints that
@@ -32,13 +31,11 @@ template <class P, class S, class Biases, class Load>
 int articulate(const forest<P>& f, memory<P, S>& m, const Biases& biases, const Load& load) {
   const articulated_bodies<P, S> bodies(f, m);
   return engine::articulate<articulated_body<S>>(
-      engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(),
-      biases,
+      engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(), biases,
       [load](const auto& b, const auto& x)
           KTE_INLINE_LAMBDA { return engine::velocity_wrench(b, x.ang_velocity) - load(b); },
-      [force = m.force.data()](const auto& b) KTE_INLINE_LAMBDA {
-        return [of_joint = force + b.first()](int k) KTE_INLINE_LAMBDA { return of_joint[k]; };
-      },
+      [force = m.force.data()](const auto& b)
+          KTE_INLINE_LAMBDA { return [of_joint = force + b.first()](int k) KTE_INLINE_LAMBDA { return of_joint[k]; }; },
       m.factors.data());
 }
 /// The same of articulated inertias alone.
@@ -53,8 +50,8 @@ template <class P, class S, class Biases>
 void accelerate(const forest<P>& f, memory<P, S>& m, const Biases& biases) {
   using hand = engine::body_motion<skip, vec3<S>, vec3<S>, vec3<S>>;
   const articulated_bodies<P, S> bodies(f, m);
-  engine::accelerate<hand>(engine::looped<articulated_bodies<P, S>>{bodies}, m.bodies.data(),
-                           biases, m.factors.data(), m.acceleration.data());
+  engine::accelerate<hand>(engine::looped<articulated_bodies<P, S>>{bodies}, m.bodies.data(), biases, m.factors.data(),
+                           m.acceleration.data());
 }
 
 }  // namespace kte::tree

@@ -171,6 +171,17 @@ class record_bodies {
   int bases_, count_;
 };
 
+/// The same where axes of joints do not matter.
+template <class P, class S>
+class placed_bodies : public record_bodies<P, S> {
+ public:
+  using record_bodies<P, S>::record_bodies;
+  KTE_INLINE bool usual(int i) const { return this->records_[i].moves != joint::several; }
+  template <class F>
+  KTE_INLINE void with_body(int i, const F& f) const {
+    f(jointed_body<unit_axes<3, 4, 5>, P, S>{this->records_[i], this->spots_[i]});
+  }
+};
 /// The same with joints that may be locked, and with masses on their coordinates.
 template <class P, class S>
 class articulated_bodies : public record_bodies<P, S> {

@@ -4,8 +4,8 @@
 
 namespace kte::tree {
 
-/// The derivatives of the forces on axes, with F what a body and all beyond it need (`transmit_wrenches`), in the notation of
-/// (1), (2) of tree/variations.hpp:
+/// The derivatives of the forces on axes, with F what a body and all beyond it need (`transmit_wrenches`), in the
+/// notation of (1), (2) of tree/variations.hpp:
 ///
 ///   d tau_j / d q_i = s_j . (2B s_i' + M s_i'' + s_i x* F)     for axes j of bodies that body i stands on     (3)
 ///   d tau_i / d q_j = s_i . (2B s_j' + M s_j'')                and for axes of one body                      (4)

@@ -22,11 +22,11 @@ template <class D>
 struct dual_memory {
   // From outside: how far joints move along their axes (of value nothing), rates and accelerations of axes.
   std::vector<D> shift, rate, acceleration;
-  std::vector<D> force;                ///< on axes
-  std::vector<dual_seat<D>> seats;     ///< of slots
-  std::vector<body_motion<D>> bodies;  ///< likewise
+  std::vector<D> force;                          ///< on axes
+  std::vector<dual_seat<D>> seats;               ///< of slots
+  std::vector<body_motion<D>> bodies;            ///< likewise
   std::vector<dense_wrench<D>> loads, wrenches;  ///< likewise
-  std::vector<world_place<D>> world;   ///< likewise, but for steps
+  std::vector<world_place<D>> world;             ///< likewise, but for steps
 
   template <class P>
   explicit dual_memory(const forest<P>& f)

@@ -29,8 +29,8 @@ struct loop_memory : tree::memory<P, S> {
   std::vector<S> kept;           ///< rates and accelerations that are put aside
   std::vector<char> prescribed;  ///< by row: whether its acceleration is given
   bool some_prescribed = false;
-  std::vector<char> wanted;      ///< by element: whether what is asked for depends on it
-  std::vector<S> friction;       ///< of `chain_tree::readers`
+  std::vector<char> wanted;  ///< by element: whether what is asked for depends on it
+  std::vector<S> friction;   ///< of `chain_tree::readers`
   /// As large as M or larger: made by the first call that gives them.
   matrix mass, inverse;
   tree::mass_memory<S> masses;

@@ -67,18 +67,18 @@ struct memory {
   std::vector<spot<S>> spots;                ///< of records
   std::vector<S> rate, acceleration, force;  ///< of axes
   std::vector<P> own_mass;
-  std::vector<char> yields;            ///< of records: whether the joint is free to move
-  std::vector<char> plain;             ///< of records: whether it is also about z, without a mass on its coordinate
-  std::vector<int> way;                ///< records from a frame to its base (`place_ancestors`)
-  std::vector<int> turning;            ///< those of them that turn about z
-  std::vector<seen_body<S>> seen;      ///< all of them
-  std::vector<body_motion<S>> bodies;  ///< of slots
-  std::vector<dense_wrench<S>> loads;  ///< of slots: what elements put on bodies, at their origin
+  std::vector<char> yields;               ///< of records: whether the joint is free to move
+  std::vector<char> plain;                ///< of records: whether it is also about z, without a mass on its coordinate
+  std::vector<int> way;                   ///< records from a frame to its base (`place_ancestors`)
+  std::vector<int> turning;               ///< those of them that turn about z
+  std::vector<seen_body<S>> seen;         ///< all of them
+  std::vector<body_motion<S>> bodies;     ///< of slots
+  std::vector<dense_wrench<S>> loads;     ///< of slots: what elements put on bodies, at their origin
   std::vector<dense_wrench<S>> wrenches;  ///< of slots: what bodies and all that they carry need
 
   std::vector<world_place<S>> world;  ///< of slots
   std::vector<world_axis<S>> axes;
-  std::vector<dense_composite<S>> carried;  ///< of slots
+  std::vector<dense_composite<S>> carried;       ///< of slots
   std::vector<bias_motion<S>> biases;            ///< of slots
   std::vector<articulated_body<S>> articulated;  ///< of slots on which several bodies stand
   std::vector<axis_factors<S>> factors;          ///< of axes

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/view/live_page.hpp>
 

@@ -45,7 +45,9 @@ int run_live(const live_settings& o) {
   auto m = read_and_warn(o.in, true);
   if (!m.robot.actuators.empty()) take_motors(m);
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom: nothing can move");
-  const driven_chain driven(m.chain());
+  kte::page_pull hand;
+  driven_chain driven(m.chain());
+  driven.chain = kte::with_pulls(std::move(driven.chain), hand);
   std::optional<hand_inputs> inputs;
   plant p(
       driven.chain, [&](double, const plant::state& x, Eigen::VectorXd& u) { inputs->put(x, driven.chain.nq(), u); },
@@ -80,6 +82,7 @@ int run_live(const live_settings& o) {
       continue;
     }
     inputs->take(page);
+    hand = page.pull();
     try {
       const double step = frame * page.speed(), next = solver->time() + step;
       solver->advance(o.end ? std::min(next, *o.end) : next, step, [](double, const plant::state&) {});
