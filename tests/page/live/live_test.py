@@ -66,6 +66,7 @@ class LiveTest(WindowTest):
 
     def test_slider_sets_a_value_of_the_program(self):
         self.assertEqual(self.run_script("return document.querySelector('#sliders .name').textContent"), 'angle </script>')
+        self.assertEqual(self.run_script("return [...document.querySelectorAll('#sliders .end')].map((end) => end.textContent)"), ['−1', '1'])
         self.slide('#sliders input', 0.5)
         self.program.printed('angle 0.5')
         self.slide('#sliders input', -0.25)
