@@ -1,6 +1,6 @@
 /// Runtime chains of 1e3 to 1e6 links: append them one by one and as chains of one, copy and move the whole, and move
 /// to the last frame. The counter is the time an element, which does not grow with the chain but for caches.
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>

@@ -1,9 +1,15 @@
 #include "runtime_calls.hpp"
 
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_regressor.hpp>
+#include <kte/dynamics/bias_forces.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/regressor.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <algorithm>
 

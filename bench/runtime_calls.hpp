@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <string_view>
 

@@ -9,7 +9,8 @@ set -eu
 
 program() {
   cat <<'END'
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/kte.hpp>
 double runtime(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& x) {
   kte::kte_map_chain arm;

@@ -9,11 +9,18 @@
 
 #include <kte/control/discretize.hpp>
 #include <kte/control/lqr.hpp>
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
-#include <kte/dynamics/runtime_regressor.hpp>
+#include <kte/dynamics/bias_forces.hpp>
+#include <kte/dynamics/centroidal.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/energy.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/regressor.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
 #include <kte/integrators/prince_dormand87.hpp>

@@ -13,14 +13,12 @@
 #include <kte/dynamics/external_wrenches.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
 #include <kte/dynamics/joint_reactions.hpp>
-#include <kte/dynamics/mass_matrix_calc.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/momentum.hpp>
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/reduced.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/dynamics/relative_motion.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_regressor.hpp>
 #include <kte/dynamics/support.hpp>
 #include <kte/kte.hpp>
+#include <kte/reak/mass_matrix_calc.hpp>

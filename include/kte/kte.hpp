@@ -9,7 +9,7 @@
 /// What takes longer to compile, or is needed less often, has headers of its own:
 ///
 ///   kte/dynamics.hpp                   all algorithms: also derivatives, M^-1, hybrid dynamics, momenta, the regressor
-///   kte/dynamics/batch.hpp             many states at once, in packs; of runtime chains: runtime_batch.hpp
+///   kte/dynamics/batch.hpp             many states at once, in packs
 ///   kte/statics.hpp                    equilibria under loads, their paths, natural modes
 ///   kte/simulation.hpp                 chains as systems x' = f(t, x), all integrators, events
 ///   kte/control.hpp                    linear systems of models, LQR, Riccati equations
@@ -32,8 +32,7 @@
 #include <kte/contract/transmission.hpp>
 #include <kte/detail/raise.hpp>
 // clang-format on
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/static.hpp>
 
 #ifdef KTE_COMPILED

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/elements/flexible_beam.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>

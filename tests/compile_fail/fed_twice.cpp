@@ -1,7 +1,7 @@
 // expect: error:
 // expect: mass_matrix_calc: this mass or coordinate is fed twice
-#include <kte/dynamics/mass_matrix_calc.hpp>
 #include <kte/kte.hpp>
+#include <kte/reak/mass_matrix_calc.hpp>
 
 // clang-format off
 inline constexpr struct q_     final : kte::coord_key<"q">         {} q;

@@ -1,5 +1,7 @@
 // What a user of kte::compiled writes: the pendulum of main.cpp from a model file.
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/model_reader.hpp>
 

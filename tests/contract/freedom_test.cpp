@@ -1,5 +1,5 @@
 #include <kte/contract/freedom.hpp>
-#include <kte/dynamics/runtime_vectors.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/mimic.hpp>
 #include <kte/elements/revolute_joint.hpp>

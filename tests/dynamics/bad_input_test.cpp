@@ -1,8 +1,15 @@
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
-#include <kte/dynamics/runtime_regressor.hpp>
+#include <kte/dynamics/regressor.hpp>
 #include <kte/elements/position_control.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <limits>
 

@@ -1,7 +1,11 @@
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/dry_revolute_joint.hpp>
 #include <kte/elements/joint_stiction.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "dynamics/small_chains.hpp"
 

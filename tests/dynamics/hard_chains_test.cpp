@@ -1,6 +1,9 @@
 #include "data/hard_chains.hpp"
 
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "catch.hpp"
 

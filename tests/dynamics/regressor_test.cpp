@@ -1,6 +1,9 @@
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/regressor.hpp>
-#include <kte/dynamics/runtime_regressor.hpp>
 #include <kte/math/dual.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <limits>
 

@@ -1,4 +1,8 @@
-#include <kte/dynamics/runtime_batch.hpp>
+#include <kte/dynamics/batch.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <limits>
 #include <vector>

@@ -1,6 +1,10 @@
 #include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "data/derivatives.hpp"
 #include "dynamics/matrix_error.hpp"

@@ -1,13 +1,20 @@
 #include <kte/dynamics/carried_inertia.hpp>
 #include <kte/dynamics/coriolis_matrix.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian_rate.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/relative_motion.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/position_measure.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/math/pack.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"

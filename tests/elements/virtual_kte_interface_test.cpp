@@ -1,10 +1,14 @@
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/hybrid_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
 #include <kte/elements/virtual_kte_interface.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "dynamics/small_chains.hpp"
 

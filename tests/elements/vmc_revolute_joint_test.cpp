@@ -1,6 +1,8 @@
 #include <kte/dynamics/external_wrenches.hpp>
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/elements/vmc_revolute_joint.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "dynamics/small_chains.hpp"
 

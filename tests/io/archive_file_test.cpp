@@ -1,7 +1,8 @@
-#include <kte/dynamics/mass_matrix_calc.hpp>
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/io/archive_file.hpp>
 #include <kte/io/model_file.hpp>
+#include <kte/reak/mass_matrix_calc.hpp>
 
 #include <cstring>
 #include <locale>

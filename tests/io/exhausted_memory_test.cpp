@@ -1,5 +1,5 @@
-#include <kte/dynamics/mass_matrix_calc.hpp>
 #include <kte/io/archive_file.hpp>
+#include <kte/reak/mass_matrix_calc.hpp>
 
 #include "allocation_count.hpp"
 #include "catch.hpp"

@@ -1,4 +1,5 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/manipulators/era.hpp>
 #include <kte/manipulators/iiwa14.hpp>
 #include <kte/manipulators/opw.hpp>
@@ -13,6 +14,7 @@
 #include <kte/manipulators/ur.hpp>
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/runtime_dynamics_model.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/registered.hpp"

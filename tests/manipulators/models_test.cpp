@@ -1,4 +1,8 @@
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/manipulators/era.hpp>
 #include <kte/manipulators/iiwa14.hpp>
 #include <kte/manipulators/opw.hpp>
@@ -9,6 +13,7 @@
 #include <kte/manipulators/three_r.hpp>
 #include <kte/manipulators/uav.hpp>
 #include <kte/manipulators/ur.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

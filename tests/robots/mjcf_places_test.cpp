@@ -1,4 +1,7 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/robots/load_robot.hpp>
 
 #include "catch.hpp"

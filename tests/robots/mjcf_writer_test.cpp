@@ -1,4 +1,6 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/fluid_drag.hpp>
@@ -11,6 +13,7 @@
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>
 #include <kte/robots/urdf_writer.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"

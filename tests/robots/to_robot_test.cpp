@@ -1,5 +1,10 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/load_robot.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <Eigen/LU>
 

@@ -1,4 +1,3 @@
-#include <kte/dynamics/runtime.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
@@ -8,6 +7,7 @@
 #include <kte/robots/detail/angles.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/urdf_writer.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"

@@ -1,4 +1,4 @@
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>

@@ -1,4 +1,5 @@
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/kte.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
 

@@ -1,7 +1,12 @@
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/energy.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/io/program.hpp>
 
 #include <algorithm>

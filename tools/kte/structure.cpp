@@ -1,7 +1,9 @@
 #include "structure.hpp"
 
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/frame_motion.hpp>
 #include <kte/math/principal_moments.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
 
 #include <algorithm>

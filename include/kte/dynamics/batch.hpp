@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_BATCH_HPP
+#define KTE_BATCH_HPP
 
 #include <kte/dynamics/detail/batch.hpp>
 #include <kte/dynamics/executors.hpp>
@@ -6,7 +7,9 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 
-/// The algorithms on any number of states of a static chain, W states at once in the lanes of packs.
+/// The algorithms on any number of states of a chain, W states at once in the lanes of packs: of a static chain, or of
+/// a runtime chain of joints, links and bodies. Another runtime chain, with laws of elements of its own, throws
+/// `bad_argument`.
 ///
 /// Arguments are arrays of float or double, all of one type, that have data() and size() (vector, array, span, Eigen):
 /// one state after the other, the numbers of state k from k n on, as in an Eigen matrix with a state a column. Results
@@ -138,3 +141,52 @@ void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}
 }
 
 }  // namespace kte::batch
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BATCH_OF_RUNTIME_CHAINS)
+#define KTE_BATCH_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_batch.hpp>
+
+namespace kte::batch {
+
+template <int W = 0, class Q, class V, class A, class Tau, class Executor = in_this_thread,
+          class P = detail::pack_of<detail::number_in<Q>, W, 1>>
+void inverse_dynamics(const kte_map_chain& chain, const Q& q, const V& v, const A& a, Tau&& tau,
+                      Executor&& executor = {}) {
+  const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
+  const std::size_t n = detail::states_in(q, nq, "q");
+  detail::check(v, nv, n, "v"), detail::check(a, nv, n, "a"), detail::check(tau, nv, n, "tau");
+  detail::runtime_job<detail::runtime_inverse_dynamics, P, 3> job(chain, n, tau.data(), nv,
+                                                                  {{{q.data(), nq}, {v.data(), nv}, {a.data(), nv}}});
+  detail::finish(job, executor);
+}
+
+template <int W = 0, class Q, class V, class Tau, class A, class Executor = in_this_thread,
+          class P = detail::pack_of<detail::number_in<Q>, W, 2>>
+void forward_dynamics(const kte_map_chain& chain, const Q& q, const V& v, const Tau& tau, A&& a,
+                      Executor&& executor = {}) {
+  const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
+  const std::size_t n = detail::states_in(q, nq, "q");
+  detail::check(v, nv, n, "v"), detail::check(tau, nv, n, "tau"), detail::check(a, nv, n, "a");
+  detail::runtime_job<detail::runtime_forward_dynamics, P, 3> job(chain, n, a.data(), nv,
+                                                                  {{{q.data(), nq}, {v.data(), nv}, {tau.data(), nv}}});
+  detail::finish(job, executor);
+}
+
+template <int W = 0, class Q, class M, class Executor = in_this_thread,
+          class P = detail::pack_of<detail::number_in<Q>, W, 1>>
+void mass_matrix(const kte_map_chain& chain, const Q& q, M&& m, Executor&& executor = {}) {
+  const auto nq = static_cast<std::size_t>(chain.nq()), nv = static_cast<std::size_t>(chain.dofs());
+  const std::size_t n = detail::states_in(q, nq, "q");
+  detail::check(m, nv * nv, n, "M", nv);
+  detail::runtime_job<detail::runtime_mass_matrix, P, 1> job(chain, n, m.data(), nv * nv, {{{q.data(), nq}}});
+  detail::finish(job, executor);
+}
+
+}  // namespace kte::batch
+
+#endif

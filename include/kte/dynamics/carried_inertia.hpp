@@ -1,7 +1,11 @@
 #pragma once
 
+#include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/detail/local_composite.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/state_vectors.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <vector>
 

@@ -1,89 +1,16 @@
-#pragma once
+#ifndef KTE_CENTROIDAL_HPP
+#define KTE_CENTROIDAL_HPP
 
-#include <kte/dynamics/centre_of_mass.hpp>
-#include <kte/dynamics/detail/columns.hpp>
+#include <kte/dynamics/detail/local_momenta.hpp>
 
 namespace kte {
-
-namespace detail {
-
-/// Composite inertias from the tips to the bases, and at each axis of a joint the momentum that its unit rate makes, in
-/// axes of the bases and about a point, as a column.
-template <class S, class Chain, class Given>
-class local_momenta : columns<S, Chain, Given> {
-  using base = columns<S, Chain, Given>;
-  using typename base::types;
-  using typename base::wiring;
-  template <std::size_t I>
-  using core_t = typename types::template core<I>;
-
- public:
-  using typename base::matrix_type;
-
-  KTE_INLINE local_momenta(const Chain& c, const Given& g, const vec3<S>& point, matrix_type& m)
-      : base(c, g, m), chain_(c) {
-    from_bases<kind::frame_2D>(point, std::make_integer_sequence<int, wiring::count(kind::frame_2D)>{});
-    from_bases<kind::frame_3D>(point, std::make_integer_sequence<int, wiring::count(kind::frame_3D)>{});
-    from_given_bases(point, typename given_bases<Chain>::type{});
-  }
-
- private:
-  template <kind K, int... Slot>
-  KTE_INLINE constexpr void from_bases(const vec3<S>& point, std::integer_sequence<int, Slot...>) {
-    const int done[]{(from_base<K, Slot>(point), 0)..., 0};
-    (void)done;
-  }
-  template <kind K, int Slot>
-  KTE_INLINE constexpr void from_base(const vec3<S>& point) {
-    if constexpr (wiring::writer(K, Slot) < 0)
-      (void)carried<K, Slot>(pose{no_rotation{}, -point}, std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-  }
-  template <std::size_t... I>
-  KTE_INLINE constexpr void from_given_bases(const vec3<S>& point, std::index_sequence<I...>) {
-    const int done[]{(from_given_base<types::template output_kind<I>, types::template output_slot<I>>(point), 0)..., 0};
-    (void)done;
-  }
-  template <kind K, int Slot>
-  KTE_INLINE constexpr void from_given_base(const vec3<S>& point) {
-    const auto x = this->template motion_of_frame<K, Slot>();
-    (void)carried<K, Slot>(pose{x.rotation, x.position - point},
-                           std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
-  }
-  /// What a frame carries that stands at x, seen from the point.
-  template <kind K, int Slot, class X, std::size_t... N>
-  KTE_INLINE constexpr auto carried(const X& x, std::index_sequence<N...>) {
-    return (no_mass + ... + part<loads_on<wiring, K, Slot>[N].element>(x));
-  }
-  template <std::size_t I, class X>
-  KTE_INLINE constexpr auto part(const X& x) {
-    if constexpr (is_body<core_t<I>>) {
-      return chain_.template core<I>().template mass<S>();
-    } else if constexpr (is_transmission<core_t<I>>) {
-      constexpr kind k = types::template output_kind<I>;
-      constexpr int slot = types::template output_slot<I>;
-      const auto relative = this->template pose_of_element<I>();
-      const auto end = compose(x, relative);
-      const auto b = carried<k, slot>(end, std::make_index_sequence<loads_on<wiring, k, slot>.size()>{});
-      base::template for_each_axis<I>([&]<int N>() KTE_INLINE_LAMBDA {
-        const auto h = transmit(end, accelerating_wrench(b, this->template axis<I, N>()));
-        this->template put<I, N>(h.force, h.torque);  // (2)
-      });
-      return transported(relative.rotation, relative.position, b);
-    } else {
-      static_assert(sizeof(pass_over<Chain, I>) > 0);
-      return no_mass;
-    }
-  }
-
-  const Chain& chain_;
-};
-
-}  // namespace detail
 
 /// The momentum of all bodies, kg m/s, and their angular momentum about their centre of mass c, kg m^2/s, in axes of
 /// the base, bases at rest: momenta are carried from the tips to the base as forces are, and there
 ///
 ///   p = sum p_i,  k_G = k_0 - c x p          (1)
+///
+/// Of a runtime chain `centroidal_momentum(c, s, q, v)` or `(c, s)`. Arguments and errors as for `centre_of_mass`.
 template <class Gravity, class... E, indexable Q, indexable V>
 auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
@@ -107,7 +34,8 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
 ///   X I^c s          (2)
 ///
 /// with I^c the inertia of all that the joint carries, and X the transport of a momentum, as of a wrench, from the end
-/// of the joint to the centre of mass, in axes of the base.
+/// of the joint to the centre of mass, in axes of the base. Of a runtime chain `centroidal_map(c, s, q)` or `(c, s)`, a
+/// value, for which memory is allocated.
 template <class Gravity, class... E, indexable Q>
 auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
@@ -133,3 +61,69 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CENTROIDAL_OF_RUNTIME_CHAINS)
+#define KTE_CENTROIDAL_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/detail/runtime_jacobian.hpp>
+
+namespace kte {
+
+template <class S>
+linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  const detail::blame_state why{"a momentum", s};
+  const auto h = detail::momentum_of_coordinates(s, detail::divided_by_mass<S>(w.mass, w.moment, why));
+  return detail::checked<S>(h.force, h.torque, why);
+}
+namespace detail {
+/// At positions that are good.
+template <class S>
+basic_runtime_jacobian<S> centroidal_map_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
+  const blame_state why{"a momentum", s};
+  for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment, why), [&a](int row, const tree::dense_wrench<S>& h) {
+    auto column = a.col(row);
+    column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
+    column[3] += h.torque.x, column[4] += h.torque.y, column[5] += h.torque.z;
+  });
+  check_result(a.data(), static_cast<std::size_t>(a.size()), why);
+  if (a.cols() == s.dofs()) return a;
+  return folded(c, s, std::move(a));
+}
+}  // namespace detail
+template <class S>
+basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_positions(s);
+  return detail::centroidal_map_of(c, s);
+}
+template <class S, indexable Q, indexable V>
+linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::take(c, s, q, v).call([&] { return centroidal_momentum(c, s); });
+}
+template <class S, indexable Q>
+basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::check_regular(c, s);
+  return detail::take(c, s, q).call([&] { return detail::centroidal_map_of(c, s); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template linear_angular<double> centroidal_momentum(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template runtime_jacobian centroidal_map(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template runtime_jacobian centroidal_map_of(const kte_map_chain&, runtime_state&);
+}
+#endif
+
+}  // namespace kte
+
+#endif

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <kte/dynamics/detail/by_records.hpp>
 #include <kte/dynamics/detail/follower_rates.hpp>
 #include <kte/dynamics/detail/local_coriolis.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/detail/static_loops.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/tree/coriolis.hpp>
 
 /// The matrix of Coriolis and centrifugal forces, and how the mass matrix changes; on static and runtime chains.

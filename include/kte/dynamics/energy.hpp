@@ -1,6 +1,8 @@
-#pragma once
+#ifndef KTE_ENERGY_HPP
+#define KTE_ENERGY_HPP
 
 #include <kte/dynamics/centre_of_mass.hpp>
+#include <kte/dynamics/detail/local_energy.hpp>
 
 namespace kte {
 
@@ -11,81 +13,14 @@ struct energies {
   S potential;
 };
 
-namespace detail {
-
-/// Sum over the elements of a chain of f<I>(), which may be a typed zero.
-template <class Chain, class F>
-KTE_INLINE constexpr auto sum_over_elements(const F& f) {
-  return [&f]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-    return (zero + ... + f.template operator()<I>());
-  }
-  (std::make_index_sequence<Chain::size>{});
-}
-
-template <class S, class Chain, class At, class V>
-KTE_INLINE auto kinetic_energy_at(const Chain& c, const At& at, const V& v) {
-  const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};
-  using given_type = std::remove_const_t<decltype(g)>;
-  using types = local_types<Chain, given_type>;
-  const local_motion<Chain, given_type> m(c, g);
-  return sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
-    const auto& core = c.template core<I>();
-    return [&]<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
-      const auto see = [&m]<std::size_t Port>() KTE_INLINE_LAMBDA -> decltype(auto) {
-        return m.template get<types::template what<I, Port>, Chain::wiring::slot(I, Port)>();
-      };
-      if constexpr (requires { core.kinetic_energy(see.template operator()<P>()...); }) {
-        return core.kinetic_energy(see.template operator()<P>()...);
-      } else {
-        return zero;
-      }
-    }
-    (typename types::template inputs<I>{});
-  });
-}
-
-/// Of gravity, and of the elements that have a potential, of which only the anchors are evaluated.
-template <class S, class Chain, class At>
-KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
-  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
-  const auto elastic = sum_over_elements<Chain>([&]<std::size_t I>() KTE_INLINE_LAMBDA {
-    const auto& core = c.template core<I>();
-    return [&]<std::size_t... P>(std::index_sequence<P...>) KTE_INLINE_LAMBDA {
-      const auto see = [&]<std::size_t Port>() KTE_INLINE_LAMBDA {
-        return motion_of<types, types::template what<I, Port>, Chain::wiring::slot(I, Port)>(c, g);
-      };
-      const auto own = [&]() KTE_INLINE_LAMBDA {
-        if constexpr (requires { core.potential_energy(see.template operator()<P>()...); }) {
-          return core.potential_energy(see.template operator()<P>()...);
-        } else {
-          return zero;
-        }
-      }();
-      if constexpr (requires { core.first_moment(see.template operator()<P>()...); }) {
-        return own - dot(c.gravity(), core.first_moment(see.template operator()<P>()...));
-      } else {
-        return own;
-      }
-    }
-    (typename types::template inputs<I>{});
-  });
-  return elastic - dot(c.gravity(), weight_of<S>(c, at).moment);  // (2)
-}
-template <class S, class X, class Blame = too_large>
-KTE_INLINE S checked_energy(const X& energy, const Blame& why = {"an energy"}) {
-  const S all[]{as<S>(energy)};
-  check_result(all, 1, why);
-  return all[0];
-}
-
-}  // namespace detail
-
 /// The kinetic energy of all bodies and of masses on coordinates, bases at rest, J:
 ///
 ///   T = sum m |v_c|^2 / 2 + w . I w / 2 + sum m q_dot^2 / 2  =  v . M(q) v / 2          (1)
 ///
 /// over the bodies by the velocities of their frames, without M: a sum of what is not negative, so it keeps its digits.
+/// Of a runtime chain `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state
+/// s, of which the frames then are those of `doMotion`; bases move as it says. Arguments and errors as for
+/// `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
 auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
@@ -103,7 +38,8 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 ///
 ///   V = - gravity . sum m c + sum V_spring          (2)
 ///
-/// Elements have a part in it by a function `potential_energy`; dampers and motors have none.
+/// Elements have a part in it by a function `potential_energy`; dampers and motors have none. Of a runtime chain
+/// `potential_energy(c, s, q)`, or `potential_energy(c, s)`.
 template <class Gravity, class... E, indexable Q>
 auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
@@ -134,3 +70,64 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_ENERGY_OF_RUNTIME_CHAINS)
+#define KTE_ENERGY_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_bodies.hpp>
+
+namespace kte {
+
+template <class S>
+S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  c.check(s), detail::check_state_velocities(s);
+  c.doMotion(s);
+  static_assert(detail::goes_through_passes<S>);
+  double sum = 0;
+  for (const auto& e : c.wiring().elements) sum += e.element->kinetic_energy(s);
+  return detail::checked_energy<S>(sum, detail::blame_state{"an energy", s});
+}
+template <class S>
+S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s), detail::check_positions(s);
+  c.doMotion(s);
+  static_assert(detail::goes_through_passes<S>);
+  double sum = 0;
+  for (const auto& e : c.wiring().elements) {
+    sum += e.element->potential_energy(s);
+    if (e.spreads) sum -= dot(c.gravity(), e.element->first_moment(s));
+  }
+  detail::carry_bodies(c, s);
+  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment),
+                                   detail::blame_state{"an energy", s});
+}
+template <class S>
+energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  const S kinetic = kinetic_energy(c, s);
+  return {kinetic, potential_energy(c, s)};
+}
+template <class S, indexable Q, indexable V>
+S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return kinetic_energy(c, s); });
+}
+template <class S, indexable Q>
+S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&] { return potential_energy(c, s); });
+}
+template <class S, indexable Q, indexable V>
+energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+  return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return energy(c, s); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template double kinetic_energy(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template double potential_energy(const kte_map_chain&, runtime_state&);
+#endif
+
+}  // namespace kte
+
+#endif

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/static_equilibrium.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <string>
 #include <string_view>

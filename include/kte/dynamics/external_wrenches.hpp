@@ -1,7 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/forward_dynamics.hpp>
-#include <kte/dynamics/runtime_jacobian.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/state_vectors.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <string>
 #include <string_view>

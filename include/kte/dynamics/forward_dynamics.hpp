@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_FORWARD_DYNAMICS_HPP
+#define KTE_FORWARD_DYNAMICS_HPP
 
 #include <kte/dynamics/detail/local_articulated.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
@@ -32,7 +33,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
     const given_type g{at, v, {}, base};
     articulated_accelerations(c, g, tau, a);
   } else {
-    a = tau + coordinate_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
+    a = tau + generalized_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = local_mass_matrix<S>(c, at, base);
     solve_in_place(m, a, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
     check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
@@ -47,8 +48,14 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///
 /// in a chain of joints and links by the articulated-body algorithm, which never forms M and keeps its digits where M
 /// is badly conditioned (docs/decisions/05-forward-dynamics.md); where coordinates follow others, or two joints share
-/// one, by factorising M. tau: forces applied to the degrees of freedom besides those of the chain's own elements; else
-/// as `inverse_dynamics`. Returns accelerations, rad/s^2 and m/s^2. Throws `singular_mass_matrix`.
+/// one, by factorising M. tau: forces applied to the degrees of freedom besides those of the chain's own elements, Nm
+/// and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
+///
+///   forward_dynamics(c, q, v, tau)       of a static chain, a value
+///   forward_dynamics(c, s, q, v, tau)    of a runtime chain, in the state s, of which the coordinates get them, too
+///   forward_dynamics(c, s)               of both, at the positions and rates of a state under its inputs, no tau
+///
+/// Arguments and errors as for `inverse_dynamics`, chains as for `mass_matrix`. Throws `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
@@ -61,7 +68,6 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
   return detail::accelerations_under<S>(c, at, detail::each<S, V>{v}, detail::base_under_gravity(c), f);
 }
 
-/// The same at the positions and rates of a state, with its moving bases and its inputs, and no other forces.
 template <class Gravity, class... E, class S>
 auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
@@ -74,3 +80,38 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS)
+#define KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+
+namespace kte {
+
+template <class S>
+const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
+  detail::check_positions(s);
+  return detail::accelerations_under(c, s, [](int) { return S(0); });
+}
+template <class S, indexable Q, indexable V, indexable T>
+const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                          const T& tau) {
+  detail::check_regular(c, s);
+  return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
+    return detail::accelerations_under(c, s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+  });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const kte_map_chain&, runtime_state&);
+#endif
+
+}  // namespace kte
+
+#endif

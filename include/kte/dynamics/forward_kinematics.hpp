@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_FORWARD_KINEMATICS_HPP
+#define KTE_FORWARD_KINEMATICS_HPP
 
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/state_vectors.hpp>
@@ -31,6 +32,20 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
   } else {
     return motion_by<Types, std::size_t{writer}>(c, g, typename Types::template inputs<std::size_t{writer}>{});
   }
+}
+/// Joint or link I where its coordinate is, without rates.
+template <std::size_t I, class Chain, class Given>
+KTE_INLINE constexpr auto element_pose(const Chain& c, const Given& g) {
+  using types = local_types<Chain, Given>;
+  using core_t = typename types::template core<I>;
+  const auto m = [&]() KTE_INLINE_LAMBDA {
+    if constexpr (coordinates_of<core_t> == 0)
+      return c.template core<I>().relative();
+    else
+      return c.template core<I>().relative(
+          position_only(motion_of<types, coordinate_kind<core_t>, Chain::wiring::slot(I, 0)>(c, g)));
+  }();
+  return pose{m.rotation, m.position};
 }
 template <class S, kind K, class M>
 KTE_INLINE constexpr auto pose_of(const M& m) {
@@ -72,8 +87,16 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
 }
 }  // namespace detail
 
-/// Where a frame stands, relative to a base at the origin: rotation and position (m). Only the elements between the
-/// base and the frame are evaluated, and only their poses. q as for `inverse_dynamics`.
+/// Where a frame stands: rotation and position (m). Only the elements between the base and the frame are evaluated, and
+/// only their poses.
+///
+///   forward_kinematics(c, q, elbow)          of a static chain, relative to a base at the origin
+///   forward_kinematics(c, s, q, "elbow")     of a runtime chain, in the axes in which the bases of the state s are
+///                                            given; a frame in the plane as one in space
+///   forward_kinematics(c, s, elbow)          of both, at the positions of a state, in the axes of its bases
+///
+/// Arguments and errors as for `inverse_dynamics`; a text that names no frame throws `unknown_name`. All frames at
+/// once: dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
 auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using chain_type = static_chain<Gravity, E...>;
@@ -84,7 +107,6 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const 
                                    detail::same_base{motion{zero3{}, no_rotation{}, skip{}, skip{}, skip{}, skip{}}});
 }
 
-/// The same at the positions of a state, in the axes in which its bases are given.
 template <class Gravity, class... E, class S, key_type Frame>
 auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s,
                         const Frame&) {
@@ -96,3 +118,77 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS)
+#define KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/tree/jacobian.hpp>
+
+namespace kte {
+
+namespace detail {
+/// At positions that are good.
+template <class S>
+pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  const auto& f = s.tree().forest;
+  const auto& place = f.frame(x.what, x.index);
+  if constexpr (std::is_same_v<S, double>)
+    if (s.tree().moves_unknown || place.slot < 0) [[unlikely]] {
+      move(c.wiring(), s, x);
+      return with_motion(s, x, [](const auto& m) { return plain_pose<S>(m); });
+    }
+  if constexpr (!std::is_same_v<S, double>) refuse_following(c, s, x);
+  place_ancestors(runtime_elements{c}, s, place.slot);
+  tree::dense_pose<S> seen;
+  const int base = tree::pose_in_base(f, s.work, place, seen);
+  tree::dense_pose<S> in_world = seen;
+  for_each_base(s, [&](const auto& m, std::size_t slot) {
+    if (static_cast<int>(slot) == base) in_world = compose(plain_pose<S>(m), seen);
+  });
+  return in_world;
+}
+/// Throws `bad_argument` where a frame stands nowhere: signals and bases in the state may be no numbers.
+template <class S, class Pose>
+const Pose& checked_pose(const basic_runtime_state<S>& s, const Pose& m, kind k, int frame) {
+  const auto r = matrix(m.rotation);
+  const S numbers[]{as<S>(m.position.x),  as<S>(m.position.y),  as<S>(m.position.z),
+                    as<S>(dot(r.x, r.x)), as<S>(dot(r.y, r.y)), as<S>(dot(r.z, r.z))};
+  check_result(numbers, 6, [&] {
+    const std::string& name = s.made_for()->names[static_cast<std::size_t>(k)][static_cast<std::size_t>(frame)];
+    blame(("where frame '" + name + "' stands").c_str(), s);
+  });
+  return m;
+}
+}  // namespace detail
+
+template <class S>
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s,
+                                                const name_or_handle& frame) {
+  c.check(s);
+  const auto x = detail::find_frame(c, frame);
+  detail::check_positions(s);
+  return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index);
+}
+template <class S, indexable Q>
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                                const name_or_handle& frame) {
+  const auto x = detail::find_frame(c, frame);
+  return detail::take<detail::keeping::if_needed>(c, s, q).call(
+      [&] { return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index); });
+}
+
+#ifdef KTE_EXTERN
+namespace detail {
+KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+}
+#endif
+
+}  // namespace kte
+
+#endif

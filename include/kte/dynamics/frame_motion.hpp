@@ -1,17 +1,13 @@
-#pragma once
+#ifndef KTE_FRAME_MOTION_HPP
+#define KTE_FRAME_MOTION_HPP
 
 #include <kte/dynamics/forward_kinematics.hpp>
 
-/// How a frame moves, and where all frames stand.
+/// How a frame moves, and where all frames stand; of static chains with bases at rest, of runtime chains with bases as
+/// the state has them. Frames are named by keys of static chains, by texts or handles of runtime chains, of which a
+/// text that names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is
+/// allocated.
 namespace kte {
-
-/// A linear and an angular quantity, such as velocity and angular velocity. A frame in the plane has them as one in
-/// space.
-template <class S = double>
-struct linear_angular {
-  vec3<S> linear;
-  vec3<S> angular;
-};
 
 /// Where all frames of a chain stand, by name: `poses[elbow].position`, `poses[elbow].rotation`.
 template <class S, class Wiring>
@@ -103,9 +99,11 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 }
 }  // namespace detail
 
-/// Where all frames stand, relative to a base at the origin: a table of rotations and positions (m), by name.
+/// Where all frames stand: of a static chain a table of rotations and positions (m), by name, relative to a base at the
+/// origin; of a runtime chain the state, of which all frames then are those of `doMotion`.
 ///
-///   auto poses = kte::forward_kinematics(arm, q);   poses[elbow].position.z
+///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
+///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z
 template <class Gravity, class... E, indexable Q>
 auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -126,7 +124,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
 
 /// The velocity of the origin of a frame (m/s) and its angular velocity (rad/s), in its own axes, bases at rest: the
 /// recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and frame
-/// and no others. It is `jacobian(c, q, frame)` times v.
+/// and no others. It is `jacobian(c, q, frame)` times v. Of a runtime chain `frame_velocity(c, s, q, v, "hand")`, or
+/// `frame_velocity(c, s, "hand")` at the positions and rates of the state s.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
 auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
   using namespace detail;
@@ -143,7 +142,9 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 
 /// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
 /// acceleration (rad/s^2), in its own axes, bases at rest, without gravity: (2), (3), (4) of `compose`. With the world
-/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v).
+/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Of a runtime chain
+/// `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`: without the gravity that bases have in the state
+/// (dynamics/detail/moved_in_world.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
 auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
   using namespace detail;
@@ -160,3 +161,104 @@ auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const 
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FRAME_MOTION_OF_RUNTIME_CHAINS)
+#define KTE_FRAME_MOTION_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/moved_in_world.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+
+namespace kte {
+
+namespace detail {
+template <class S>
+void check_poses(const basic_runtime_state<S>& s) {
+  const auto check = [&s]<kind K>() {
+    for (int i = 0; i < s.made_for()->count(K); ++i) checked_pose(s, spatial(s.template get<K>(i)), K, i);
+  };
+  check.template operator()<kind::frame_2D>(), check.template operator()<kind::frame_3D>();
+}
+}  // namespace detail
+
+template <class S>
+const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  static_assert(detail::goes_through_passes<S>);
+  c.check(s);
+  detail::check_positions(s);
+  c.doMotion(s);
+  detail::check_poses(s);
+  return s;
+}
+template <class S, indexable Q>
+requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c,
+                                                                               basic_runtime_state<S>& s, const Q& q) {
+  static_assert(detail::goes_through_passes<S>);
+  return detail::take(c, s, q).call([&]() -> const auto& {
+    c.doMotion(s);
+    detail::check_poses(s);
+    return s;
+  });
+}
+
+namespace detail {
+template <class S>
+linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  static_assert(goes_through_passes<S>);
+  move(c.wiring(), s, x);
+  return with_motion(s, x, [&s](const auto& m) {
+    return checked<double>(m.velocity, m.ang_velocity, blame_state{"a velocity", s});
+  });
+}
+template <class S>
+linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  return with_motion_in_world(c, s, x, [&s](const auto& m) {
+    return checked<double>(m.acceleration, m.ang_acceleration, blame_state{"an acceleration", s});
+  });
+}
+}  // namespace detail
+
+template <class S>
+linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+  c.check(s);
+  const auto x = detail::find_frame(c, frame);
+  detail::check_state_velocities(s);
+  return detail::velocity_of(c, s, x);
+}
+template <class S, indexable Q, indexable V>
+linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                 const name_or_handle& frame) {
+  const auto x = detail::find_frame(c, frame);
+  return detail::take(c, s, q, v).call([&] { return detail::velocity_of(c, s, x); });
+}
+
+template <class S>
+linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+  c.check(s);
+  const auto x = detail::find_frame(c, frame);
+  detail::check_state_velocities(s);
+  detail::check_state(
+      s, [](const auto& y, const auto& f) { visit_a(y, f); }, "kte: an acceleration is not finite");
+  return detail::acceleration_of(c, s, x);
+}
+template <class S, indexable Q, indexable V, indexable A>
+linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                     const A& a, const name_or_handle& frame) {
+  const auto x = detail::find_frame(c, frame);
+  return detail::take(c, s, q, v, a).call([&] { return detail::acceleration_of(c, s, x); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_state& forward_kinematics(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template linear_angular<double> velocity_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> acceleration_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+}  // namespace detail
+#endif
+
+}  // namespace kte
+
+#endif

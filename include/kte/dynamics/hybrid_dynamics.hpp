@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_HYBRID_DYNAMICS_HPP
+#define KTE_HYBRID_DYNAMICS_HPP
 
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
@@ -54,11 +55,13 @@ struct some_accelerations {
 /// Body Dynamics Algorithms, 2008, section 9.2). known: for a prescribed coordinate its accelerations, for others the
 /// forces applied, as tau of `forward_dynamics`:
 ///
-///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));
+///   const auto r = kte::hybrid_dynamics(arm, q, v, known, kte::prescribed(shoulder, elbow));      // static
+///   const auto r = kte::hybrid_dynamics(arm, s, q, v, known, {"shoulder", "elbow"});              // runtime
 ///
 /// By the articulated-body algorithm, to which a prescribed joint is a link in motion; where coordinates follow others,
 /// or two joints share one, by the rows of M that belong to unknown accelerations. Then by inverse dynamics for the
-/// forces.
+/// forces. Returns a value; other arguments and errors as for `forward_dynamics`. A text that names no degree of
+/// freedom throws `bad_argument` or `unknown_name`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
 auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
                      prescribed_coordinates<Keys...>) {
@@ -83,7 +86,8 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
     detail::articulated_accelerations(c, g, force, r.a);
   } else {
     using at_rest = detail::same<zero_t>;
-    r.a = force - detail::coordinate_forces<S>(c, detail::given{at, detail::each<S, V>{v}, at_rest{}, base}, minus_one);
+    r.a =
+        force - detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, at_rest{}, base}, minus_one);
     for (int i = 0; i < chain_type::dofs; ++i)
       if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
     auto m = detail::local_mass_matrix<S>(c, at, base);
@@ -91,11 +95,62 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
                                [&at](int row) { detail::blame_mass<wiring>(row, true, at.q); });
     detail::check_accelerations<wiring>(r.a, g, force);
   }
-  r.tau = detail::coordinate_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
-                                       minus_one);
+  r.tau = detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
+                                        minus_one);
   for (int i = 0; i < chain_type::dofs; ++i)  // what is known is given back as it came
     if (!accelerations::is_known[static_cast<std::size_t>(i)]) r.tau[i] = force[i];
   return r;
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS)
+#define KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace kte {
+
+template <class S, indexable Q, indexable V, indexable X>
+hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+                                                          const V& v, const X& known,
+                                                          const std::vector<std::string_view>& prescribed) {
+  using namespace detail;
+  check_regular(c, s);
+  const auto n = static_cast<std::size_t>(s.dofs());
+  check_size(n, known, "known");
+  std::vector<char> is_known(n, 0);
+  for (const auto& name : prescribed) {
+    const kind k = c.wiring().kind_of(name, false);
+    const int slot = c.wiring().find(name, k);
+    const auto at = std::find_if(s.freedoms().begin(), s.freedoms().end(),
+                                 [&](const freedom& f) { return f.what == k && f.slot == slot; });
+    if (at == s.freedoms().end())
+      throw bad_argument("kte: '" + std::string(name) + "' is not a degree of freedom of this chain");
+    for (int i = 0; i < nv_of(k); ++i) is_known[static_cast<std::size_t>(at->v + i)] = 1;
+  }
+  runtime_vector<S> given = runtime_vector<S>::Zero(s.dofs()), force = given;
+  for (std::size_t i = 0; i < n; ++i)
+    (is_known[i] ? given : force)[static_cast<Eigen::Index>(i)] = static_cast<S>(known[i]);
+  return take(c, s, q, v, given, force).call([&] {
+    hybrid_dynamics_result<S, Eigen::Dynamic> r;
+    r.a = accelerations_under(
+        c, s, [&force](int i) { return force[i]; }, is_known);
+    r.tau = inverse_dynamics(c, s);
+    for (std::size_t i = 0; i < n; ++i)  // what is known is given back as it came
+      if (!is_known[i]) r.tau[static_cast<Eigen::Index>(i)] = force[static_cast<Eigen::Index>(i)];
+    return r;
+  });
+}
+
+}  // namespace kte
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_INVERSE_DYNAMICS_HPP
+#define KTE_INVERSE_DYNAMICS_HPP
 
 #include <kte/contract/transmission.hpp>
 #include <kte/dynamics/detail/given.hpp>
@@ -34,8 +35,9 @@ KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
   read(std::make_index_sequence<wiring::freedoms>{});
   return f;
 }
+/// The same of a chain, as they are given.
 template <class S, class Chain, class Given, class Sign>
-KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
+KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
   const auto f = [&]() KTE_INLINE_LAMBDA {
     if constexpr (has_unrolled_passes<Chain, S>) {
       using pass = local_pass<Chain, Given>;
@@ -55,10 +57,20 @@ KTE_INLINE auto coordinate_forces(const Chain& c, const Given& g, Sign sign) {
 ///
 ///   tau = M(q) a + C(q, v) v + g(q) - Q(q, v)          (1)
 ///
-/// where Q are the forces of the chain's own springs, dampers and the like, gravity is the chain's `gravity()`, bases
-/// rest and inputs are zero. q, v, a: positions (rad, m), velocities, accelerations of the degrees of freedom in the
-/// order of the chain's layout (static_chain/layout.hpp); anything with operator[]. Returns tau in Nm and N. No heap,
-/// no state.
+/// where Q are the forces of the chain's own springs, dampers and the like, and gravity is the chain's `gravity()`.
+/// q, v, a: positions (rad, m), velocities, accelerations of the degrees of freedom in the order of the chain's layout
+/// (static_chain/layout.hpp); anything with operator[]. Returns tau, dofs numbers, in Nm and N.
+///
+///   inverse_dynamics(c, q, v, a)       of a static chain, a value: bases rest, inputs are zero; no heap, no state
+///   inverse_dynamics(c, s, q, v, a)    of a runtime chain, in the state s into which q, v, a are put, until the next
+///                                      call with it: bases and inputs are as s has them
+///   inverse_dynamics(c, s)             of both, at the positions, rates and accelerations of a state
+///
+/// Throws `bad_argument` for arguments of another size, for numbers that are not finite, and for quaternions of length
+/// zero; a runtime chain also for the state of another. All algorithms on runtime chains that take q, v or a put them
+/// into the state, allocate nothing but for what is as large as M, and where they refuse leave the positions,
+/// velocities and accelerations of the state as they were, unless what they refuse are signals or bases that the state
+/// has.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
@@ -66,11 +78,10 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
       check_size<chain_type::dofs>(a, "a");
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  return detail::coordinate_forces<S>(
+  return detail::generalized_forces<S>(
       c, detail::given{at, detail::each<S, V>{v}, detail::each<S, A>{a}, detail::base_under_gravity(c)}, minus_one);
 }
 
-/// The same at the positions, rates and accelerations of a state, with its moving bases and its inputs.
 template <class Gravity, class... E, class S>
 auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
@@ -78,9 +89,44 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
   const auto v = velocities(s), a = accelerations(s);
   using vector = std::remove_const_t<decltype(v)>;
   const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
-  return detail::coordinate_forces<S>(
+  return detail::generalized_forces<S>(
       c, detail::given{at, detail::each<S, vector>{v}, detail::each<S, vector>{a}, detail::base_of_state<state>{s}},
       minus_one);
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS)
+#define KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/detail/runtime_loops.hpp>
+
+namespace kte {
+
+template <class S>
+const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::coordinate_forces(c, s);
+  detail::take_needed_forces(s);
+  detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::blame("a force", s); });
+  return s.work.forces;
+}
+template <class S, indexable Q, indexable V, indexable A>
+const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+                                          const A& a) {
+  return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
+    return inverse_dynamics(c, s);
+  });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_vector<double>& inverse_dynamics(const kte_map_chain&, runtime_state&);
+#endif
+
+}  // namespace kte
+
+#endif

@@ -4,6 +4,10 @@
 #include <kte/dynamics/detail/follower_rates.hpp>
 #include <kte/dynamics/detail/moved_in_world.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 
 /// How Jacobians of frames change, and what a frame is accelerated by rates alone; on static and runtime chains. With

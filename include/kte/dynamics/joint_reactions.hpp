@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <string>
 #include <vector>

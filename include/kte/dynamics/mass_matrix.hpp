@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_MASS_MATRIX_HPP
+#define KTE_MASS_MATRIX_HPP
 
 #include <kte/dynamics/detail/local_mass.hpp>
 #include <kte/dynamics/state_vectors.hpp>
@@ -9,8 +10,15 @@ namespace kte {
 ///
 ///   M_ij = s_i . (I^c_j s_j)   for i upstream of j,  0 where neither is upstream of the other           (1)
 ///
-/// with s the axis of a joint and I^c the inertia of all that it carries. q as for `inverse_dynamics`. Symmetric, both
-/// triangles filled; kg m^2, kg m, kg.
+/// with s the axis of a joint and I^c the inertia of all that it carries. dofs x dofs, symmetric, both triangles
+/// filled; kg m^2, kg m, kg.
+///
+///   mass_matrix(c, q)       of a static chain, a value
+///   mass_matrix(c, s, q)    of a runtime chain, in the state s, for which the first call makes room
+///   mass_matrix(c, s)       of both, at the positions of a state
+///
+/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
+/// acts by more than records say.
 template <class Gravity, class... E, indexable Q>
 auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -20,7 +28,6 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   return detail::local_mass_matrix<S>(c, at, detail::base_under_gravity(c));
 }
 
-/// The same at the positions of a state.
 template <class Gravity, class... E, class S>
 auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
@@ -30,3 +37,41 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, deta
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_OF_RUNTIME_CHAINS)
+#define KTE_MASS_MATRIX_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+
+namespace kte {
+
+template <class S>
+const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
+  detail::check_positions(s);
+  detail::mass_of_coordinates(detail::runtime_elements{c}, s);
+  detail::check_masses(s, s.work.mass);
+  return s.work.mass;
+}
+template <class S, indexable Q>
+const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::check_regular(c, s);
+  return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
+    detail::mass_of_coordinates(detail::runtime_elements{c}, s);
+    detail::check_masses(s, s.work.mass);
+    return s.work.mass;
+  });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix(const kte_map_chain&, runtime_state&);
+#endif
+
+}  // namespace kte
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef KTE_MASS_MATRIX_INVERSE_HPP
+#define KTE_MASS_MATRIX_INVERSE_HPP
 
 #include <kte/dynamics/detail/local_inverse_mass.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
@@ -30,15 +31,15 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     auto factors = local_mass_matrix<S>(c, at, base);
     invert_by_factors(factors, m, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
   }
-  check_inverse<typename Chain::wiring>(m, at);
+  check_inverse(m, [&]() KTE_INLINE_LAMBDA { blame_if_endless<typename Chain::wiring>(m, at.q); });
   return m;
 }
 }  // namespace detail
 
 /// The inverse of the mass matrix, by the recursion of the articulated-body algorithm: column j is the acceleration
 /// that a unit force on degree of freedom j makes in the chain at rest, without gravity and other forces. M itself is
-/// formed (and factorised) only where coordinates follow others. q as for `inverse_dynamics`. Throws
-/// `singular_mass_matrix`.
+/// formed (and factorised) only where coordinates follow others. Arguments, results and errors as for `mass_matrix`, of
+/// both kinds of chain. Throws also `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q>
 auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -47,7 +48,6 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
   return detail::inverse_mass<S>(c, at, detail::base_under_gravity(c));
 }
-/// The same at the positions of a state.
 template <class Gravity, class... E, class S>
 auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   const auto q = positions(s);
@@ -56,3 +56,54 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
+#define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
+
+namespace kte {
+
+namespace detail {
+/// At positions that are good.
+template <class S>
+const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  runtime_matrix<S>& inverse = s.work.inverse;
+  if (s.tree().plan.tree) {
+    articulate_and_invert(runtime_elements{c}, s, inverse);
+  } else {
+    mass_of_coordinates(runtime_elements{c}, s);
+    inverse.resize(s.dofs(), s.dofs());
+    invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+  }
+  check_inverse(inverse, [&] { check_masses(s, inverse); });
+  return inverse;
+}
+}  // namespace detail
+
+template <class S>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::check_regular(c, s);
+  detail::check_positions(s);
+  return detail::inverse_of_masses(c, s);
+}
+template <class S, indexable Q>
+const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+  detail::check_regular(c, s);
+  return detail::take(c, s, q).call([&]() -> const auto& { return detail::inverse_of_masses(c, s); });
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const kte_map_chain&, runtime_state&);
+}
+#endif
+
+}  // namespace kte
+
+#endif

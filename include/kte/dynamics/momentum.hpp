@@ -36,8 +36,8 @@ auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const
   const configuration<S, typename chain_type::wiring, Q> at(q);
   const with_loads<chain_type, masses_alone> masses{c};
   constexpr same_base at_rest{motion{skip{}, skip{}, skip{}, zero3{}, zero3{}, zero3{}}};
-  return coordinate_forces<S>(masses, given{at, same<zero_t>{}, each<S, V>{v}, rest_base_of<chain_type>(at_rest)},
-                              minus_one);
+  return generalized_forces<S>(masses, given{at, same<zero_t>{}, each<S, V>{v}, rest_base_of<chain_type>(at_rest)},
+                               minus_one);
 }
 
 /// p of (1), and how fast it changes as the chain moves by constant v:

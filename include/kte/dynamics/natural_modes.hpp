@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <Eigen/Cholesky>

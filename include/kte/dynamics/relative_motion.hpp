@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/relative_motion.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 /// How a frame B stands and moves in another frame A of the same chain, static or runtime: as frames do in their
 /// parents (frames/motion.hpp), with the position in axes of A and rates in axes of B. Frames in the plane are given as

@@ -1,133 +1,11 @@
-#pragma once
+#ifndef KTE_STATE_VECTORS_HPP
+#define KTE_STATE_VECTORS_HPP
 
-#include <kte/kernels/joint_vector.hpp>
-#include <kte/static_chain/state.hpp>
+#include <kte/dynamics/detail/state_numbers.hpp>
 
-/// The numbers of a state as vectors, in the order of the chain's layout (static_chain/layout.hpp), and back.
+/// The numbers of a state as vectors, in the order of the chain's layout (static_chain/layout.hpp), and back. Sizes are
+/// known to the compiler for static chains alone. Throws `bad_argument` for a vector of another size.
 namespace kte {
-
-namespace detail {
-/// visit(coordinate, freedom) for the coordinates of a state that are degrees of freedom.
-template <class State, class Visit>
-KTE_INLINE constexpr void for_each_freedom(State& s, const Visit& visit) {
-  using wiring = typename std::remove_const_t<State>::wiring;
-  const auto all = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
-    const int done[]{
-        (visit(s.template get<wiring::template free<I>.what>(wiring::template free<I>.slot), wiring::template free<I>),
-         0)...,
-        0};
-    (void)done;
-  };
-  all(std::make_index_sequence<wiring::freedoms>{});
-}
-/// Whether a state may have things of kind K. States of static chains know, and nothing is instantiated for what they
-/// have not.
-template <class State, kind K>
-inline constexpr bool may_have = [] {
-  if constexpr (requires { typename State::wiring; }) {
-    return State::wiring::count(K) > 0;
-  } else {
-    return true;
-  }
-}();
-/// visit(coordinate `slot` of kind k), which is a rotation in space or a pose.
-template <class State, class Visit>
-KTE_INLINE void with_turning_coordinate(State& s, kind k, int slot, const Visit& visit) {
-  switch (k) {
-    case kind::rotation_3D:
-      if constexpr (may_have<State, kind::rotation_3D>) visit(s.template get<kind::rotation_3D>(slot));
-      return;
-    case kind::pose_2D:
-      if constexpr (may_have<State, kind::pose_2D>) visit(s.template get<kind::pose_2D>(slot));
-      return;
-    default:
-      if constexpr (may_have<State, kind::pose_3D>) visit(s.template get<kind::pose_3D>(slot));
-  }
-}
-/// visit(coordinate `slot` of kind k).
-template <class State, class Visit>
-KTE_INLINE void with_coordinate(State& s, kind k, int slot, const Visit& visit) {
-  if (k != kind::gen)
-    with_turning_coordinate(s, k, slot, visit);
-  else if constexpr (may_have<State, kind::gen>)
-    visit(s.template get<kind::gen>(slot));
-}
-/// visit(frame `index` of kind k).
-template <class State, class Visit>
-KTE_INLINE void with_frame(State& s, kind k, int index, const Visit& visit) {
-  if (k == kind::frame_2D) {
-    if constexpr (may_have<State, kind::frame_2D>) visit(s.template get<kind::frame_2D>(index));
-  } else {
-    if constexpr (may_have<State, kind::frame_3D>) visit(s.template get<kind::frame_3D>(index));
-  }
-}
-/// `for_each_freedom` in a loop, for states that list their `freedoms()`.
-template <class State, class Visit>
-void for_each_listed_freedom(State& s, const Visit& visit) {
-  const auto all = s.freedoms();
-  for (std::size_t i = 0; i < all.size();) {
-    freedom at = all[i];
-    if (at.what == kind::gen) [[likely]] {
-      if constexpr (may_have<State, kind::gen>)
-        for (const std::size_t end = i + static_cast<std::size_t>(at.in_row); i < end; ++i, ++at.slot, ++at.q, ++at.v)
-          visit(s.template get<kind::gen>(at.slot), std::as_const(at));
-    } else {
-      with_turning_coordinate(s, at.what, at.slot, [&](auto& c) { visit(c, std::as_const(at)); });
-      ++i;
-    }
-  }
-}
-/// Which numbers of a coordinate, and where they begin in a vector.
-enum class vector_of { q, v, a, f };
-template <vector_of Which, class C, class Visit>
-KTE_INLINE constexpr void visit_numbers(C& c, const Visit& visit) {
-  if constexpr (Which == vector_of::q) {
-    visit_q(c, visit);
-  } else if constexpr (Which == vector_of::v) {
-    visit_v(c, visit);
-  } else if constexpr (Which == vector_of::a) {
-    visit_a(c, visit);
-  } else {
-    visit_f(c, visit);
-  }
-}
-template <vector_of Which>
-KTE_INLINE constexpr std::size_t begin_of(const freedom& at) {
-  return static_cast<std::size_t>(Which == vector_of::q ? at.q : at.v);
-}
-/// Numbers of x into a coordinate.
-template <vector_of Which, class C, class X>
-void put(C& c, const freedom& at, const X& x) {
-  auto i = begin_of<Which>(at);
-  visit_numbers<Which>(c,
-                       [&](auto& number) { number = static_cast<std::remove_reference_t<decltype(number)>>(x[i++]); });
-}
-template <vector_of Which, int N, class S, class W>
-KTE_INLINE auto read_numbers(const chain_state<S, W>& s) {
-  joint_vector<S, N> x;
-  for_each_freedom(s, [&x](const auto& c, const freedom& at) KTE_INLINE_LAMBDA {
-    auto i = begin_of<Which>(at);
-    visit_numbers<Which>(c, [&](const auto& number) KTE_INLINE_LAMBDA { x[Eigen::Index(i++)] = number; });
-  });
-  return x;
-}
-template <vector_of Which, class State, class X>
-void read_listed_numbers(const State& s, X& x) {
-  for_each_listed_freedom(s, [&x](const auto& c, const freedom& at) {
-    auto i = begin_of<Which>(at);
-    visit_numbers<Which>(c, [&](const auto& number) { x[Eigen::Index(i++)] = number; });
-  });
-}
-template <vector_of Which, class State, class X>
-KTE_INLINE constexpr void write_numbers(State& s, const X& x) {
-  for_each_freedom(s, [&x](auto& c, const freedom& at) KTE_INLINE_LAMBDA {
-    auto i = begin_of<Which>(at);
-    visit_numbers<Which>(c, [&](auto& number) KTE_INLINE_LAMBDA {
-      number = static_cast<std::remove_reference_t<decltype(number)>>(x[i++]);
-    });
-  });
-}
-}  // namespace detail
 
 /// q of a state: positions, angles, quaternions.
 template <class S, class W>
@@ -168,3 +46,58 @@ constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
 }
 
 }  // namespace kte
+
+#endif
+
+// ---- of runtime chains (kte/dynamics/runtime_parts.hpp)
+
+#if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_STATE_VECTORS_OF_RUNTIME_CHAINS)
+#define KTE_STATE_VECTORS_OF_RUNTIME_CHAINS
+
+#include <kte/dynamics/detail/runtime_vectors.hpp>
+
+namespace kte {
+
+template <class S>
+runtime_vector<S> positions(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::q>(s);
+}
+template <class S>
+runtime_vector<S> velocities(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::v>(s);
+}
+template <class S>
+runtime_vector<S> accelerations(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::a>(s);
+}
+template <class S>
+runtime_vector<S> forces(const basic_runtime_state<S>& s) {
+  return detail::read_numbers<detail::vector_of::f>(s);
+}
+
+template <class S, indexable X>
+void set_positions(basic_runtime_state<S>& s, const X& q) {
+  detail::write_numbers<detail::vector_of::q>(s, q, "q");
+}
+template <class S, indexable X>
+void set_velocities(basic_runtime_state<S>& s, const X& v) {
+  detail::write_numbers<detail::vector_of::v>(s, v, "v");
+}
+template <class S, indexable X>
+void set_accelerations(basic_runtime_state<S>& s, const X& a) {
+  detail::write_numbers<detail::vector_of::a>(s, a, "a");
+}
+
+#ifdef KTE_EXTERN
+KTE_EXTERN template runtime_vector<double> positions(const runtime_state&);
+KTE_EXTERN template runtime_vector<double> velocities(const runtime_state&);
+KTE_EXTERN template runtime_vector<double> accelerations(const runtime_state&);
+KTE_EXTERN template runtime_vector<double> forces(const runtime_state&);
+KTE_EXTERN template void set_positions(runtime_state&, const Eigen::VectorXd&);
+KTE_EXTERN template void set_velocities(runtime_state&, const Eigen::VectorXd&);
+KTE_EXTERN template void set_accelerations(runtime_state&, const Eigen::VectorXd&);
+#endif
+
+}  // namespace kte
+
+#endif

@@ -2,6 +2,7 @@
 
 #include <kte/dynamics/detail/tangent_stability.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/detail/static_newton.hpp>

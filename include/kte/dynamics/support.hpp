@@ -3,6 +3,7 @@
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
 #include <kte/dynamics/detail/static_plan.hpp>
 #include <kte/dynamics/frame_motion.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <algorithm>
 #include <string>

@@ -104,4 +104,12 @@ KTE_INLINE constexpr auto at_rest(const R& rotation, const P& position) {
   return motion{position, rotation, zero3{}, zero3{}, zero3{}, zero3{}};
 }
 
+/// A linear and an angular quantity, such as velocity and angular velocity. A frame in the plane has them as one in
+/// space.
+template <class S = double>
+struct linear_angular {
+  vec3<S> linear;
+  vec3<S> angular;
+};
+
 }  // namespace kte

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <kte/dynamics/twist_shaping.hpp>
 #include <kte/elements/registry.hpp>
 #include <kte/io/limit_records.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/io/state_records.hpp>
+#include <kte/reak/twist_shaping.hpp>
 #include <kte/runtime_chain/from_record.hpp>
 
 namespace kte {
@@ -107,7 +107,7 @@ class archive {
   auto limits(std::string_view name, const Chain& c) const {
     return limits_of(c, model(name));
   }
-  /// Of a chain that came from this archive, whose states it takes (include kte/dynamics/mass_matrix_calc.hpp). Throws
+  /// Of a chain that came from this archive, whose states it takes (include kte/reak/mass_matrix_calc.hpp). Throws
   /// `bad_argument` for another chain.
   template <class Calculator = mass_matrix_calc<kte_map_chain>>
   Calculator calculator(std::string_view name, const kte_map_chain& c) const {

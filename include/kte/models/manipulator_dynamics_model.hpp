@@ -89,7 +89,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const S *q = x.data(), *v = q + size::q;
     const detail::configuration<S, wiring, const S*> at(q);
     const auto bases = bases_at(t, v + size::v);
-    return detail::coordinate_forces<S>(
+    return detail::generalized_forces<S>(
         this->chain(), detail::given{at, detail::each<S, const S*>{v}, detail::same<zero_t>{}, bases}, one);
   }
 
@@ -102,8 +102,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     const detail::configuration<S, wiring, const S*> at(q);
     using numbers = detail::each<S, const S*>;
     const auto bases = bases_at(t, v + size::v);
-    return detail::coordinate_forces<S>(this->chain(),
-                                        detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
+    return detail::generalized_forces<S>(this->chain(),
+                                         detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
   }
   S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());

@@ -1,15 +1,18 @@
 #pragma once
 
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_vectors.hpp>
+#include <kte/dynamics/bias_forces.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/events/events.hpp>
 #include <kte/models/detail/runtime_momenta.hpp>
 #include <kte/models/detail/runtime_rate_derivatives.hpp>
 #include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <functional>
 

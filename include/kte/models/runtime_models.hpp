@@ -1,11 +1,16 @@
 #pragma once
 
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/inverse_dynamics_model.hpp>
 #include <kte/models/manipulator_kinematics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 namespace kte {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/chain.hpp>
 #include <kte/static_chain/layout.hpp>
 
 #include <string>
@@ -18,3 +18,5 @@ inline std::vector<layout_entry<std::string>> layout(const kte_map_chain& c) {
 }
 
 }  // namespace kte
+
+#include <kte/runtime_chain/kte_map_chain.hpp>

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <kte/dynamics/forward_dynamics.hpp>
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/testing/detail/states.hpp>
 
 /// An element does in a static chain what it does in a runtime chain.

@@ -9,18 +9,20 @@
 /// What stands in a row for all axes beyond a body goes in along the tree together: processors take several at a time.
 namespace kte::tree {
 
-/// Rows over axes. Bodies are visited `inward`: behind the axes beyond a body stand those that hold nothing yet, and
-/// registers may run over the end.
+/// Rows over axes. Bodies are visited from the last: before the axes beyond a body stand those that hold nothing yet.
+/// Registers that end where those of a body end may begin there; so they meet what has been stored as they load it.
 template <class S>
 class axis_rows {
  public:
   void resize(std::size_t rows, std::size_t axes) {
     stride_ = axes + most_lanes;
-    numbers_.resize(rows * stride_);
+    numbers_.resize(most_lanes + rows * stride_);
   }
   KTE_INLINE std::size_t stride() const { return stride_; }
-  KTE_INLINE S* operator[](int row) { return numbers_.data() + static_cast<std::size_t>(row) * stride_; }
-  KTE_INLINE const S* operator[](int row) const { return numbers_.data() + static_cast<std::size_t>(row) * stride_; }
+  KTE_INLINE S* operator[](int row) { return numbers_.data() + most_lanes + static_cast<std::size_t>(row) * stride_; }
+  KTE_INLINE const S* operator[](int row) const {
+    return numbers_.data() + most_lanes + static_cast<std::size_t>(row) * stride_;
+  }
 
  private:
   std::size_t stride_ = 0;
@@ -32,11 +34,9 @@ template <class S>
 struct wrench_lanes {
   vec3<lanes<S>> force, torque;
 
-  /// The first of them.
-  KTE_INLINE void put_first(const dense_wrench<S>& w) {
-    tree::put_first<S>(force.x, w.force.x), tree::put_first<S>(force.y, w.force.y);
-    tree::put_first<S>(force.z, w.force.z), tree::put_first<S>(torque.x, w.torque.x);
-    tree::put_first<S>(torque.y, w.torque.y), tree::put_first<S>(torque.z, w.torque.z);
+  KTE_INLINE void put(const one_lane<S>& at, const dense_wrench<S>& w) {
+    at.put(force.x, w.force.x), at.put(force.y, w.force.y), at.put(force.z, w.force.z);
+    at.put(torque.x, w.torque.x), at.put(torque.y, w.torque.y), at.put(torque.z, w.torque.z);
   }
   /// Their powers on the unit rate of a joint of one axis.
   template <class P>
@@ -92,15 +92,16 @@ class wrench_rows {
   KTE_INLINE void set_lanes(int k, const wrench_lanes<S>& w) {
     store_vectors(w.force, rows_[0] + k, rows_.stride()), store_vectors(w.torque, rows_[3] + k, rows_.stride());
   }
-  /// f(wrenches, the first of them) of axes from `first` up to `last`, which are changed by it.
+  /// f(wrenches, the first of them) of axes from `first` up to `last`, which are changed by it. Registers end at
+  /// `last`.
   template <class F>
   KTE_INLINE void change(int first, int last, const F& f) {
-    by_lanes<S>(first, last, [&](int k) KTE_INLINE_LAMBDA {
-      wrench_lanes<S> w;
-      get_lanes(k, w);
-      f(w, k);
-      set_lanes(k, w);
-    });
+    by_lanes_to<S>(last, first, [&](int k) KTE_INLINE_LAMBDA { change_lanes(k, f); });
+  }
+  /// The same with registers from `first`.
+  template <class F>
+  KTE_INLINE void change_from(int first, int last, const F& f) {
+    by_lanes<S>(first, last, [&](int k) KTE_INLINE_LAMBDA { change_lanes(k, f); });
   }
   /// The powers of wrenches from `first` up to `last` on the unit rate of axis a of a joint, as numbers of a row: of
   /// this one, or of `to`.
@@ -118,6 +119,13 @@ class wrench_rows {
   }
 
  private:
+  template <class F>
+  KTE_INLINE void change_lanes(int k, const F& f) {
+    wrench_lanes<S> w;
+    get_lanes(k, w);
+    f(w, k);
+    set_lanes(k, w);
+  }
   axis_rows<S> rows_;
 };
 

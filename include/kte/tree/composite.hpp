@@ -1,5 +1,8 @@
 #pragma once
 
+#include <kte/engine/looped.hpp>
+#include <kte/recursions/composite_body.hpp>
+#include <kte/tree/bodies.hpp>
 #include <kte/tree/columns.hpp>
 
 namespace kte::tree {
@@ -53,41 +56,13 @@ void place_in_world(const forest<P>& f, memory<P, S>& m) {
   }
 }
 
-/// The inertia of each body with all that it carries, at its origin in its axes; of bases in theirs, where these are
-/// asked for.
-template <class P, class S>
-void carry_bodies(const forest<P>& f, memory<P, S>& m, bool with_bases) {
-  const auto bases = static_cast<std::size_t>(f.bases);
-  const auto converted = [](const composite<P, vec3<P>, sym3<P>>& x) KTE_INLINE_LAMBDA {
-    return dense_composite<S>{S(x.mass), as<S>(x.moment), as<S>(x.inertia)};
-  };
-  const auto sum = [](const dense_composite<S>& a, const dense_composite<S>& b) KTE_INLINE_LAMBDA {
-    return dense_composite<S>{a.mass + b.mass, a.moment + b.moment, a.inertia + b.inertia};
-  };
-  for (std::size_t b = 0; b < bases; ++b) m.carried[b] = converted(f.base_weight[b]);
-  for (std::size_t i = 0; i < f.records.size(); ++i)
-    if (f.records[i].branches) m.carried[bases + i] = {};
-  dense_composite<S> hand{};  // what the body before carries of this one, in registers
-  bool at_hand = false;
-  for (std::size_t i = f.records.size(); i-- > 0;) {
-    const record<P>& r = f.records[i];
-    dense_composite<S> own = converted(r.weight);
-    if (at_hand) own = sum(hand, own);
-    dense_composite<S>& c = m.carried[bases + i];
-    if (r.branches) own = sum(own, c);
-    c = own;
-    at_hand = false;
-    if (r.parent < f.bases && !with_bases) continue;
-    const placed at{r, m.spots[i]};
-    const vec3<S>& p = at.at.position;
-    const S mass = own.mass;
-    const vec3<S> h = at.out(own.moment);
-    hand = {mass, h + mass * p, detail::shifted(at.out(own.inertia), p, h + detail::half(mass) * p)};
-    at_hand = r.parent >= f.bases && static_cast<std::size_t>(r.parent) + 1 == bases + i;
-    if (at_hand) continue;
-    dense_composite<S>& to = m.carried[static_cast<std::size_t>(r.parent)];
-    to = sum(to, hand);
-  }
+/// The inertia of each body with all that it carries, at its origin in its axes; with `Bases` those of bases in theirs.
+template <bool Bases, class P, class S>
+void carry_bodies(const forest<P>& f, memory<P, S>& m) {
+  if constexpr (Bases)
+    for (std::size_t b = 0; b < f.base_weight.size(); ++b) engine::assign(m.carried[b], f.base_weight[b]);
+  const placed_bodies<P, S> bodies(f, m.spots);
+  engine::composite_inertias<Bases, dense_composite<S>>(engine::looped<placed_bodies<P, S>>{bodies}, m.carried.data());
 }
 
 /// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.
@@ -128,16 +103,16 @@ KTE_INLINE dense_wrench<S> accelerating(const record<P>& r, int k, const dense_c
 template <class P, class S>
 void masses(const forest<P>& f, const memory<P, S>& m, wrench_rows<S>& w, axis_rows<S>& rows) {
   w.resize(f.axes()), rows.resize(f.axes(), f.axes());
-  for (const int i : f.inward) {
-    const record<P>& r = f.records[static_cast<std::size_t>(i)];
-    const dense_composite<S>& carried = m.carried[static_cast<std::size_t>(f.bases + i)];
-    const spot<S>& at = m.spots[static_cast<std::size_t>(i)];
+  for (std::size_t i = f.records.size(); i-- > 0;) {
+    const record<P>& r = f.records[i];
+    const dense_composite<S>& carried = m.carried[static_cast<std::size_t>(f.bases) + i];
+    const spot<S>& at = m.spots[i];
     const bool on_base = r.parent < f.bases;
     if (r.moves != joint::several) {
       const dense_wrench<S> own = accelerating(r, 0, carried);
       S* const to = rows[r.first];
       w.change(r.first, r.last, [&](wrench_lanes<S>& x, int k) KTE_INLINE_LAMBDA {
-        if (k == r.first) x.put_first(own);
+        if (k <= r.first) x.put(one_lane<S>(r.first - k), own);
         lanes<S> along;
         x.power_on(r, along);  // (1)
         store<S>(along, to + k);

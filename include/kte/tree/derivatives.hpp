@@ -4,8 +4,8 @@
 
 namespace kte::tree {
 
-/// The derivatives of the forces on axes, with F what a body and all beyond it need (`take_needs`), in the notation of
-/// (1), (2) of tree/variations.hpp:
+/// The derivatives of the forces on axes, with F what a body and all beyond it need (`transmit_wrenches`), in the
+/// notation of (1), (2) of tree/variations.hpp:
 ///
 ///   d tau_j / d q_i = s_j . (2B s_i' + M s_i'' + s_i x* F)     for axes j of bodies that body i stands on     (3)
 ///   d tau_i / d q_j = s_i . (2B s_j' + M s_j'')                and for axes of one body                      (4)
@@ -27,8 +27,8 @@ void vary_forces(const forest<P>& f, const memory<P, S>& m, variation_memory<S>&
     const record<P>& r = f.records[i];
     const world_place<S>& place = m.world[bases + i];
     const body_variation<S>& b = v.bodies[bases + i];
-    const dense_wrench<S> needs{place.rotation * m.bodies[bases + i].needs.force,
-                                place.rotation * m.bodies[bases + i].needs.torque};
+    const dense_wrench<S> needs{place.rotation * m.wrenches[bases + i].force,
+                                place.rotation * m.wrenches[bases + i].torque};
     const S& mass = b.inertia.mass;
     const vec3<S>& h = b.inertia.moment;
     const sym3<S>& inertia = b.inertia.inertia;

@@ -3,9 +3,10 @@
 #include <kte/math/dual_number.hpp>
 #include <kte/tree/frame_motion.hpp>
 #include <kte/tree/newton_euler.hpp>
+#include <kte/tree/placement.hpp>
 
-/// Inverse dynamics in dual numbers D, for derivatives where elements have laws of their own: tree/newton_euler.hpp
-/// with as little code as there can be.
+/// Inverse dynamics in dual numbers D, for derivatives where elements have laws of their own: the recursion of
+/// recursions/newton_euler.hpp over bodies that joints move by derivatives alone.
 namespace kte::tree {
 
 /// Of a body, in its axes: how far its joint turns it, and from the origin of its parent to its own in axes of that.
@@ -21,10 +22,11 @@ template <class D>
 struct dual_memory {
   // From outside: how far joints move along their axes (of value nothing), rates and accelerations of axes.
   std::vector<D> shift, rate, acceleration;
-  std::vector<D> force;                ///< on axes
-  std::vector<dual_seat<D>> seats;     ///< of slots
-  std::vector<body_motion<D>> bodies;  ///< likewise
-  std::vector<world_place<D>> world;   ///< likewise, but for steps
+  std::vector<D> force;                          ///< on axes
+  std::vector<dual_seat<D>> seats;               ///< of slots
+  std::vector<body_motion<D>> bodies;            ///< likewise
+  std::vector<dense_wrench<D>> loads, wrenches;  ///< likewise
+  std::vector<world_place<D>> world;             ///< likewise, but for steps
 
   template <class P>
   explicit dual_memory(const forest<P>& f)
@@ -34,6 +36,8 @@ struct dual_memory {
         force(shift),
         seats(f.slots()),
         bodies(f.slots()),
+        loads(f.slots()),
+        wrenches(f.slots()),
         world(f.slots()) {}
 };
 
@@ -102,64 +106,82 @@ void place_bases_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory
     place_in_duals(m.world[b].rotation, d.seats[b].turned, d.world[b]);
   }
 }
-/// The motions of all bodies from those of axes, by (2), (3) of tree/newton_euler.hpp, and what they need for them:
-/// after `place_in_world` in plain numbers, and with bases in place.
+/// A record whose joint moves it by derivatives alone (engine/body.hpp): R = (1 + [turn]x), in axes of the body.
 template <class P, class S, class D>
-void move_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+struct dual_body {
+  using scalar = D;
+  const record<P>& r;
+  const dual_seat<D>& seat;
+  const mat3<vec3<S>> rotation;  ///< in the parent
+
+  KTE_INLINE int first() const { return r.first; }
+  KTE_INLINE const auto& inertia() const { return r.body; }
+  KTE_INLINE const vec3<D>& position() const { return seat.step; }
+  vec3<D> in(const vec3<D>& u) const {
+    const vec3<D> x = product(transpose(rotation), u);
+    return x - dual_cross(seat.turn, x);
+  }
+  vec3<D> out(const vec3<D>& u) const { return product(rotation, vec3<D>(u + dual_cross(seat.turn, u))); }
+  engine::motion_vector<vec3<D>, vec3<D>> along_axes(const D* x) const {
+    engine::motion_vector<vec3<D>, vec3<D>> sum{};
+    tree::along_axes(r, x, sum.linear, sum.angular);
+    return sum;
+  }
+  template <class Put>
+  void powers_along(const dense_wrench<D>& w, const Put& put) const {
+    tree::powers_along(r, w, r.axes, put);
+  }
+};
+template <class P, class S, class D>
+struct dual_bodies {
+  const forest<P>& f;
+  const memory<P, S>& m;
+  const dual_memory<D>& d;
+
+  const record<P>& at(int i) const { return f.records[static_cast<std::size_t>(i)]; }
+  int count() const { return static_cast<int>(f.records.size()); }
+  int bases() const { return f.bases; }
+  int parent(int i) const { return at(i).parent; }
+  bool branches(int i) const { return at(i).branches; }
+  dual_body<P, S, D> body(int i) const {
+    return {at(i), d.seats[static_cast<std::size_t>(f.bases + i)],
+            rotation_in_parent(placed{at(i), m.spots[static_cast<std::size_t>(i)]})};
+  }
+  rigid_record<P> rigid(int i) const { return {at(i), f.bases + i}; }
+};
+
+/// Bodies to where derivatives of `shift` move them, after `place_in_world` in plain numbers, and with bases in place.
+template <class P, class S, class D>
+void place_bodies_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
   for (std::size_t i = 0; i < f.records.size(); ++i) {
     const record<P>& r = f.records[i];
     const std::size_t slot = static_cast<std::size_t>(f.bases) + i, parent = static_cast<std::size_t>(r.parent);
-    const mat3<vec3<S>> out = rotation_in_parent(placed{r, m.spots[i]}), in = transpose(out);
-    const body_motion<D>& on = d.bodies[parent];
     dual_seat<D>& seat = d.seats[slot];
-    vec3<D> slide{}, slides{}, turns{}, faster{}, turns_faster{};
+    vec3<D> slide{};
     seat.turn = {};
     along_axes(r, &d.shift[static_cast<std::size_t>(r.first)], slide, seat.turn);
-    along_axes(r, &d.rate[static_cast<std::size_t>(r.first)], slides, turns);
-    along_axes(r, &d.acceleration[static_cast<std::size_t>(r.first)], faster, turns_faster);
-    const vec3<D> step = constants<D>(m.spots[i].position) + product(out, slide);
-    seat.step = step;
-    const vec3<D> passing = dual_cross(on.ang_velocity, step);
-    const auto seen = [&in, &seat](const vec3<D>& v) {  // by the body
-      const vec3<D> x = product(in, v);
-      return vec3<D>(x - dual_cross(seat.turn, x));
-    };
-    const vec3<D> w = seen(on.ang_velocity);
-    body_motion<D>& x = d.bodies[slot];
-    x.velocity = seen(on.velocity + passing) + slides;
-    x.ang_velocity = w + turns;
-    x.ang_acceleration = seen(on.ang_acceleration) + (dual_cross(w, turns) + turns_faster);
-    x.acceleration =
-        seen(on.acceleration + (dual_cross(on.ang_acceleration, step) + dual_cross(on.ang_velocity, passing))) +
-        (dual_cross(w, slides) + dual_cross(x.ang_velocity, slides) + faster);
-    x.needs = wrench_of(r.body, x.acceleration, x.ang_velocity, x.ang_acceleration);
+    seat.step = constants<D>(m.spots[i].position) + product(rotation_in_parent(placed{r, m.spots[i]}), slide);
     const vec3<D>& turned = d.seats[parent].turned;
-    const vec3<D> in_world = product(m.world[parent].rotation, step);
+    const vec3<D> in_world = product(m.world[parent].rotation, seat.step);
     seat.turned = turned + product(m.world[slot].rotation, seat.turn);
     d.world[slot].position = d.world[parent].position + (in_world + dual_cross(turned, in_world));
     place_in_duals(m.world[slot].rotation, seat.turned, d.world[slot]);
   }
 }
-
-/// What bodies need goes in along the tree; of an axis its power into `force`.
+/// As the functions of tree/newton_euler.hpp; derivatives of motions are those that bodies see.
 template <class P, class S, class D>
-void take_needs_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
-  for (std::size_t i = f.records.size(); i-- > 0;) {
-    const record<P>& r = f.records[i];
-    const std::size_t slot = static_cast<std::size_t>(f.bases) + i;
-    const dual_seat<D>& seat = d.seats[slot];
-    const dense_wrench<D>& x = d.bodies[slot].needs;
-    D* const power = &d.force[static_cast<std::size_t>(r.first)];
-    powers_along(r, x, r.axes, [power](int k, const D& p) { power[k] = p; });
-    if (r.parent < f.bases) continue;
-    const mat3<vec3<S>> out = rotation_in_parent(placed{r, m.spots[i]});
-    const auto seen = [&out, &seat](const vec3<D>& v) {  // by the parent
-      return product(out, vec3<D>(v + dual_cross(seat.turn, v)));
-    };
-    dense_wrench<D>& to = d.bodies[static_cast<std::size_t>(r.parent)].needs;
-    const vec3<D> force = seen(x.force);
-    to = {to.force + force, to.torque + (seen(x.torque) + dual_cross(seat.step, force))};
-  }
+void move_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+  place_bodies_in_duals(f, m, d);
+  const dual_bodies<P, S, D> bodies{f, m, d};
+  (void)engine::motions<body_motion<D>>(engine::looped<dual_bodies<P, S, D>>{bodies}, d.bodies.data(), d.rate.data(),
+                                        d.acceleration.data());
+}
+template <class P, class S, class D>
+void transmit_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>& d) {
+  const dual_bodies<P, S, D> bodies{f, m, d};
+  engine::transmitted_forces<true>(engine::looped<dual_bodies<P, S, D>>{bodies}, d.wrenches.data(),
+                                   engine::kept_array<body_motion<D>>{d.bodies.data() + f.bases},
+                                   load_of_slot<D>{d.loads.data()}, d.force.data());
 }
 
 }  // namespace kte::tree

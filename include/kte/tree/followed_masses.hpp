@@ -80,7 +80,7 @@ void followed_masses(const forest<P>& f, const memory<P, S>& at, int dofs, follo
       for (const auto& [d, ratio] : ratios_of(a)) add(d, {ratio * load.force, ratio * load.torque});
     }
     const spot<S>& seat = at.spots[static_cast<std::size_t>(i)];
-    w.change(first, last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, seat); });
+    w.change_from(first, last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, seat); });
     int& of_parent = x.first[static_cast<std::size_t>(r.parent - f.bases)];
     if (of_parent < 0) of_parent = first;
   }

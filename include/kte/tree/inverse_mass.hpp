@@ -34,18 +34,19 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
     load.force.x -= gain.force.x * e, load.force.y -= gain.force.y * e, load.force.z -= gain.force.z * e;
     load.torque.x -= gain.torque.x * e, load.torque.y -= gain.torque.y * e, load.torque.z -= gain.torque.z * e;
   };
-  for (const int i : f.inward) {
-    const record<P>& r = f.records[static_cast<std::size_t>(i)];
-    const spot<S>& at = m.spots[static_cast<std::size_t>(i)];
-    const axis_answer<S>* const answers = &m.answers[static_cast<std::size_t>(r.first)];
-    const bool on_base = r.parent < f.bases, yields = m.yields[static_cast<std::size_t>(i)] != 0;
+  for (std::size_t i = f.records.size(); i-- > 0;) {
+    const record<P>& r = f.records[i];
+    const spot<S>& at = m.spots[i];
+    const axis_factors<S>* const factors = &m.factors[static_cast<std::size_t>(r.first)];
+    const bool on_base = r.parent < f.bases, yields = m.yields[i] != 0;
     if (r.moves != joint::several && yields) {
-      const dense_wrench<S> gain = answers[0].gain;
+      const dense_wrench<S> gain = factors[0].gain;
       S* const left = x.left[0];
       w.change(r.first, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {  // (1)
         lanes<S> e;
+        if (k <= r.first) load.put(one_lane<S>(r.first - k), {});
         load.power_on(r, e);
-        if (k == r.first) load.put_first({}), put_first<S>(e, S(1));
+        if (k <= r.first) one_lane<S>(r.first - k).put(e, S(1));
         store<S>(e, left + k);
         if (on_base) return;
         give(load, gain, e);
@@ -56,7 +57,7 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       for (int l = r.first + r.axes; yields && l-- > r.first;) {
         const S* const component = w.component(r.axis[static_cast<std::size_t>(l - r.first)]);
         S* const left = x.left[l - r.first];
-        by_lanes<S>(l, r.last, [&](int k) KTE_INLINE_LAMBDA {
+        by_lanes_to<S>(r.last, l, [&](int k) KTE_INLINE_LAMBDA {
           lanes<S> e;
           tree::load<S>(e, component + k), store<S>(e, left + k);
         });
@@ -64,7 +65,7 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
         w.change(l, r.last, [&](wrench_lanes<S>& load, int k) KTE_INLINE_LAMBDA {
           lanes<S> e;
           tree::load<S>(e, left + k);
-          give(load, answers[l - r.first].gain, e);
+          give(load, factors[l - r.first].gain, e);
         });
       }
       if (!on_base) w.change(r.first, r.last, [&](wrench_lanes<S>& load, int) KTE_INLINE_LAMBDA { load.go_in(r, at); });
@@ -74,12 +75,9 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
         on_base ? static_cast<int>(f.axes()) : f.records[static_cast<std::size_t>(r.parent - f.bases)].last;
     for (int j = r.first; j < r.last; ++j) {
       const int known = yields || j >= r.first + r.axes ? r.last : j;
-      by_lanes<S>(known, beside, [&](int k) KTE_INLINE_LAMBDA { store<S>(lanes<S>{}, x.rows[j] + k); });
+      std::fill(x.rows[j] + known, x.rows[j] + beside, S(0));
     }
     if (!yields) continue;
-    // Registers run over the end, where rows have something yet to come.
-    if (static_cast<std::size_t>(r.last) < f.axes())
-      for (int l = 0; l < r.axes; ++l) std::fill_n(x.left[l] + r.last, most_lanes, S(0));
     const S* const e = x.left[0];
     const std::size_t row = x.left.stride();
     for (int j = r.first; j < r.last; ++j) {  // (2)
@@ -88,9 +86,9 @@ void inverse_masses(const forest<P>& f, const memory<P, S>& m, mass_memory<S>& x
       const bool own = j < r.first + r.axes;
       std::array<S, 6> rate;
       for (int l = 0; l < axes; ++l)
-        rate[static_cast<std::size_t>(l)] = answers[l].inverse * e[static_cast<std::size_t>(l) * row + j];
+        rate[static_cast<std::size_t>(l)] = factors[l].inverse * e[static_cast<std::size_t>(l) * row + j];
       const auto add = [&](auto count) KTE_INLINE_LAMBDA {
-        by_lanes<S>(j, r.last, [&](int k) KTE_INLINE_LAMBDA {
+        by_lanes_to<S>(r.last, j, [&](int k) KTE_INLINE_LAMBDA {
           lanes<S> sum{}, e_k;
           if (!own) load<S>(sum, to + k);
           for (std::size_t l = 0; l < static_cast<std::size_t>(count()); ++l) {
@@ -119,15 +117,15 @@ S inverse_mass_of_axis(const forest<P>& f, const memory<P, S>& m, std::size_t i,
   for (bool own = true;; own = false) {
     const record<P>& r = f.records[i];
     for (int l = own ? k : r.axes - 1; m.yields[i] && l >= 0; --l) {
-      const axis_answer<S>& answer = m.answers[static_cast<std::size_t>(r.first + l)];
+      const axis_factors<S>& factor = m.factors[static_cast<std::size_t>(r.first + l)];
       S e(0);
       if (r.moves == joint::several)
         e = component(load.force, load.torque, r.axis[static_cast<std::size_t>(l)]);
       else
         powers_along(r, load, 1, [&e](int, const S& power) { e = power; });
       if (own && l == k) e = S(1);
-      sum += answer.inverse * e * e;  // (2)
-      load = {load.force - e * answer.gain.force, load.torque - e * answer.gain.torque};
+      sum += factor.inverse * e * e;  // (2)
+      load = {load.force - e * factor.gain.force, load.torque - e * factor.gain.torque};
     }
     if (r.parent < f.bases) return sum;
     load = placed{r, m.spots[i]}.out(load);

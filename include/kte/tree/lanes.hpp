@@ -2,9 +2,12 @@
 
 #include <kte/detail/inline.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 /// As many numbers of a row as a register of the processor takes at once. Not packs (math/pack.hpp), which are scalars
 /// of their own with all that scalars can: this costs nothing to compile.
@@ -37,7 +40,7 @@ struct lanes_of<float> {
 template <class S>
 using lanes = typename lanes_of<S>::type;
 
-/// The most numbers that stand in a register: so many may be read and written beyond the end of a row.
+/// The most numbers that stand in a register: so many may be read and written before and beyond a row.
 inline constexpr std::size_t most_lanes = 8;
 
 /// Lane: lanes<S>, or S itself.
@@ -55,12 +58,40 @@ KTE_INLINE void store(const Lane& x, S* to) {
   else
     std::memcpy(to, &x, sizeof x);
 }
+/// One place of a register. What is put there is blended in: a number that is stored by itself would have to reach
+/// memory before the register can be loaded.
 template <class S>
-KTE_INLINE void put_first(lanes<S>& x, const S& number) {
-  if constexpr (lanes_of<S>::count == 1)
-    x = number;
-  else
-    x[0] = number;
+class one_lane {
+  static constexpr int count = static_cast<int>(lanes_of<S>::count);
+
+ public:
+  explicit one_lane(int i) {
+    if constexpr (count > 1) {
+      using integer = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
+      static constexpr auto ones = [] {
+        std::array<integer, 2 * count> x{};
+        x[count] = -1;
+        return x;
+      }();
+      std::memcpy(&mask_, ones.data() + count - i, sizeof mask_);
+    }
+  }
+  KTE_INLINE void put(lanes<S>& x, const S& number) const {
+    if constexpr (count > 1)
+      x = mask_ ? lanes<S>{} + number : x;
+    else
+      x = number;
+  }
+
+ private:
+  decltype(std::declval<lanes<S>>() < std::declval<lanes<S>>()) mask_{};
+};
+/// f(k) for every register that ends at number `last` of a row or n, 2 n ... before it, down to `first`: the first of
+/// them, which comes first, perhaps begins before that.
+template <class S, class F>
+KTE_INLINE void by_lanes_to(int last, int first, const F& f) {
+  constexpr int n = static_cast<int>(lanes_of<S>::count);
+  for (int k = last - (last - first + n - 1) / n * n; k < last; k += n) f(k);
 }
 /// f(k) for every register from number `first` of a row up to `last`, the last of them perhaps beyond it.
 template <class S, class F>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/kernels/derivatives.hpp>
+#include <kte/tree/articulated.hpp>
 #include <kte/tree/followed_masses.hpp>
 #include <kte/tree/variations.hpp>
 
@@ -22,12 +23,14 @@ struct loop_memory : tree::memory<P, S> {
         friction(t.readers.size()) {
     for (std::size_t k = 0; k < this->own_mass.size(); ++k)
       this->own_mass[k] = t.own_mass[static_cast<std::size_t>(t.forest.row[k])];
+    tree::set_free(t.forest, *this, [&t](std::size_t i) { return t.forest.records[i].yields; });
   }
   vector forces;                 ///< what is given back: forces or accelerations
   std::vector<S> kept;           ///< rates and accelerations that are put aside
   std::vector<char> prescribed;  ///< by row: whether its acceleration is given
-  std::vector<char> wanted;      ///< by element: whether what is asked for depends on it
-  std::vector<S> friction;       ///< of `chain_tree::readers`
+  bool some_prescribed = false;
+  std::vector<char> wanted;  ///< by element: whether what is asked for depends on it
+  std::vector<S> friction;   ///< of `chain_tree::readers`
   /// As large as M or larger: made by the first call that gives them.
   matrix mass, inverse;
   tree::mass_memory<S> masses;

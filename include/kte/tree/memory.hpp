@@ -2,6 +2,7 @@
 
 #include <kte/frames/articulated.hpp>
 #include <kte/frames/motion.hpp>
+#include <kte/recursions/articulated_body.hpp>
 #include <kte/tree/direction.hpp>
 #include <kte/tree/record.hpp>
 
@@ -29,12 +30,9 @@ struct spot {
   mat3<vec3<S>> rotation{};
 };
 
-/// Velocities and classical accelerations of a body at its origin, in its axes, and the wrench that it needs there.
+/// Velocities and classical accelerations of a body at its origin, in its axes.
 template <class S>
-struct body_motion {
-  vec3<S> velocity{}, ang_velocity{}, acceleration{}, ang_acceleration{};
-  dense_wrench<S> needs{};
-};
+using body_motion = engine::body_motion<vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
 
 /// An axis of a joint in world axes, at the origin of its body: the motion that its unit rate makes.
 template <class S>
@@ -56,19 +54,11 @@ struct seen_body {
 
 template <class S>
 using articulated_inertia = articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>;
-/// Articulated inertia of a body with what it takes up, and the accelerations by velocities alone.
 template <class S>
-struct articulated_body {
-  articulated_inertia<S> inertia;  ///< where several bodies stand on it
-  dense_wrench<S> load;
-  vec3<S> drift, ang_drift;
-};
-/// What is kept of an axis on the way up: gain, what answers at once, D^-1.
+using articulated_body = engine::articulated_body<articulated_inertia<S>, dense_wrench<S>>;
 template <class S>
-struct axis_answer {
-  dense_wrench<S> gain;
-  S rate, inverse;
-};
+using bias_motion = engine::bias_motion<vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
+using engine::axis_factors;
 
 template <class P, class S>
 struct memory {
@@ -77,17 +67,21 @@ struct memory {
   std::vector<spot<S>> spots;                ///< of records
   std::vector<S> rate, acceleration, force;  ///< of axes
   std::vector<P> own_mass;
-  std::vector<char> yields;            ///< of records
-  std::vector<int> way;                ///< records from a frame to its base (`place_ancestors`)
-  std::vector<int> turning;            ///< those of them that turn about z
-  std::vector<seen_body<S>> seen;      ///< all of them
-  std::vector<body_motion<S>> bodies;  ///< of slots
+  std::vector<char> yields;               ///< of records: whether the joint is free to move
+  std::vector<char> plain;                ///< of records: whether it is also about z, without a mass on its coordinate
+  std::vector<int> way;                   ///< records from a frame to its base (`place_ancestors`)
+  std::vector<int> turning;               ///< those of them that turn about z
+  std::vector<seen_body<S>> seen;         ///< all of them
+  std::vector<body_motion<S>> bodies;     ///< of slots
+  std::vector<dense_wrench<S>> loads;     ///< of slots: what elements put on bodies, at their origin
+  std::vector<dense_wrench<S>> wrenches;  ///< of slots: what bodies and all that they carry need
 
   std::vector<world_place<S>> world;  ///< of slots
   std::vector<world_axis<S>> axes;
-  std::vector<dense_composite<S>> carried;  ///< of slots
-  std::vector<articulated_body<S>> articulated;
-  std::vector<axis_answer<S>> answers;
+  std::vector<dense_composite<S>> carried;       ///< of slots
+  std::vector<bias_motion<S>> biases;            ///< of slots
+  std::vector<articulated_body<S>> articulated;  ///< of slots on which several bodies stand
+  std::vector<axis_factors<S>> factors;          ///< of axes
 
   explicit memory(const forest<P>& f)
       : spots(f.records.size()),
@@ -96,20 +90,23 @@ struct memory {
         force(f.axes()),
         own_mass(f.axes()),
         yields(f.records.size()),
+        plain(f.records.size()),
         way(f.records.size()),
         turning(f.records.size()),
         seen(f.records.size()),
         bodies(f.slots()),
+        loads(f.slots()),
+        wrenches(f.slots()),
         world(f.slots()),
         axes(f.axes()),
         carried(f.slots()),
+        biases(f.slots()),
         articulated(f.slots()),
-        answers(f.axes()) {
+        factors(f.axes()) {
     for (std::size_t i = 0; i < spots.size(); ++i) {
       const record<P>& r = f.records[i];
       spots[i].angle = {S(r.after.cos), S(r.after.sin)};
       spots[i].position = as<S>(r.position);
-      yields[i] = r.yields;
     }
   }
 };

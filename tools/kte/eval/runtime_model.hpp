@@ -1,8 +1,14 @@
 #pragma once
 
-#include <kte/dynamics/runtime_bodies.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/centre_of_mass.hpp>
+#include <kte/dynamics/derivatives.hpp>
+#include <kte/dynamics/energy.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <string>
 #include <vector>

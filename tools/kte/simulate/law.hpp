@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/bias_forces.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/elements/registry.hpp>
 
 #include "simulate/plant.hpp"

@@ -293,5 +293,15 @@ KTE_INLINE constexpr void check_result(const X& x, std::size_t n, const Blame& w
   if (!all_finite(x, n)) [[unlikely]]
     why();
 }
+/// Calls `why` unless an inverse is finite: none of its numbers is larger than the largest of its diagonal. (Nor is one
+/// of a mass matrix, but on the way to it.)
+template <class Matrix, class Blame>
+KTE_INLINE void check_inverse(const Matrix& m, const Blame& why) {
+  using S = typename Matrix::Scalar;
+  S zero_or_nan(0);
+  for (Eigen::Index i = 0; i < m.rows(); ++i) zero_or_nan += m(i, i) * S(0);
+  if (!all(zero_or_nan == S(0))) [[unlikely]]
+    why();
+}
 
 }  // namespace kte::detail

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/contract/coordinate_variation.hpp>
-#include <kte/dynamics/detail/joint_places.hpp>
+#include <kte/dynamics/detail/tree.hpp>
 #include <kte/tree/solve_limbs.hpp>
 
 /// Products with the inverse of a mass matrix that leave out rows of which the wiring says that they are nothing.

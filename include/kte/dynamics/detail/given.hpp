@@ -273,19 +273,6 @@ KTE_INLINE void check_forces(const X& x, const Given& g) {
     blame<Wiring>("a force", g.at.q, g.v, g.a, "a");
   });
 }
-/// The same of a mass matrix. `zero_or_nan` is 0 where all is well, and may be NaN though it is.
-template <class Wiring, class S, class Matrix, class At>
-KTE_INLINE void check_masses(const S& zero_or_nan, const Matrix& m, const At& at) {
-  if (!all(zero_or_nan == S(0))) [[unlikely]]
-    blame_if_endless<Wiring>(m, at.q);
-}
-/// The same of an inverse, of which no number is larger than the largest of its diagonal.
-template <class Wiring, class Matrix, class At>
-KTE_INLINE void check_inverse(const Matrix& m, const At& at) {
-  typename Matrix::Scalar zero_or_nan(0);
-  for (Eigen::Index i = 0; i < m.rows(); ++i) zero_or_nan += m(i, i) * typename Matrix::Scalar(0);
-  check_masses<Wiring>(zero_or_nan, m, at);
-}
 template <class Wiring, class X, class Given, class Tau>
 KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {
   using forces = each<typename Tau::Scalar, Tau>;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/detail/bodies.hpp>
-#include <kte/dynamics/detail/element_pose.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
 
 namespace kte::detail {
 

@@ -32,7 +32,6 @@ class motion_aside {
 /// The forces of masses between several things on the degrees of freedom, at rest under the accelerations of the state.
 template <class Elements, class State>
 void forces_of_spread_masses(const Elements& c, State& s) {
-  using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
   bring_up_to_date(c, s);
@@ -42,12 +41,8 @@ void forces_of_spread_masses(const Elements& c, State& s) {
   place_touched_frames(s, true);
   clear_coordinates(s);
   for (const int e : t.spread) c.mass_loads(e, s);
-  for (auto& b : w.bodies) b.needs = {};
-  for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
-    auto& needs = w.bodies[slot].needs;
-    needs = {needs.force - x.force, needs.torque - x.torque};
-  });
-  tree::take_needs(t.forest, w);
+  take_frame_loads(s);
+  tree::transmit_loads(t.forest, w);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
   push_on_coordinates(c, s, acting::bodies);

@@ -3,6 +3,7 @@
 #include <kte/dynamics/detail/friction_by_load.hpp>
 #include <kte/dynamics/detail/record_masses.hpp>
 #include <kte/kernels/solve.hpp>
+#include <kte/tree/articulated.hpp>
 
 #include <span>
 
@@ -10,8 +11,8 @@
 /// found good. For all `Elements` and states of dynamics/detail/record_loops.hpp.
 namespace kte::detail {
 
-/// The forces that elements put on coordinates and frames for the rates alone: into `forces` by row, and into the loads
-/// of articulated bodies.
+/// The forces that elements put on coordinates and frames for the rates alone: onto coordinates, and into `loads` of
+/// bodies.
 template <class Elements, class State>
 void push_by_rates(const Elements& c, State& s) {
   using S = typename State::scalar;
@@ -32,17 +33,28 @@ void push_by_rates(const Elements& c, State& s) {
     place_touched_frames(s, false);
     move_late(c, s);
     for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) c.push(*e, s);
-    for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
-      auto& load = w.articulated[slot].load;
-      load = {load.force + x.force, load.torque + x.torque};
-    });
+    take_frame_loads(s);
   }
   for (auto e = t.on_coordinates.rbegin(); e != t.on_coordinates.rend(); ++e) c.push(*e, s);
+}
+/// Which accelerations are given, by row; none where nothing is said. Joints of others are free to move.
+template <class State>
+void prescribe(State& s, std::span<const char> prescribed) {
+  const auto& f = s.tree().forest;
+  auto& w = s.work;
+  if (prescribed.empty() && !w.some_prescribed) return;
+  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
+  std::copy(prescribed.begin(), prescribed.end(), w.prescribed.begin());
+  w.some_prescribed = !prescribed.empty();
+  tree::set_free(f, w, [&](std::size_t i) {
+    const auto& r = f.records[i];
+    return r.yields && !w.prescribed[static_cast<std::size_t>(f.row[static_cast<std::size_t>(r.first)])];
+  });
 }
 /// Where an axis has nothing to move, or more than a number can say.
 template <class Elements, class State>
 [[noreturn, gnu::cold]] void blame_axis(const Elements& c, const State& s, int axis) {
-  const auto& inverse = s.work.answers[static_cast<std::size_t>(axis)].inverse;
+  const auto& inverse = s.work.factors[static_cast<std::size_t>(axis)].inverse;
   c.blame_mass(s, s.tree().forest.row[static_cast<std::size_t>(axis)],
                all(inverse == inverse) && !all(inverse == typename State::scalar(0)));
 }
@@ -61,16 +73,10 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
   using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
-  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
-  std::copy(prescribed.begin(), prescribed.end(), w.prescribed.begin());
+  prescribe(s, prescribed);
   place_bodies(c, s);
   take_rates(s), take_bases(s);
-  for (std::size_t i = 0; i < t.forest.records.size(); ++i) {
-    const auto& r = t.forest.records[i];
-    const int row = t.forest.row[static_cast<std::size_t>(r.first)];
-    w.yields[i] = r.yields && !w.prescribed[static_cast<std::size_t>(row)];
-  }
-  tree::start_articulated(t.forest, w, true);
+  const auto biases = tree::bias_motions(t.forest, w);
   if (t.on_coordinates.empty() && t.on_frames.empty()) {
     for (int i = 0; i < s.dofs(); ++i) w.forces[i] = tau(i);
   } else {
@@ -80,10 +86,13 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
   }
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : S(0);
-  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
+  const int bad = t.on_frames.empty() && t.late.empty()
+                      ? tree::articulate(t.forest, w, biases, engine::no_load{})
+                      : tree::articulate(t.forest, w, biases, tree::load_of_slot<S>{w.loads.data()});
+  if (bad >= 0) [[unlikely]]
     blame_axis(c, s, bad);
   if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of what does not yield
-  tree::accelerate(t.forest, w);
+  tree::accelerate(t.forest, w, biases);
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     if (t.forest.row[k] < s.dofs()) w.forces[t.forest.row[k]] = w.acceleration[k];
   if (t.plan.lone_rows.empty()) return;

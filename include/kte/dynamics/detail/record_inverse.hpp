@@ -53,15 +53,11 @@ void invert_articulated(State& s, Matrix& inverse) {
 /// Articulated inertias of a tree at rest, under no forces.
 template <class Elements, class State>
 void articulate_at_rest(const Elements& c, State& s) {
-  using S = typename State::scalar;
   const auto& t = s.tree();
   auto& w = s.work;
   place_bodies(c, s);
-  for (std::size_t i = 0; i < t.forest.records.size(); ++i) w.yields[i] = t.forest.records[i].yields;
-  std::fill(w.force.begin(), w.force.end(), S(0));
-  std::fill(w.prescribed.begin(), w.prescribed.end(), 0);
-  tree::start_articulated(t.forest, w, false);
-  if (const int bad = tree::articulate(t.forest, w); bad >= 0) [[unlikely]]
+  prescribe(s, {});
+  if (const int bad = tree::articulate_at_rest(t.forest, w); bad >= 0) [[unlikely]]
     blame_axis(c, s, bad);
   check_lone_masses(c, s);
 }

@@ -2,7 +2,6 @@
 
 #include <kte/dynamics/detail/record_places.hpp>
 #include <kte/dynamics/detail/record_touched.hpp>
-#include <kte/tree/articulated.hpp>
 #include <kte/tree/composite.hpp>
 #include <kte/tree/newton_euler.hpp>
 
@@ -49,18 +48,45 @@ void push_on_coordinates(const Elements& c, State& s, acting who) {
 }
 
 /// friction(element, row of its coordinate, force on it) of the joints whose friction depends on what they carry, after
-/// `take_needs`.
+/// `transmit_wrenches`.
 template <class Elements, class State, class F>
 void for_each_friction(const Elements& c, State& s, const F& f) {
   using S = typename State::scalar;
   const auto& forest = s.tree().forest;
   for (const int e : s.tree().readers) {
     const auto& place = forest.frame(c.ports(e).back().what, c.written(e));
-    const auto& needs = s.work.bodies[static_cast<std::size_t>(place.slot)].needs;
+    const auto& needs = s.work.wrenches[static_cast<std::size_t>(place.slot)];
     const auto carried = transmit(inverse(place.at), tree::dense_wrench<S>{-needs.force, -needs.torque});
     const auto& r = forest.records[static_cast<std::size_t>(place.slot - forest.bases)];
     f(r, c.friction(e, s, tree::dense_wrench<S>{as<S>(carried.force), as<S>(carried.torque)}));
   }
+}
+
+/// The forces of virtual power on the coordinates for the motion of bodies, into the state, where there is nothing
+/// else.
+template <class State>
+void forces_of_moved_bodies(State& s) {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  tree::transmit_wrenches(t.forest, w, engine::no_load{});
+  if (t.has_own_mass)
+    for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
+  for (const auto& r : t.forest.records) {
+    const auto k = static_cast<std::size_t>(r.first);
+    if (r.what == kind::gen) [[likely]]
+      s.template get<kind::gen>(r.slot).f = -w.force[k];
+    else
+      each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
+  }
+}
+/// The same at the rates of the state, without accelerations of coordinates.
+template <class Elements, class State>
+void bias_forces_of_bodies(const Elements& c, State& s) {
+  auto& w = s.work;
+  place_bodies(c, s), take_rates(s), take_bases(s);
+  std::fill(w.acceleration.begin(), w.acceleration.end(), typename State::scalar(0));
+  tree::move_bodies<false>(s.tree().forest, w);
+  forces_of_moved_bodies(s);
 }
 
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
@@ -77,21 +103,8 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
     for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
   if (t.only_bodies) {
-    if (moved)
-      tree::need_for_motion(t.forest, w);
-    else
-      tree::move_bodies<false>(t.forest, w);
-    tree::take_needs(t.forest, w);
-    if (t.has_own_mass)
-      for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
-    for (const auto& r : t.forest.records) {
-      const auto k = static_cast<std::size_t>(r.first);
-      if (r.what == kind::gen) [[likely]]
-        s.template get<kind::gen>(r.slot).f = -w.force[k];
-      else
-        each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
-    }
-    return;
+    if (!moved) tree::move_bodies<false>(t.forest, w);
+    return forces_of_moved_bodies(s);
   }
   clear_coordinates(s);
   for (const auto& [coordinate, mass] : t.rotors) {
@@ -101,18 +114,16 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   const auto& others = who != acting::bodies ? t.on_frames : t.weights;
   if (others.empty() && (who == acting::bodies || t.late.empty())) {
     tree::move_bodies<false>(t.forest, w);
+    tree::transmit_wrenches(t.forest, w, engine::no_load{});
   } else {
     tree::move_bodies<true>(t.forest, w);
     place_in_world(s);
     place_touched_frames(s, true);
     if (who != acting::bodies) move_late(c, s);
     for (auto e = others.rbegin(); e != others.rend(); ++e) c.push(*e, s);
-    for_each_frame_load(s, [&w](std::size_t slot, const tree::dense_wrench<S>& x) {
-      auto& needs = w.bodies[slot].needs;
-      needs = {needs.force - x.force, needs.torque - x.torque};
-    });
+    take_frame_loads(s);
+    tree::transmit_wrenches(t.forest, w, tree::load_of_slot<S>{w.loads.data()});
   }
-  tree::take_needs(t.forest, w);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
   if (who != acting::bodies) {

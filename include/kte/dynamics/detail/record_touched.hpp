@@ -54,11 +54,13 @@ void move_late(const Elements& c, State& s) {
   for (const int e : s.tree().late) c.move(e, s);
   for (const auto& [k, index] : s.tree().written) clear_frame(s, k, index);
 }
-/// f(slot, wrench at the origin of its body) for what elements put on frames.
-template <class State, class F>
-void for_each_frame_load(State& s, const F& f) {
+/// What elements put on frames, into `loads` of the bodies that they are on.
+template <class State>
+void take_frame_loads(State& s) {
   using S = typename State::scalar;
   const auto& t = s.tree();
+  auto& loads = s.work.loads;
+  std::fill(loads.begin(), loads.end(), tree::dense_wrench<S>{});
   for (const auto& [k, index] : t.touched) {
     const auto& at = t.forest.frame(k, index);
     if (at.slot < t.forest.bases) continue;
@@ -68,7 +70,8 @@ void for_each_frame_load(State& s, const F& f) {
       w = {as<S>(load.force), as<S>(load.torque)};
     });
     const auto seen = transmit(at.at, w);
-    f(static_cast<std::size_t>(at.slot), tree::dense_wrench<S>{as<S>(seen.force), as<S>(seen.torque)});
+    auto& load = loads[static_cast<std::size_t>(at.slot)];
+    load = {load.force + as<S>(seen.force), load.torque + as<S>(seen.torque)};
   }
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kte/dynamics/frame_motion.hpp>
-#include <kte/dynamics/runtime.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/rigid_link.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <array>
 #include <string>

@@ -2,7 +2,10 @@
 #pragma GCC system_header  // compilers then say nothing about the macros
 
 #include <kte/detail/call.hpp>
-#include <kte/dynamics/frame_motion.hpp>
+#include <kte/frames/motion.hpp>
+#include <kte/kernels/joint_vector.hpp>
+#include <kte/math/eigen.hpp>
+#include <kte/static_chain/static_chain.hpp>
 
 /// What algorithms say to calls that are meant for a chain of the other kind, in one sentence. No call that is right
 /// fits one of these.

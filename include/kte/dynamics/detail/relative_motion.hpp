@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/element_pose.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/jacobian_rate.hpp>
 
 /// The algorithms of dynamics/relative_motion.hpp.

@@ -16,15 +16,6 @@ void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
     blame_mass(s, first_endless(m), false);
 }
-/// The same of an inverse, of which no number is larger than the largest of its diagonal. (Nor is one of a mass matrix,
-/// but on the way to it.)
-template <class S>
-void check_inverse(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
-  S zero_or_nan(0);
-  for (Eigen::Index i = 0; i < m.rows(); ++i) zero_or_nan += m(i, i) * S(0);
-  if (!all(zero_or_nan == S(0))) [[unlikely]]
-    check_masses(s, m);
-}
 /// At positions that are good, under the forces that are `kept`.
 template <class S>
 const runtime_vector<S>& accelerations_under_kept(const kte_map_chain& c, basic_runtime_state<S>& s,

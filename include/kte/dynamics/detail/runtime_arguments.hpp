@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/runtime_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/dynamics/detail/runtime_vectors.hpp>
+#include <kte/runtime_chain/chain.hpp>
 #include <kte/tree/finite.hpp>
 
 #include <tuple>
@@ -66,6 +66,19 @@ void check_positions(const basic_runtime_state<S>& s) {
   for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
     blame("a coordinate", s);
+}
+template <class S, class X>
+void check_state(const basic_runtime_state<S>& s, const X& visit, const char* what) {
+  bool finite = true;
+  for_each_listed_freedom(
+      s, [&](const auto& c, const freedom&) { visit(c, [&](const S& x) { finite &= all(x - x == S(0)); }); });
+  if (!finite) throw bad_argument(what);
+}
+template <class S>
+void check_state_velocities(const basic_runtime_state<S>& s) {
+  check_positions(s);
+  check_state(
+      s, [](const auto& c, const auto& f) { visit_v(c, f); }, "kte: a velocity is not finite");
 }
 /// Whether n numbers are finite as numbers of S.
 template <class S, class X>
@@ -218,6 +231,7 @@ replaced_numbers<S, false, false, true> keep_accelerations(basic_runtime_state<S
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_positions(const runtime_state&);
+KTE_EXTERN template void check_state_velocities(const runtime_state&);
 KTE_EXTERN template struct replaced_numbers<double, true, false, false>;
 KTE_EXTERN template struct replaced_numbers<double, true, true, false>;
 KTE_EXTERN template struct replaced_numbers<double, true, true, true>;

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/detail/batch.hpp>
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <vector>
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/centroidal.hpp>
-#include <kte/dynamics/energy.hpp>
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/detail/runtime_algorithms.hpp>
 #include <kte/tree/momentum.hpp>
 
 /// Loops over the bodies of runtime chains, in the working memory of a state.
@@ -64,7 +62,7 @@ template <class S>
 void carry_bodies(const kte_map_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
   place_in_world(s);
-  tree::carry_bodies(s.tree().forest, s.work, true);
+  tree::carry_bodies<true>(s.tree().forest, s.work);
 }
 /// The same where bodies are all there is.
 template <class S>

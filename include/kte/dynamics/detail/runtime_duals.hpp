@@ -95,12 +95,9 @@ void needed_forces_in_duals(const Elements& elements, const basic_runtime_state<
     place_touched_frames(d, true);
     move_late(elements, d);
     for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) elements.push(*e, d);
-    for_each_frame_load(d, [&d](std::size_t slot, const tree::dense_wrench<D>& x) {
-      auto& needs = d.work.bodies[slot].needs;
-      needs = {needs.force - x.force, needs.torque - x.torque};
-    });
+    take_frame_loads(d);
   }
-  tree::take_needs_in_duals(t.forest, s.work, d.work);
+  tree::transmit_in_duals(t.forest, s.work, d.work);
   for (const auto& r : t.forest.records)
     each_axis<vector_of::f>(d, r, [&d](auto& f, std::size_t k) { f -= d.work.force[k]; });
   for_each_friction(elements, d, [&d](const auto& r, const D& friction) {

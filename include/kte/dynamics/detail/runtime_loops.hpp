@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/record_derivatives.hpp>
 #include <kte/dynamics/detail/record_inverse.hpp>
 #include <kte/dynamics/detail/runtime_arguments.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/chain.hpp>
 
 /// The elements of a runtime chain in the loops over records.
 namespace kte::detail {

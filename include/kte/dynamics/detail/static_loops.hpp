@@ -252,4 +252,14 @@ void derivatives_by_records(const Chain& c, const Given& g, Result& r) {
   r.by_q = s.work.of_forces.by_q, r.by_v = s.work.of_forces.by_v, r.by_a = s.work.of_forces.by_a;
 }
 
+/// f(elements, state) of an algorithm that is a loop over records for chains of all sizes: what comes from outside is
+/// in the state.
+template <class S, class Chain, class Given, class F>
+auto by_records(const Chain& c, const Given& g, const F& f) {
+  auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
+  static_state<S, Chain>& s = lent;
+  s.take(g), check_regular(c, s);
+  return f(static_elements{c, g}, s);
+}
+
 }  // namespace kte::detail

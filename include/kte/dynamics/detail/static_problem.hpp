@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/detail/force_pattern.hpp>
 #include <kte/dynamics/detail/loaded_elements.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/elements/constant_force.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <Eigen/SparseCore>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/joint_places.hpp>
+#include <kte/dynamics/detail/tree.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/tree/lanes.hpp>

@@ -1,7 +1,10 @@
 #pragma once
 
-#include <kte/dynamics/runtime_frames.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/jacobian.hpp>
 #include <kte/manipulators/detail/arm_geometry.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <string>
 

@@ -72,7 +72,7 @@ void derive_signals(const Chain& c, const S& t, const X& x, const U& u, const Ac
       for (int i = 0; i < nz; ++i)
         jacobian(2 * n + i, j) = z_dot[static_cast<std::size_t>(i)].derivative[static_cast<std::size_t>(j - first)];
     if (last <= 2 * n) continue;
-    const auto rest = coordinate_forces<number>(
+    const auto rest = generalized_forces<number>(
         c, given{at, each<number, const number*>{v}, each<number, joint_vector<S, n>>{a.a}, bases}, one);
     for (int j = (std::max)(first, 2 * n); j < last; ++j) {
       joint_vector<S, n> by_signal;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <kte/dynamics/coriolis_matrix.hpp>
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/momenta.hpp>
 #include <kte/models/unchanging_chain.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <utility>
 

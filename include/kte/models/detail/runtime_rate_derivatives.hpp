@@ -1,8 +1,10 @@
 #pragma once
 
+#include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/detail/runtime_duals.hpp>
-#include <kte/dynamics/runtime_derivatives.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 /// (J B) of models/detail/rate_derivatives.hpp of runtime chains. Templates, though of double alone: who does not call
 /// them does not compile them.

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/detail/record_inverse.hpp>
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/detail/robot_elements.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/options.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <Eigen/Cholesky>
 

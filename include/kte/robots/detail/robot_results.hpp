@@ -1,9 +1,10 @@
 #pragma once
 
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/robots/detail/no_limit.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
 #include <kte/robots/robot.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
 
 #include <algorithm>

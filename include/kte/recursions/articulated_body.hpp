@@ -1,0 +1,284 @@
+#pragma once
+
+#include <kte/engine/axes.hpp>
+#include <kte/frames/articulated.hpp>
+#include <kte/math/select.hpp>
+#include <kte/recursions/newton_euler.hpp>
+
+#include <limits>
+
+/// The articulated-body algorithm (ABA; Featherstone 1983; 2008, section 7.3) on classical accelerations in axes of
+/// each body. A joint is free to move, or its acceleration is given.
+namespace kte::engine {
+
+/// What velocities alone make of the acceleration of a body: that of its parent less w x (w x p), in axes of the
+/// parent, plus (linear, angular) in axes of the body.
+template <class W, class A, class C, class CL>
+struct bias_motion {
+  using geometry = bias_motion;
+  W ang_velocity;
+  A centripetal;
+  C linear;
+  CL angular;
+};
+template <class W, class A, class C, class CL>
+bias_motion(W, A, C, CL) -> bias_motion<W, A, C, CL>;
+
+/// Articulated inertia I^A and bias force p^A of a body and all beyond it: an acceleration a needs the wrench
+/// I^A a + p^A.
+template <class I, class W>
+struct articulated_body {
+  using geometry = articulated_body;
+  I inertia;
+  W bias;
+};
+template <class I, class W>
+articulated_body(I, W) -> articulated_body<I, W>;
+template <class I, class W, class J, class V>
+KTE_INLINE constexpr auto operator+(const articulated_body<I, W>& a, const articulated_body<J, V>& b) {
+  return articulated_body{a.inertia + b.inertia, a.bias + b.bias};
+}
+
+/// Of an axis s, with D = s^T U + m of U = I^A s and a further mass m on its coordinate: U D^-1, u D^-1 of
+/// u = tau - s^T p^A, and D^-1.
+template <class S>
+struct axis_factors {
+  wrench<vec3<S>, vec3<S>> gain;
+  S rate, inverse;
+};
+
+/// (1)  c = w x (w x p) seen from the parent, 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J; and of joints that are not
+/// free
+///      S q_ddot besides
+template <body_with_axes B, class M, class S>
+KTE_INLINE constexpr auto bias_motion_of(const B& b, const M& parent, const S* rate, const S* change) {
+  const auto& w = parent.ang_velocity;
+  const auto [v_j, w_j] = b.along_axes(rate);
+  const auto w_in = b.in(w);
+  const auto linear = constant<2>{} * cross(w_in, v_j) + cross(w_j, v_j);
+  if constexpr (B::always_free) {
+    return bias_motion{w_in + w_j, cross(w, cross(w, b.position())), linear, cross(w_in, w_j)};
+  } else {
+    vec3<S> a, al;
+    assign(a, linear), assign(al, cross(w_in, w_j));
+    if (!b.free()) {
+      const auto [a_j, al_j] = b.along_axes(change);
+      a = as<S>(a + a_j), al = as<S>(al + al_j);
+    }
+    return bias_motion{w_in + w_j, cross(w, cross(w, b.position())), a, al};
+  }
+}
+/// The wrench that a body needs at a velocity w and no acceleration.
+template <class B, class W>
+KTE_INLINE constexpr auto velocity_wrench(const B& b, const W& w) {
+  const auto& [mass, c, inertia, published] = b.inertia();
+  const auto f = mass * cross(w, cross(w, c));
+  return wrench{fresh(f), plus_cross(cross(w, inertia * w), c, f)};
+}
+
+/// A body whose joint is about to yield along its first axis.
+template <class I, class W, class U, class G, class S>
+struct yielding {
+  using geometry = yielding;
+  I inertia;
+  W bias;
+  U u;
+  G gain;
+  S rate;
+};
+template <class I, class W, class U, class G, class S>
+yielding(I, W, U, G, S) -> yielding<I, W, U, G, S>;
+
+/// The number of axis K, if nothing is left along it when it yields; else -1.
+template <body_with_axes B, int K>
+inline constexpr int given_up = [] {
+  using axis = std::remove_cvref_t<decltype(std::declval<const B&>().template axis<K>())>;
+  return typed_constant<decltype(std::declval<const B&>().template mass<K>())> ? unit_axis<axis> : -1;
+}();
+/// Without what is given up along axis K and all later ones.
+template <body_with_axes B, int K, class A>
+KTE_INLINE constexpr auto without_axes(const A& a) {
+  if constexpr (K == B::axes) {
+    return a;
+  } else {
+    return without_axes<B, K + 1>(without<given_up<B, K>>(a));
+  }
+}
+/// What an axis s leaves of I^A and of p^A, to which `more` is added:
+///
+///   I' = I - U U^T D^-1,   p' = p + U u D^-1          (2)
+///
+/// Along a unit axis without a further mass I' is nothing and p' is tau: so it is put, without rounding.
+template <int K, body_with_axes B, class Y, class V, class S>
+KTE_INLINE constexpr auto left_by(const B& b, const Y& y, const V& more, const S& force) {
+  constexpr int n = given_up<B, K>;
+  const auto inertia = kte::detail::less_dyad(y.inertia, y.u, y.gain);
+  const auto bias = (y.bias + more) + wrench{y.rate * y.u.force, y.rate * y.u.torque};
+  if constexpr (n < 0) {
+    return articulated_body{inertia, bias};
+  } else {
+    const auto s = b.template axis<K>();
+    return articulated_body{without<n>(inertia), without<n>(bias) + wrench{force * s.linear, force * s.angular}};
+  }
+}
+/// Below this, what moves along an axis is nothing but rounding of what does not: of a body of which these are the
+/// traces of the linear and angular parts of I^A.
+template <class S, class A, class I, class J>
+KTE_INLINE constexpr S least_inertia(const A& s, const I& linear, const J& angular) {
+  return S(16) * std::numeric_limits<S>::epsilon() *
+         as<S>(dot(s.linear, s.linear) * linear + dot(s.angular, s.angular) * angular);
+}
+/// The axes of a joint yield from the last, one by one; the first is left to `seen_by_parent`, which bodies on bases do
+/// without. `bad` becomes the first axis that has nothing to move, unless it is one already.
+template <int K, body_with_axes B, class I, class W, class L, class A, class Force, class S>
+KTE_INLINE constexpr auto yield(const B& b, const I& inertia, const W& bias, const L& linear, const A& angular,
+                                const Force& force, axis_factors<S>* factors, int& bad) {
+  const auto s = b.template axis<K>();
+  const auto u = accelerating_wrench(inertia, s.linear, s.angular);
+  const S d = as<S>(power(s, u) + b.template mass<K>());
+  if (!all(d > least_inertia<S>(s, linear, angular))) [[unlikely]]
+    if (bad < 0) bad = b.first() + K;
+  const S inverse = S(1) / d;
+  const auto rate = inverse * (force(K) - power(s, bias));
+  const wrench gain{inverse * u.force, inverse * u.torque};
+  assign(factors[K].gain, gain);
+  factors[K].rate = as<S>(rate), factors[K].inverse = inverse;
+  const yielding y{fresh(inertia), fresh(bias), fresh(u), fresh(gain), rate};
+  if constexpr (K == 0) {
+    return y;
+  } else {
+    const auto rest = left_by<K>(b, y, no_wrench, force(K));
+    return yield<K - 1>(b, rest.inertia, rest.bias, linear, angular, force, factors, bad);
+  }
+}
+/// I^A and p^A of a body about the origin of its parent and in its axes.
+template <body B, class I, class W, class A>
+KTE_INLINE constexpr auto pulled_back(const B& b, const articulated_body<I, W>& x, const A& centripetal) {
+  const auto& p = b.position();
+  const articulated i{b.out(x.inertia.linear), b.out(x.inertia.coupling), b.out(x.inertia.angular)};
+  const auto force = b.out(x.bias.force) + i.linear * centripetal;
+  return articulated_body{
+      shifted(p, i),
+      wrench{fresh(force), plus_cross(b.out(x.bias.torque) + transpose(i.coupling) * centripetal, p, force)}};
+}
+/// What a parent carries of a body.
+template <body_with_axes B, class C, class Y, class Force>
+KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, const Force& force) {
+  if constexpr (B::always_free) {
+    const auto left = left_by<0>(b, y, no_wrench, force(0)).inertia;
+    const auto more = accelerating_wrench(left, c.linear, c.angular);
+    return pulled_back(b, articulated_body{left, left_by<0>(b, y, more, force(0)).bias}, c.centripetal);
+  } else {
+    using S = typename B::scalar;
+    dense<S, decltype(articulated_body{y.inertia, y.bias})> left;
+    if (b.free())
+      assign(left, left_by<0>(b, y, no_wrench, force(0)));
+    else
+      assign(left, articulated_body{y.inertia, y.bias});
+    return pulled_back(
+        b, articulated_body{left.inertia, left.bias + accelerating_wrench(left.inertia, c.linear, c.angular)},
+        c.centripetal);
+  }
+}
+
+/// The axes of a joint yield, if it is free.
+template <body_with_axes B, class X, class Force, class S>
+KTE_INLINE constexpr auto yielded(const B& b, const X& x, const Force& force, axis_factors<S>* factors, int& bad) {
+  const auto all_axes = [&]() KTE_INLINE_LAMBDA {
+    return yield<B::axes - 1>(b, x.inertia, x.bias, trace(x.inertia.linear), trace(x.inertia.angular), force, factors,
+                              bad);
+  };
+  if constexpr (B::always_free) {
+    return all_axes();
+  } else {
+    dense<S, decltype(all_axes())> y{};
+    if (b.free())
+      assign(y, all_axes());
+    else
+      assign(y.inertia, x.inertia), assign(y.bias, x.bias);
+    return y;
+  }
+}
+
+/// q_ddot = u D^-1 - (U D^-1)^T a',   a = a' + s q_ddot          (3)
+///
+/// Along a unit axis without a further mass a is u D^-1 - (U D^-1)^T (rest of a'), whatever a' is.
+template <int K, class S, body_with_axes B, class A>
+KTE_INLINE constexpr auto accelerated(const B& b, const axis_factors<S>* factors, const A& a, S* change) {
+  if constexpr (K == B::axes) {
+    return fresh(a);
+  } else {
+    constexpr int n = given_up<B, K>;
+    const auto s = b.template axis<K>();
+    const S x = as<S>(factors[K].rate - power(without_axes<B, K>(a), factors[K].gain));
+    change[K] = n < 0 ? x : as<S>(x - (dot(s.linear, a.linear) + dot(s.angular, a.angular)));
+    return accelerated<K + 1>(b, factors, without<n>(a) + x * s, change);
+  }
+}
+template <class S, body_with_axes B, class A>
+KTE_INLINE constexpr auto accelerated_if_free(const B& b, const axis_factors<S>* factors, const A& a, S* change) {
+  if constexpr (B::always_free) {
+    return accelerated<0>(b, factors, a, change);
+  } else {
+    dense<S, A> x;
+    if (b.free())
+      assign(x, accelerated<0>(b, factors, a, change));
+    else
+      assign(x, a);
+    return x;
+  }
+}
+
+/// Outward, (1), from the angular velocities of bases in `kept`.
+template <class Hand, class Driver, class Kept, class S>
+KTE_INLINE auto bias_motions(const Driver& d, const Kept& kept, const S* rate, const S* change) {
+  return d.template outward<Hand>(kept, [=](const body_with_axes auto& b, const auto& parent) KTE_INLINE_LAMBDA {
+    return bias_motion_of(b, parent, rate + b.first(), change + b.first());
+  });
+}
+/// Inward, (2), into `factors` of axes: own(body, bias motion) is p^A of the body alone, force(body)(k) acts on axis k
+/// of its joint. Returns the first axis met that has nothing to move, or -1.
+template <class Hand, class Driver, class Kept, class Biases, class Own, class Force, class S>
+KTE_INLINE int articulate(const Driver& d, const Kept& kept, const Biases& biases, const Own& own, const Force& force,
+                          axis_factors<S>* factors) {
+  int bad = -1;
+  d.template inward<false, Hand, false>(
+      kept, biases,
+      [=](const auto& b, const auto& m) KTE_INLINE_LAMBDA {
+        return articulated_body{to_articulated(b.composite()), own(b, m)};
+      },
+      [=, &bad](const body_with_axes auto& b, const auto& x)
+          KTE_INLINE_LAMBDA { return yielded(b, x, force(b), factors + b.first(), bad); },
+      [=](const body_with_axes auto& b, const auto& m, const auto& y)
+          KTE_INLINE_LAMBDA { return seen_by_parent(b, m, y, force(b)); });
+  return bad;
+}
+/// Articulated inertias alone: of a mechanism at rest, without loads and forces.
+struct rest {
+  template <class B>
+  KTE_INLINE constexpr auto operator()(const B&) const {
+    return [](int) KTE_INLINE_LAMBDA { return zero; };
+  }
+};
+template <class Driver, class Kept, class S>
+KTE_INLINE int articulate_at_rest(const Driver& d, const Kept& kept, axis_factors<S>* factors) {
+  using inertia = articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>;
+  return articulate<articulated_body<inertia, wrench<zero3, zero3>>>(
+      d, kept, kept_constant<bias_motion<zero3, zero3, zero3, zero3>>{},
+      [](const auto&, const auto&) KTE_INLINE_LAMBDA { return no_wrench; }, rest{}, factors);
+}
+/// Outward, (3): accelerations of all bodies, from those of bases in `kept`, and of axes.
+template <class Hand, class Driver, class Kept, class Biases, class S>
+KTE_INLINE void accelerate(const Driver& d, const Kept& kept, const Biases& biases, const axis_factors<S>* factors,
+                           S* change) {
+  d.template descend<Hand>(
+      kept, biases, [=](const body_with_axes auto& b, const auto& m, const auto& parent) KTE_INLINE_LAMBDA {
+        const motion_vector a{
+            b.in(plus_cross(parent.acceleration + m.centripetal, parent.ang_acceleration, b.position())) + m.linear,
+            b.in(parent.ang_acceleration) + m.angular};
+        const auto found = accelerated_if_free(b, factors + b.first(), a, change + b.first());
+        return body_motion{skip{}, m.ang_velocity, found.linear, found.angular};
+      });
+}
+
+}  // namespace kte::engine

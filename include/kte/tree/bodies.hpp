@@ -1,0 +1,210 @@
+#pragma once
+
+#include <kte/engine/body.hpp>
+#include <kte/frames/articulated.hpp>
+#include <kte/tree/memory.hpp>
+
+/// The records of a tree as bodies of recursions (engine/body.hpp), a type for each kind of joint.
+namespace kte::tree {
+
+/// Axes of joints. Of the record they read what is no typed constant.
+struct about_z {
+  static constexpr int axes = 1;
+  template <int, class P>
+  KTE_INLINE static constexpr auto axis(const record<P>&) {
+    return engine::motion_vector{zero3{}, vec3{zero, zero, one}};
+  }
+};
+struct along_z {
+  static constexpr int axes = 1;
+  template <int, class P>
+  KTE_INLINE static constexpr auto axis(const record<P>&) {
+    return engine::motion_vector{vec3{zero, zero, one}, zero3{}};
+  }
+};
+struct along_and_about_z {
+  static constexpr int axes = 1;
+  template <int, class P>
+  KTE_INLINE static constexpr auto axis(const record<P>& r) {
+    return engine::motion_vector{vec3{zero, zero, r.slides}, vec3{zero, zero, r.turns}};
+  }
+};
+/// Unit axes of the body: 0, 1, 2 along x, y, z; 3, 4, 5 about them.
+template <int... N>
+struct unit_axes {
+  static constexpr int axes = sizeof...(N);
+  template <int K, class P>
+  KTE_INLINE static constexpr auto axis(const record<P>&) {
+    constexpr int numbers[]{N...}, n = numbers[K];
+    return engine::motion_vector{vec3<constant<n == 0>, constant<n == 1>, constant<n == 2>>{},
+                                 vec3<constant<n == 3>, constant<n == 4>, constant<n == 5>>{}};
+  }
+};
+
+/// Joints that are free to move, with no masses on their coordinates; and others.
+struct free_joint {
+  static constexpr bool always = true, free = true;
+  static constexpr zero_t mass{};
+};
+struct lockable_joint {
+  static constexpr bool always = false;
+  static constexpr zero_t mass{};
+  bool free;
+};
+template <class P>
+struct geared_joint {
+  static constexpr bool always = false;
+  bool free;
+  P mass;
+};
+
+/// A record where its joint transform has it.
+template <class Axes, class P, class S, class Freedom = free_joint>
+struct jointed_body {
+  using scalar = S;
+  const record<P>& r;
+  const spot<S>& at;
+
+  [[no_unique_address]] Freedom freedom = {};
+
+  static constexpr bool always_free = Freedom::always;
+  KTE_INLINE constexpr bool free() const { return freedom.free; }
+  template <int>
+  KTE_INLINE constexpr auto mass() const {
+    return freedom.mass;
+  }
+  static constexpr int axes = Axes::axes;
+  template <int K>
+  KTE_INLINE constexpr auto axis() const {
+    return Axes::template axis<K>(r);
+  }
+  KTE_INLINE int first() const { return r.first; }
+  KTE_INLINE auto along_axes(const S* x) const { return engine::sum_along_axes(*this, x); }
+  template <class W, class Put>
+  KTE_INLINE void powers_along(const W& w, const Put& put) const {
+    engine::each_power(*this, w, put);
+  }
+  KTE_INLINE const vec3<S>& position() const { return at.position; }
+  KTE_INLINE const auto& inertia() const { return r.body; }
+  KTE_INLINE const auto& composite() const { return r.weight; }
+  KTE_INLINE static constexpr skip in(skip) { return {}; }
+  KTE_INLINE static constexpr zero3 in(zero3) { return {}; }
+  template <class U>
+  KTE_INLINE auto in(const U& u) const {
+    vec3<S> x;
+    engine::assign(x, u);
+    if (r.turned) engine::assign(x, in_z(r.before, x));
+    if constexpr (axes == 1)
+      return in_z(at.angle, in_x(r.tilt, x));
+    else
+      return transpose(at.rotation) * in_z(at.angle, in_x(r.tilt, x));
+  }
+  template <class A>
+  KTE_INLINE auto out(const A& a) const {
+    engine::dense<S, A> x;
+    if constexpr (axes == 1)
+      engine::assign(x, out_x(r.tilt, out_z(at.angle, a)));
+    else
+      engine::assign(x, out_x(r.tilt, out_z(at.angle, turned(at.rotation, a))));
+    if (r.turned) engine::assign(x, out_z(r.before, x));
+    return x;
+  }
+
+ private:
+  template <class... U>
+  KTE_INLINE static auto turned(const mat3<vec3<S>>& rotation, const vec3<U...>& u) {
+    return rotation * u;
+  }
+  template <class A>
+  KTE_INLINE static auto turned(const mat3<vec3<S>>& rotation, const A& a) {
+    return turned_by(rotation, a);
+  }
+};
+/// The body without its joint.
+template <class P>
+struct rigid_record {
+  const record<P>& r;
+  int slot;
+  KTE_INLINE const auto& inertia() const { return r.body; }
+  KTE_INLINE const auto& composite() const { return r.weight; }
+};
+
+/// f(body) of a record whose joint has several axes.
+template <class P, class S, class Freedom, class F>
+KTE_INLINE void with_several_axes(const record<P>& r, const spot<S>& at, const Freedom& freedom, const F& f) {
+  if (r.axes == 6)
+    f(jointed_body<unit_axes<0, 1, 2, 3, 4, 5>, P, S, Freedom>{r, at, freedom});
+  else if (r.axis[0] == 3)
+    f(jointed_body<unit_axes<3, 4, 5>, P, S, Freedom>{r, at, freedom});
+  else
+    f(jointed_body<unit_axes<0, 1, 5>, P, S, Freedom>{r, at, freedom});
+}
+
+/// All records of a tree, as engine/looped.hpp sees them.
+template <class P, class S>
+class record_bodies {
+ public:
+  record_bodies(const forest<P>& f, const std::vector<spot<S>>& spots)
+      : records_(f.records.data()), spots_(spots.data()), bases_(f.bases), count_(static_cast<int>(f.records.size())) {}
+  KTE_INLINE int count() const { return count_; }
+  KTE_INLINE int bases() const { return bases_; }
+  KTE_INLINE int parent(int i) const { return records_[i].parent; }
+  KTE_INLINE bool branches(int i) const { return records_[i].branches; }
+  KTE_INLINE bool usual(int i) const { return records_[i].moves == joint::revolute; }
+  KTE_INLINE jointed_body<about_z, P, S> body(int i) const { return {records_[i], spots_[i]}; }
+  KTE_INLINE rigid_record<P> rigid(int i) const { return {records_[i], bases_ + i}; }
+  template <class F>
+  KTE_INLINE void with_body(int i, const F& f) const {
+    const record<P>& r = records_[i];
+    const spot<S>& at = spots_[i];
+    if (r.moves == joint::several)
+      with_several_axes(r, at, free_joint{}, f);
+    else if (r.moves == joint::prismatic)
+      f(jointed_body<along_z, P, S>{r, at});
+    else
+      f(jointed_body<along_and_about_z, P, S>{r, at});
+  }
+
+ protected:
+  const record<P>* records_;
+  const spot<S>* spots_;
+  int bases_, count_;
+};
+
+/// The same where axes of joints do not matter.
+template <class P, class S>
+class placed_bodies : public record_bodies<P, S> {
+ public:
+  using record_bodies<P, S>::record_bodies;
+  KTE_INLINE bool usual(int i) const { return this->records_[i].moves != joint::several; }
+  template <class F>
+  KTE_INLINE void with_body(int i, const F& f) const {
+    f(jointed_body<unit_axes<3, 4, 5>, P, S>{this->records_[i], this->spots_[i]});
+  }
+};
+/// The same with joints that may be locked, and with masses on their coordinates.
+template <class P, class S>
+class articulated_bodies : public record_bodies<P, S> {
+ public:
+  articulated_bodies(const forest<P>& f, const memory<P, S>& m)
+      : record_bodies<P, S>(f, m.spots), free_(m.yields.data()), plain_(m.plain.data()), mass_(m.own_mass.data()) {}
+  KTE_INLINE bool usual(int i) const { return plain_[i] != 0; }
+  template <class F>
+  KTE_INLINE void with_body(int i, const F& f) const {
+    const record<P>& r = this->records_[i];
+    const spot<S>& at = this->spots_[i];
+    const bool free = free_[i] != 0;
+    if (r.moves == joint::several)
+      with_several_axes(r, at, lockable_joint{free}, f);
+    else if (r.moves == joint::prismatic && free && mass_[r.first] == P(0))
+      f(jointed_body<along_z, P, S>{r, at});
+    else
+      f(jointed_body<along_and_about_z, P, S, geared_joint<P>>{r, at, {free, mass_[r.first]}});
+  }
+
+ private:
+  const char *free_, *plain_;
+  const P* mass_;
+};
+
+}  // namespace kte::tree
