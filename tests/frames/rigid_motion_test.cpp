@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[laws]", do
     for (int i = 0; i < 5; ++i) check_exponential<TestType>(draw, TestType(t) * direction<TestType>(draw), TestType(1));
 }
 
-TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", double, many_digits) {
+TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "", double, many_digits) {
   random_numbers draw(2);
   for (const auto& t : angles<TestType>())
     for (int i = 0; i < 5; ++i) check_logarithm<TestType>(draw, t * direction<TestType>(draw), TestType(1));
@@ -147,7 +147,7 @@ TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", double, many_d
       check_logarithm<TestType>(draw, TestType(t) * direction<TestType>(draw), TestType(scale));
 }
 
-TEMPLATE_TEST_CASE("exponential and logarithm undo each other", double, many_digits) {
+TEMPLATE_TEST_CASE("exponential and logarithm undo each other", "", double, many_digits) {
   using S = TestType;
   random_numbers draw(3);
   for (const auto& t : angles<S>())
