@@ -7,6 +7,7 @@ using namespace kte::detail;
 TEST_CASE("letters put in, left out, changed and exchanged are counted, over again for more") {
   CHECK(edit_distance("elbow", "elbow") == 0);
   CHECK(edit_distance("", "elbow") == 5);
+  CHECK(edit_distance("elbow", "") == 5);
   CHECK(edit_distance("elbw", "elbow") == 1);
   CHECK(edit_distance("ellbow", "elbow") == 1);
   CHECK(edit_distance("elbou", "elbow") == 1);
@@ -23,6 +24,7 @@ TEST_CASE("the nearest name differs in a letter, or in a third of them") {
   CHECK(nearest_name("elbw", known) == 1);
   CHECK(nearest_name("elbow3", known) == 1);  // the first of two that are as near
   CHECK(nearest_name("sholder", known) == 0);
+  CHECK(nearest_name("shuolder", known) == 0);
   CHECK(nearest_name("sh0u1der", known) == 0);  // two of eight
   CHECK(nearest_name("hop", known) == 4);
   CHECK(nearest_name("zip", known) == 4);

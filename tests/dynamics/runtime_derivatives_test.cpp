@@ -156,7 +156,8 @@ TEST_CASE("hybrid dynamics where coordinates follow others is between inverse an
     const double size = 1 + largest(a) * largest(mass_matrix(model, x.q)) / largest(x.tau);
     CHECK(gap(r.tau, x.tau) < both_errors * size);
     CHECK(gap(r.a, a) < both_errors * size);
-    const auto all = hybrid_dynamics(model, x.q, x.v, x.a, prescribed(kte::test::small_chains::q1, kte::test::q2));
+    const auto all =
+        hybrid_dynamics(model, x.q, x.v, x.a, prescribed(kte::test::small_chains::q1, kte::test::small_chains::q2));
     CHECK(all.a == x.a);
     CHECK(gap(all.tau, inverse_dynamics(model, x.q, x.v, x.a)) < both_errors);
   }

@@ -13,7 +13,7 @@ constexpr double none = kte::motor_law::none;
 constexpr motor_command::joint turning{true, -2, 3, 5}, free_slide{false, -none, none, none};
 }  // namespace
 
-TEST_CASE("A command of a motor is a force by its gain, between the ends of its range") {
+TEST_CASE("a command of a motor is a force by its gain, between the ends of its range") {
   const motor_command geared({.gain = 40, .lower_command = -1, .upper_command = 1}, turning);
   CHECK(geared.unit() == "\u00D7 40 N m");
   CHECK(geared.lower() == -1);
@@ -32,7 +32,7 @@ TEST_CASE("A command of a motor is a force by its gain, between the ends of its 
   CHECK(unlimited.upper() == 10);
 }
 
-TEST_CASE("A command of a servo is a position, and begins where the joint stands") {
+TEST_CASE("a command of a servo is a position, and begins where the joint stands") {
   const motor_command servo({.gain = 60, .stiffness = 60, .damping = 3}, turning);
   CHECK(servo.unit() == "rad");
   CHECK(servo.lower() == -2);
@@ -53,7 +53,7 @@ TEST_CASE("A command of a servo is a position, and begins where the joint stands
   CHECK(one_sided.upper() == 1);
 }
 
-TEST_CASE("A command of a servo of rates is a rate") {
+TEST_CASE("a command of a servo of rates is a rate") {
   const motor_command speed({.gain = 20, .damping = 20}, turning);
   CHECK(speed.unit() == "rad/s");
   CHECK(speed.lower() == -5);
@@ -61,7 +61,7 @@ TEST_CASE("A command of a servo of rates is a rate") {
   CHECK(speed.at_start(0.5, 0) == 0);
 }
 
-TEST_CASE("Ranges of commands that leave nothing, and commands that do nothing, still have a slider") {
+TEST_CASE("ranges of commands that leave nothing, and commands that do nothing, still have a slider") {
   const motor_command nothing({.gain = 0}, turning);
   CHECK(nothing.unit() == "1");
   CHECK(nothing.lower() < nothing.upper());
@@ -78,7 +78,7 @@ TEST_CASE("Ranges of commands that leave nothing, and commands that do nothing, 
   CHECK(std::isfinite(tiny.upper()));
 }
 
-TEST_CASE("The motor of an input is found in the chain") {
+TEST_CASE("the motor of an input is found in the chain") {
   kte::kte_map_chain arm;
   arm << kte::revolute_joint_3D("q", "base", "end", kte::axis::z)
       << kte::joint_motor_gen("q", "torque", {.gain = 3, .upper = 4});

@@ -28,8 +28,8 @@ int eval(eval_options& o) {
   if (o.what.digits == 50) {
     print_with_50_digits(r, o.what);
   } else {
-    evaluate::runtime_model<double> model(r.chain, o.what.frames);
-    print_rows(model, evaluate::state_table(o.what.states), r.coordinates, o.what);
+    evaluate::runtime_model<double> evaluated(r.chain, o.what.frames);
+    print_rows(evaluated, evaluate::state_table(o.what.states), r.coordinates, o.what);
   }
   return 0;
 }
