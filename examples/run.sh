@@ -23,3 +23,4 @@ done
 echo "Testing kte as a program: arguments, files, the programs that it keeps"
 sh tests/programs/kte_eval.sh $kte
 sh tests/programs/kte.sh $kte
+sh tests/programs/kte_live.sh $kte

@@ -5,12 +5,7 @@
 #   sh bench/compile/docs.sh record      writes `docs_limits` anew: what is counted now, and 5 %
 #   sh bench/compile/docs.sh time        CPU seconds of g++ -O2 in units of #include <Eigen/Core>: docs/build.md
 set -eu
-root=$(cd "$(dirname "$0")/../.." && pwd)
-CXX=g++
-limits=$root/bench/compile/docs_limits
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$root/bench/compile/chain.sh"
+. "$(dirname "$0")/limits.sh"
 
 # Each program as a file; its name is that of the page and the line.
 cd "$root"
@@ -25,7 +20,7 @@ for page in README.md docs/*.md; do
     /^```cpp/ { within = 1 }' "$page"
 done
 
-if [ "${1:-}" = time ]; then
+if [ "$record" = time ]; then
   unit=$(sh bench/compile/unit.sh 3 | sort -n | sed -n 2p)
   for program in "$work"/*.cpp; do
     sh -c '"$@"; times' sh $CXX -std=c++20 -O2 -isystem /usr/include/eigen3 -Iinclude -Iexamples -c "$program" -o "$work/o" |
@@ -36,28 +31,9 @@ if [ "${1:-}" = time ]; then
   exit
 fi
 
-grep '^#' "$limits" >"$work/limits"
-failed=0
-printf '%-14s %22s %22s\n' program 'functions (most)' 'classes (most)'
+limits_of docs_limits program functions classes
 for program in "$work"/*.cpp; do
   name=$(basename "$program" .cpp)
-  counts=$(instantiations "$name")
-  functions=${counts% *} classes=${counts#* }
-  echo "$name $((functions * 21 / 20)) $((classes * 21 / 20))" >>"$work/limits"
-  if [ "${1:-}" = record ]; then continue; fi
-  set -- $(awk -v name="$name" '$1 == name { print $2, $3 }' "$limits")
-  most_functions=${1:-0} most_classes=${2:-0}
-  set --
-  printf '%-14s %22s %22s\n' "$name" "$functions ($most_functions)" "$classes ($most_classes)"
-  if [ "$functions" -gt "$most_functions" ] || [ "$classes" -gt "$most_classes" ]; then
-    echo "docs: the program $name instantiates more than bench/compile/docs_limits allows, and will compile slowly" >&2
-    failed=1
-  fi
+  compare "$name" "$(instantiations "$name")" "$(sed -n "s/^$name //p" "$limits")"
 done
-
-if [ "${1:-}" = record ]; then
-  cp "$work/limits" "$limits"
-elif [ "$failed" != 0 ]; then
-  echo 'docs: find the change that did it; if it is worth it: sh bench/compile/docs.sh record' >&2
-  exit 1
-fi
+finish

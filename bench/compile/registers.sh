@@ -5,10 +5,7 @@
 #   sh bench/compile/registers.sh
 #   sh bench/compile/registers.sh record      writes `register_limits` anew: what is counted now, and 5 %
 set -eu
-root=$(cd "$(dirname "$0")/../.." && pwd)
-limits=$root/bench/compile/register_limits
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/limits.sh"
 
 # A serial robot; a trunk that floats with one leg.
 cat >"$work/chains.hpp" <<'END'
@@ -52,14 +49,12 @@ if [ "$(uname -m)" != x86_64 ]; then
   echo 'registers: counted on x86-64 only'
   exit 0
 fi
-failed=0
-grep '^#' "$limits" >"$work/limits"
-printf '%-20s %-10s %-14s %20s %20s\n' compiler chain algorithm 'instructions (most)' 'stack (most)'
-while read -r compiler version model algorithm most most_stack; do
+limits_of register_limits 'compiler, chain, algorithm' instructions stack
+while read -r compiler version model algorithm most; do
   case $compiler in '' | '#'*) continue ;; esac
+  key="$compiler $version $model $algorithm"
   if ! $compiler --version 2>/dev/null | head -n 1 | grep -q " $version\."; then
-    echo "$compiler $version $model $algorithm $most $most_stack" >>"$work/limits"
-    echo "registers: not counted, as this is not $compiler $version"
+    not_compared "$key $most" "this is not $compiler $version"
     continue
   fi
   case $algorithm in
@@ -70,20 +65,6 @@ while read -r compiler version model algorithm most most_stack; do
   object=$work/$compiler.$model.$unit.o
   [ -f "$object" ] || $compiler -std=c++20 -O3 -march=x86-64-v3 -fno-math-errno -DNDEBUG -DMODEL="$model" \
     -isystem /usr/include/eigen3 -I"$root/include" -I"$root/examples" -c "$work/$unit.cpp" -o "$object"
-  counts=$(counted "$object" "$name")
-  all=${counts% *} stack=${counts#* }
-  printf '%-20s %-10s %-14s %20s %20s\n' "$compiler $version" "$model" "$algorithm" "$all ($most)" "$stack ($most_stack)"
-  echo "$compiler $version $model $algorithm $((all * 21 / 20)) $((stack * 21 / 20))" >>"$work/limits"
-  if [ "${1:-}" = record ]; then continue; fi
-  if [ "$all" -gt "$most" ] || [ "$stack" -gt "$most_stack" ]; then
-    echo "registers: $algorithm of the $model chain by $compiler is slower than bench/compile/register_limits allows" >&2
-    failed=1
-  fi
+  compare "$key" "$(counted "$object" "$name")" "$most"
 done <"$limits"
-
-if [ "${1:-}" = record ]; then
-  cp "$work/limits" "$limits"
-elif [ "$failed" != 0 ]; then
-  echo 'registers: find the change that did it; if it is worth it: sh bench/compile/registers.sh record' >&2
-  exit 1
-fi
+finish

@@ -5,12 +5,7 @@
 #   sh bench/compile/runtime.sh
 #   sh bench/compile/runtime.sh record      writes `runtime_limits` anew: what is counted now, and 5 %
 set -eu
-root=$(cd "$(dirname "$0")/../.." && pwd)
-CXX=g++
-limits=$root/bench/compile/runtime_limits
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$root/bench/compile/chain.sh"
+. "$(dirname "$0")/limits.sh"
 
 program() {
   cat <<'END'
@@ -33,32 +28,15 @@ END
 { echo '#define KTE_COMPILED'; program; } >"$work/compiled.cpp"
 program >"$work/headers.cpp"
 
-failed=0
-grep '^#' "$limits" >"$work/limits"
-printf '%-10s %22s %22s %22s\n' program 'functions (most)' 'classes (most)' 'bytes (most)'
-while read -r name version most_functions most_classes most_bytes; do
+limits_of runtime_limits program functions classes bytes
+while read -r name version most; do
   case $name in '' | '#'*) continue ;; esac
   if ! $CXX --version | head -n 1 | grep -q " $version\."; then
-    echo "$name $version $most_functions $most_classes $most_bytes" >>"$work/limits"
-    echo "runtime: not counted, as this is not g++ $version"
+    not_compared "$name $version $most" "this is not g++ $version"
     continue
   fi
   counts=$(instantiations "$name")
-  functions=${counts% *} classes=${counts#* }
   $CXX -std=c++20 -O2 -isystem /usr/include/eigen3 -I"$root/include" -c "$work/$name.cpp" -o "$work/$name.o"
-  bytes=$(size "$work/$name.o" | awk 'NR == 2 { print $1 }')
-  printf '%-10s %22s %22s %22s\n' "$name" "$functions ($most_functions)" "$classes ($most_classes)" "$bytes ($most_bytes)"
-  echo "$name $version $((functions * 21 / 20)) $((classes * 21 / 20)) $((bytes * 21 / 20))" >>"$work/limits"
-  if [ "${1:-}" = record ]; then continue; fi
-  if [ "$functions" -gt "$most_functions" ] || [ "$classes" -gt "$most_classes" ] || [ "$bytes" -gt "$most_bytes" ]; then
-    echo "runtime: a program with a runtime chain ($name) is larger than bench/compile/runtime_limits allows" >&2
-    failed=1
-  fi
+  compare "$name $version" "$counts $(size "$work/$name.o" | awk 'NR == 2 { print $1 }')" "$most"
 done <"$limits"
-
-if [ "${1:-}" = record ]; then
-  cp "$work/limits" "$limits"
-elif [ "$failed" != 0 ]; then
-  echo 'runtime: find the change that did it; if it is worth it: sh bench/compile/runtime.sh record' >&2
-  exit 1
-fi
+finish

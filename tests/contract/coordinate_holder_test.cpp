@@ -17,7 +17,7 @@ struct brake : coordinate_holder {
 
 }  // namespace
 
-TEST_CASE("A coordinate is held in one mode of four", "[contract]") {
+TEST_CASE("a coordinate is held in one mode of four") {
   STATIC_REQUIRE(brake::holds_coordinate);
   STATIC_REQUIRE(brake::holds(0, double(mode::held)));
   STATIC_REQUIRE_FALSE(brake::holds(0, double(mode::sliding)));
@@ -26,14 +26,14 @@ TEST_CASE("A coordinate is held in one mode of four", "[contract]") {
   STATIC_REQUIRE_FALSE(brake::holds(0, 1.5));
 }
 
-TEST_CASE("What holds has no rate of change and, while it holds, no force", "[contract]") {
+TEST_CASE("what holds has no rate of change and, while it holds, no force") {
   STATIC_REQUIRE(std::is_same_v<decltype(brake::z_dot(1.0, 2.0)), std::remove_const_t<decltype(zero)>>);
   STATIC_REQUIRE(brake::unless_held(double(mode::held), 3.0) == 0);
   STATIC_REQUIRE(brake::unless_held(double(mode::forward), 3.0) == 3);
   STATIC_REQUIRE(brake::unless_held(double(mode::sliding), -3.0) == -3);
 }
 
-TEST_CASE("Sliding is by the mode, and at the start by the rate", "[contract]") {
+TEST_CASE("sliding is by the mode, and at the start by the rate") {
   STATIC_REQUIRE(brake::direction(double(mode::forward), -5.0) == 1);
   STATIC_REQUIRE(brake::direction(double(mode::backward), 5.0) == -1);
   STATIC_REQUIRE(brake::direction(double(mode::sliding), 1e-300) == 1);

@@ -8,7 +8,7 @@
 using namespace kte;
 using namespace kte::detail;
 
-TEST_CASE("Elements see coordinates and signals only, or frames", "[contract]") {
+TEST_CASE("elements see coordinates and signals only, or frames") {
   using on_coordinates = decltype(spring_gen("a", "b", 0.5, 3.0).core);
   using on_frames = decltype(spring_3D("a", "b", 0.5, 3.0).core);
   STATIC_REQUIRE(is_on_coordinates<on_coordinates>);
@@ -17,7 +17,7 @@ TEST_CASE("Elements see coordinates and signals only, or frames", "[contract]") 
   STATIC_REQUIRE_FALSE(has_derivatives<on_frames>);
 }
 
-TEST_CASE("A coordinate that is varied has unit derivatives by itself, its rate and its acceleration", "[contract]") {
+TEST_CASE("a coordinate that is varied has unit derivatives by itself, its rate and its acceleration") {
   const coordinate<double, double, double, double, double> c{0.5, 2.0, 3.0, 0.8, 0.6};
   const auto x = varied_coordinate<double>(c, true);
   using three = std::array<double, 3>;

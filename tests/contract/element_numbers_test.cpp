@@ -23,7 +23,7 @@ double gap(const vec3<A>& a, const vec3<B>& b) {
 }
 }  // namespace
 
-TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis", "[element_numbers]") {
+TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis", "[both]") {
   using namespace models;
   const auto n = numbers_of_element(revolute_joint_3D(hip, ground, trunk, vec3{0.6, 0.0, 0.8}));
   CHECK(n.is == part::stiff);
@@ -42,7 +42,7 @@ TEST_CASE("a joint is where it stands at zero, where it is tried, and its axis",
   CHECK(slides.stiff.tried.position.y == within(-tried_angle, 1e-16));
 }
 
-TEST_CASE("a link is a pose, a body its numbers about its centre of mass, a rotor a mass", "[element_numbers]") {
+TEST_CASE("a link is a pose, a body its numbers about its centre of mass, a rotor a mass") {
   using namespace models;
   const auto link = numbers_of_element(rigid_link_3D(trunk, left, vec3{0.1, 0.2, -0.3}, quarter_turn_x));
   CHECK(link.is == part::stiff);
@@ -65,7 +65,7 @@ TEST_CASE("a link is a pose, a body its numbers about its centre of mass, a roto
   CHECK(numbers_of_element(inertia_gen(hip, 0.0)).has_mass);
 }
 
-TEST_CASE("what else there is acts by a law of its own", "[element_numbers]") {
+TEST_CASE("what else there is acts by a law of its own") {
   using namespace models;
   CHECK(numbers_of_element(base_gen(wall)).is == part::base);
   CHECK(numbers_of_element(rigid_link_gen(knee, geared, 0.3)).is == part::follower);
@@ -79,7 +79,7 @@ TEST_CASE("what else there is acts by a law of its own", "[element_numbers]") {
   CHECK(!core_acts(rigid_link_3D(trunk, left, along_y(1.0))));
 }
 
-TEST_CASE("numbers of elements in another precision", "[element_numbers]") {
+TEST_CASE("numbers of elements in another precision") {
   using namespace models;
   const auto joint = revolute_joint_3D(hip, ground, trunk, vec3{0.6, 0.0, 0.8});
   const auto exact = numbers_of_element<long double>(joint);
@@ -92,7 +92,7 @@ TEST_CASE("numbers of elements in another precision", "[element_numbers]") {
   CHECK(small.has_mass);
 }
 
-TEST_CASE("ports say what they write and declare", "[port]") {
+TEST_CASE("ports say what they write and declare") {
   constexpr port out{kind::gen, access::out, "end"}, base{kind::gen, access::base, "coordinate"},
       kept{kind::internal, access::keep, "bristles"}, angle{kind::gen, access::angle, "coordinate"};
   CHECK((out.writes() && out.declares()));

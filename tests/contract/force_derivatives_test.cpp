@@ -56,7 +56,7 @@ three_coordinates::results derived(const Core& core, std::initializer_list<int> 
 
 }  // namespace
 
-TEST_CASE("Derivatives of forces between two coordinates", "[contract]") {
+TEST_CASE("derivatives of forces between two coordinates") {
   // f = k (q1 - q0 - l), on q0, and the opposite on q1; what must be applied is the opposite of both.
   const auto spring = derived(spring_gen("a", "b", 0.5, 3.0).core, {0, 1});
   CHECK(spring.by_q == of(3, -3, -3, 3));
@@ -67,7 +67,7 @@ TEST_CASE("Derivatives of forces between two coordinates", "[contract]") {
   CHECK(damper.by_q == two_by_two{});
 }
 
-TEST_CASE("Derivatives of forces on one coordinate", "[contract]") {
+TEST_CASE("derivatives of forces on one coordinate") {
   CHECK(derived(inertia_gen("a", 7.0).core, {1}).by_a == of(0, 0, 0, 7));
   CHECK(derived(spring_gen("a", "b", 0.5, 3.0).core, {1, 1}).by_q == two_by_two{});
   // Given ones have no row and no column.

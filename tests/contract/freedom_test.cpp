@@ -26,7 +26,7 @@ kte_map_chain with_gaps() {
 
 }  // namespace
 
-TEST_CASE("Rows of generalized coordinates end where another thing stands between", "[contract]") {
+TEST_CASE("rows of generalized coordinates end where another thing stands between") {
   const auto c = with_gaps();
   const auto& free = c.wiring().free;
   std::vector<int> rows;
@@ -43,7 +43,7 @@ TEST_CASE("Rows of generalized coordinates end where another thing stands betwee
   CHECK(rows == std::vector<int>{2, 1, 1, 2});
 }
 
-TEST_CASE("Every number of a vector comes to its coordinate", "[contract]") {
+TEST_CASE("every number of a vector comes to its coordinate") {
   auto c = with_gaps();
   auto s = c.make_state();
   Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(s.nq(), 1, s.nq()), v = Eigen::VectorXd::LinSpaced(s.dofs(), 21, 31);
@@ -58,7 +58,7 @@ TEST_CASE("Every number of a vector comes to its coordinate", "[contract]") {
   CHECK(s.coordinate("d").q_dot == 31);
 }
 
-TEST_CASE("An input named as the time is the time", "[contract]") {
+TEST_CASE("an input named as the time is the time") {
   STATIC_REQUIRE(detail::is_time(kind::input, chain_time_::name));
   STATIC_REQUIRE_FALSE(detail::is_time(kind::gen, chain_time_::name));
   STATIC_REQUIRE_FALSE(detail::is_time(kind::input, "torque"));

@@ -25,7 +25,7 @@ std::string text(const std::string& rest) { return "kte: strut_gen (anchor1 'hip
 
 }  // namespace
 
-TEST_CASE("a parameter is refused with element, rule and value, the first of several", "[parameters]") {
+TEST_CASE("a parameter is refused with element, rule and value, the first of several", "[both]") {
   CHECK(refused([](const auto& c) { c.require(true, "rule", 1.0); }).empty());
   CHECK(refused([](const auto& c) { c.require(false, "length must be odd", 0.1); }) ==
         text("length must be odd, got 0.10000000000000001"));
@@ -34,7 +34,7 @@ TEST_CASE("a parameter is refused with element, rule and value, the first of sev
         }) == text("second, got 2"));
 }
 
-TEST_CASE("finite is all that is neither infinite nor NaN, and any typed constant", "[parameters]") {
+TEST_CASE("finite is all that is neither infinite nor NaN, and any typed constant") {
   const auto finite = [](const auto& x) { return refused([&](const auto& c) { c.finite(x, "x"); }); };
   using limits = std::numeric_limits<double>;
   for (const double x : {0.0, -0.0, limits::max(), limits::lowest(), limits::denorm_min()}) CHECK(finite(x).empty());
@@ -53,7 +53,7 @@ TEST_CASE("finite is all that is neither infinite nor NaN, and any typed constan
   }
 }
 
-TEST_CASE("not negative is zero, -0 and above, finite", "[parameters]") {
+TEST_CASE("not negative is zero, -0 and above, finite") {
   const auto not_negative = [](const auto& x) { return refused([&](const auto& c) { c.not_negative(x, "x"); }); };
   for (const double x : {0.0, -0.0, 1e-300, 1e300}) CHECK(not_negative(x).empty());
   CHECK(not_negative(-0.5) == text("x, got -0.5"));
@@ -65,7 +65,7 @@ TEST_CASE("not negative is zero, -0 and above, finite", "[parameters]") {
   CHECK(not_negative(minus_one) == text("x, got -1"));
 }
 
-TEST_CASE("axes have length 1 to 1e-9", "[parameters]") {
+TEST_CASE("axes have length 1 to 1e-9") {
   const auto unit = [](const auto& x) { return refused([&](const auto& c) { c.unit(x, "x"); }); };
   CHECK(unit(vec3{0.6, zero, 0.8}).empty());
   CHECK(unit(vec3{zero, minus_one, zero}).empty());
@@ -78,7 +78,7 @@ TEST_CASE("axes have length 1 to 1e-9", "[parameters]") {
   CHECK(unit(vec3{1e200, 0.0, 0.0}) == text("x, got inf"));  // its square
 }
 
-TEST_CASE("rotations are orthonormal and turn to the right", "[parameters]") {
+TEST_CASE("rotations are orthonormal and turn to the right") {
   const auto rotation = [](const auto& x) { return refused([&](const auto& c) { c.rotation(x, "x"); }); };
   const mat3 good{vec3{0.6, -0.8, 0.0}, vec3{0.8, 0.6, 0.0}, vec3{0.0, 0.0, 1.0}};
   CHECK(rotation(no_rotation{}).empty());
@@ -100,7 +100,7 @@ TEST_CASE("rotations are orthonormal and turn to the right", "[parameters]") {
   CHECK(rotation(askew).empty());
 }
 
-TEST_CASE("bodies are physical where no principal moment is above the sum of the others", "[parameters]") {
+TEST_CASE("bodies are physical where no principal moment is above the sum of the others") {
   const auto physical = [](const auto& inertia) {
     return refused([&](const auto& c) { c.physical(rigid_body{1.0, zero3{}, inertia}); });
   };
@@ -124,7 +124,7 @@ TEST_CASE("bodies are physical where no principal moment is above the sum of the
   CHECK(far(100.0).empty());
 }
 
-TEST_CASE("what the elements refuse, each rule once", "[parameters]") {
+TEST_CASE("what the elements refuse, each rule once") {
   const auto bad_lugre = [](double lugre_parameters::*what, double value) {
     lugre_parameters p{.sigma0 = 1, .sigma1 = 1, .sigma2 = 1, .coulomb = 1, .stiction = 2, .stribeck_velocity = 1};
     p.*what = value;

@@ -54,12 +54,12 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("joints with a place obey the laws", "[contract][seat]") {
+TEST_CASE("joints with a place obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a joint with a place is a link and the joint", "[contract][seat]") {
+TEST_CASE("a joint with a place is a link and the joint") {
   const auto beyond = [](kte_map_chain& c) -> kte_map_chain& {
     return c.gravity(weight) << inertia_3D("arm", brick) << revolute_joint_3D("p", "arm", "hand", axis::y)
                              << inertia_3D("hand", brick);
@@ -83,7 +83,7 @@ TEST_CASE("a joint with a place is a link and the joint", "[contract][seat]") {
   check([](auto base) { return screw_joint_3D("q", base, "arm", axis::x, 0.25); }, position, rotation);
 }
 
-TEST_CASE("static chains of joints with a place", "[contract][seat]") {
+TEST_CASE("static chains of joints with a place") {
   const auto check = [](const auto& placed, const auto& linked, const auto& end) {
     CHECK(difference(placed, linked, end, 1) < few_ulps);
     CHECK(difference(placed, models::registered(record_of(placed)), end, 2) < few_ulps);
@@ -108,7 +108,7 @@ TEST_CASE("static chains of joints with a place", "[contract][seat]") {
   CHECK(at.rotation.cos == within(std::cos(0.7), 2e-16));
 }
 
-TEST_CASE("places of joints in files", "[contract][seat]") {
+TEST_CASE("places of joints in files") {
   constexpr auto c = chain(revolute_joint_3D(q, ground, arm).at(along_z(0.5), quarter_turn_x),
                            prismatic_joint_3D(p, arm, hand, axis::x).at(position));
   const auto r = record_of(c);
@@ -158,7 +158,7 @@ TEST_CASE("places of joints in files", "[contract][seat]") {
   CHECK_THROWS_WITH(models::registered(flat), contains_text("'position' out of the plane"));
 }
 
-TEST_CASE("the place of a joint is finite, and a rotation", "[contract][seat]") {
+TEST_CASE("the place of a joint is finite, and a rotation") {
   const auto what = [](const auto&... place) {
     return complaint([&] { revolute_joint_3D("elbow", "upper", "fore").at(place...); });
   };
@@ -200,7 +200,7 @@ struct rubbing_joint : transmission<rubbing_joint> {
 };
 }  // namespace
 
-TEST_CASE("a joint of one's own has a place, and keeps its friction", "[contract][seat]") {
+TEST_CASE("a joint of one's own has a place, and keeps its friction") {
   const auto placed =
       chain(connect(rubbing_joint(0.5), q, ground, arm).at(position, rotation), inertia_3D(arm, brick)).gravity(weight);
   const auto linked = chain(fixed_joint_3D(ground, seat, position, rotation), connect(rubbing_joint(0.5), q, seat, arm),

@@ -64,7 +64,7 @@ bool has(const std::string& text, const char* part) { return text.find(part) != 
 
 }  // namespace
 
-TEST_CASE("the rules of wiring", "[wiring]") {
+TEST_CASE("the rules of wiring") {
   const name_before nothing{}, read{true, true, false}, written{true, true, true}, other{true, false, true};
   wiring_rules rules;
   CHECK(rules.broken_by(kind::gen, kte::access::in, nothing) == problem::none);
@@ -85,7 +85,7 @@ TEST_CASE("the rules of wiring", "[wiring]") {
   CHECK(later.broken_by(kind::frame_3D, kte::access::in, nothing) == problem::unknown);
 }
 
-TEST_CASE("static and runtime chains refuse the same", "[wiring]") {
+TEST_CASE("static and runtime chains refuse the same") {
   std::mt19937 engine(1);
   std::array<int, 6> met{};
   for (int round = 0; round < 20000; ++round) {

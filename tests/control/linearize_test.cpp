@@ -70,7 +70,7 @@ Eigen::MatrixXd by_differences(runtime_model model, const Eigen::VectorXd& at) {
 
 }  // namespace
 
-TEST_CASE("A cart-pole is linearised in closed form, of both kinds of chain") {
+TEST_CASE("a cart-pole is linearised in closed form, of both kinds of chain") {
   Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
   A(0, 2) = A(1, 3) = 1, A(2, 1) = m * g / M, A(3, 1) = (M + m) * g / (M * l);
   const Eigen::Vector4d B(0, 0, 1 / M, 1 / (M * l));
@@ -87,7 +87,7 @@ TEST_CASE("A cart-pole is linearised in closed form, of both kinds of chain") {
   check(runtime_model(models::registered(record_of(cart_pole))));
 }
 
-TEST_CASE("Away from an equilibrium too, with all digits") {
+TEST_CASE("away from an equilibrium too, with all digits") {
   // Its equations by hand, derived in dual numbers of long double.
   const auto rates = [](long double, const auto& s, const auto& u) {
     using std::sin, std::cos;
@@ -108,7 +108,7 @@ TEST_CASE("Away from an equilibrium too, with all digits") {
   CHECK(gap(r.x_dot, exact.x_dot.cast<double>()) < 1e-15);
 }
 
-TEST_CASE("With rotations A is in the tangent space; inputs and internal states by dual numbers") {
+TEST_CASE("with rotations A is in the tangent space; inputs and internal states by dual numbers") {
   const std::array q{1.0, 2.0, 3.0, 0.5, -0.5, 0.5, 0.5, 0.4};
   const std::array v{0.1, -0.2, 0.3, 0.4, 2.0, -0.6, 0.7};
   const std::array z{0.01};
@@ -133,7 +133,7 @@ TEST_CASE("With rotations A is in the tangent space; inputs and internal states 
   CHECK(gap(displacement(model, at, moved), d) < 1e-14);
 }
 
-TEST_CASE("Inputs may move what stands on them, and what the mass matrix depends on") {
+TEST_CASE("inputs may move what stands on them, and what the mass matrix depends on") {
   kte_map_chain c;
   c.gravity(along_y(-g)) << position_control_2D("p", "p'", "p''", "ground", "cart")
                          << revolute_joint_2D("angle", "cart", "pole") << inertia_2D("pole", point_mass(m, along_y(l)))
@@ -167,7 +167,7 @@ TEST_CASE("Inputs may move what stands on them, and what the mass matrix depends
   CHECK(gap(both, by_differences(set, at)) < 1e-11);
 }
 
-TEST_CASE("Outputs of one's own: by dual numbers, of runtime chains by differences") {
+TEST_CASE("outputs of one's own: by dual numbers, of runtime chains by differences") {
   const manipulator_dynamics_model model(cart_pole);
   const auto seen = model.with_output([](const auto& s) { return std::array{s[tip].position.x, s[x].q_ddot}; });
   const std::array q{0.3, 0.8}, v{0.5, -2.0};
@@ -186,7 +186,7 @@ TEST_CASE("Outputs of one's own: by dual numbers, of runtime chains by differenc
   CHECK(gap(same.D, r.D) < 1e-11);
 }
 
-TEST_CASE("A closed loop has the matrix of the loop, also where the law has states, or takes numbers alone") {
+TEST_CASE("a closed loop has the matrix of the loop, also where the law has states, or takes numbers alone") {
   const manipulator_dynamics_model model(cart_pole);
   const auto at = model.make_x(std::array{0.3, 0.8}, std::array{0.5, -2.0});
   const Eigen::RowVector4d K(-1, -40, -2, -10);
@@ -216,7 +216,7 @@ TEST_CASE("A closed loop has the matrix of the loop, also where the law has stat
   CHECK(p.C.cols() == 5);
 }
 
-TEST_CASE("Any function of x and u is linearised; what does not fit is refused") {
+TEST_CASE("any function of x and u is linearised; what does not fit is refused") {
   const auto f = [](double t, const auto& s, const auto& u) {
     using std::sin;
     auto r = s;

@@ -39,7 +39,7 @@ MatrixXd irregular(Eigen::Index rows, Eigen::Index cols, double seed) {
 
 }  // namespace
 
-TEST_CASE("The double integrator, in closed form at all scales") {
+TEST_CASE("the double integrator, in closed form at all scales") {
   // A cost s^2 of the position squared: X = (s sqrt(2 s), s; s, sqrt(2 s))
   for (const double s : {1e-8, 1e-3, 1.0, 1e4, 1e9}) {
     const MatrixXd x = care(twice, push, matrix(2, 2, {s * s, 0, 0, 0}), unit);
@@ -56,7 +56,7 @@ TEST_CASE("The double integrator, in closed form at all scales") {
   CHECK(std::abs(std::abs(g.poles[0].imag()) - 0.5) < 8 * eps);
 }
 
-TEST_CASE("One number: the stabilising root, also of unstable and uncertain costs") {
+TEST_CASE("one number: the stabilising root, also of unstable and uncertain costs") {
   // 2 a x - (b x + n)^2/r + q = 0
   for (const double a : {-2.0, 0.0, 3.0})
     for (const double n : {0.0, 0.5}) {
@@ -73,7 +73,7 @@ TEST_CASE("One number: the stabilising root, also of unstable and uncertain cost
   CHECK_THROWS_MATCHES(lqr(unit * 2, unit, unit * -3, unit), bad_argument, says("lqr: Q is not positive semidefinite"));
 }
 
-TEST_CASE("Costs of states with inputs are those of a shifted problem") {
+TEST_CASE("costs of states with inputs are those of a shifted problem") {
   const MatrixXd A = irregular(4, 4, 1), B = irregular(4, 2, 2), S = irregular(6, 6, 3), W = S * S.transpose();
   const MatrixXd Q = W.topLeftCorner(4, 4), R = W.bottomRightCorner(2, 2), N = W.topRightCorner(4, 2);
   const auto g = lqr(A, B, Q, R, N);
@@ -87,7 +87,7 @@ TEST_CASE("Costs of states with inputs are those of a shifted problem") {
   CHECK(d.poles.cwiseAbs().maxCoeff() < 1);
 }
 
-TEST_CASE("A chain of masses, of 12 states: residuals to rounding, in both kinds of time") {
+TEST_CASE("a chain of masses, of 12 states: residuals to rounding, in both kinds of time") {
   constexpr Eigen::Index n = 6;
   MatrixXd A = MatrixXd::Zero(2 * n, 2 * n), B = MatrixXd::Zero(2 * n, 1);
   A.topRightCorner(n, n).setIdentity();
@@ -107,7 +107,7 @@ TEST_CASE("A chain of masses, of 12 states: residuals to rounding, in both kinds
   CHECK((d.K - g.K).norm() < 1e-2 * g.K.norm());
 }
 
-TEST_CASE("What has no solution says why") {
+TEST_CASE("what has no solution says why") {
   const auto unreached = [](const char* z) {
     return says(std::string("not stabilisable: inputs do not reach the mode of A with the eigenvalue ") + z);
   };
@@ -144,7 +144,7 @@ TEST_CASE("What has no solution says why") {
   CHECK_THROWS_MATCHES(care({}, {}, {}, {}), bad_argument, says("there are no states, or no inputs"));
 }
 
-TEST_CASE("Systems become discrete exactly, at what is no equilibrium too") {
+TEST_CASE("systems become discrete exactly, at what is no equilibrium too") {
   const linear_system<> s{
       twice, push, two_ones, matrix(2, 1, {0, 0}), Eigen::Vector2d(3, -9.81), Eigen::Vector2d(0, 0)};
   const auto d = discretize(s, 0.5);

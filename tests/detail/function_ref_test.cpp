@@ -14,7 +14,7 @@ void three_times(function_ref<int, std::string&> f, std::string& to) {
 
 }  // namespace
 
-TEST_CASE("What is no template calls what it is given, which is not copied", "[detail]") {
+TEST_CASE("what is no template calls what it is given, which is not copied") {
   std::string text;
   int calls = 0;
   three_times(

@@ -6,7 +6,7 @@
 
 using kte::detail::numbers_where;
 
-TEST_CASE("Numbers for which something holds, as a type", "[detail]") {
+TEST_CASE("numbers for which something holds, as a type") {
   using some = numbers_where<std::array{false, true, true, false, true}>;
   STATIC_REQUIRE(some::count == 3);
   STATIC_REQUIRE(std::is_same_v<some::type, std::index_sequence<1, 2, 4>>);

@@ -18,12 +18,12 @@ constexpr int positive(int x) {
 
 }  // namespace
 
-TEST_CASE("Errors are thrown with what they are made of", "[detail]") {
+TEST_CASE("errors are thrown with what they are made of") {
   CHECK_THROWS_WITH(raise<std::runtime_error>("why"), "why");
   CHECK_THROWS_AS(raise<std::out_of_range>("why"), std::out_of_range);
 }
 
-TEST_CASE("What is required says why it fails, and costs constant expressions nothing", "[detail]") {
+TEST_CASE("what is required says why it fails, and costs constant expressions nothing") {
   STATIC_REQUIRE(positive(3) == 3);
   CHECK_THROWS_WITH(positive(-1), "not positive");
 }

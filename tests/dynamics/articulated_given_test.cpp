@@ -6,13 +6,13 @@ using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
 
-TEST_CASE("given motion", "[articulated]") {
+TEST_CASE("given motion", "[laws]") {
   constexpr auto c = driven_3D(across);
   STATIC_REQUIRE(by_articulated_bodies<decltype(c)>);
   check(c, 2, usual, base, drive, motor, pull);
 }
 
-TEST_CASE("masses of coordinates", "[articulated]") {
+TEST_CASE("masses of coordinates") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(rotors)>);
   check(rotors, 9, usual, base, drive, motor, pull);
   // The same axis as that of the joint before: not singular.

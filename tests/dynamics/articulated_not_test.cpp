@@ -5,7 +5,7 @@
 using namespace kte;
 using namespace kte::test::trees;
 
-TEST_CASE("chains that are no trees of joints", "[articulated]") {
+TEST_CASE("chains that are no trees of joints", "[laws]") {
   constexpr auto shared =
       chain(revolute_joint_3D(q1, base, a, axis::y), inertia_3D(a, body), prismatic_joint_3D(q2, a, b, axis::x),
             inertia_3D(b, light), prismatic_joint_3D(q2, a, c, axis::minus_x), inertia_3D(c, body),

@@ -44,17 +44,17 @@ constexpr auto screws =
 
 }  // namespace
 
-TEST_CASE("a tree in the plane", "[articulated]") {
+TEST_CASE("a tree in the plane", "[laws]") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(tree_2D)>);
   check(tree_2D, 3, usual, floor_2D, wall, motor);
 }
 
-TEST_CASE("the plane and space in one chain", "[articulated]") {
+TEST_CASE("the plane and space in one chain") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(both)>);
   check(both, 4, usual, base, wall);
 }
 
-TEST_CASE("a joint made by a user", "[articulated]") {
+TEST_CASE("a joint made by a user") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(screws)>);
   check(screws, models::by_own_elements(screws), 5, usual, base);
   // A body of mass m and inertia J about a screw along z, both through its centre of mass, falls by

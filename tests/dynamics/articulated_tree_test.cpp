@@ -6,12 +6,12 @@ using namespace kte;
 using namespace kte::test::trees;
 using models::element_by_element;
 
-TEST_CASE("a tree in space", "[articulated]") {
+TEST_CASE("a tree in space", "[laws]") {
   STATIC_REQUIRE(by_articulated_bodies<decltype(tree_3D)>);
   check(tree_3D, 1, usual, base, cart, motor);
 }
 
-TEST_CASE("articulated bodies with arguments that are no numbers", "[articulated]") {
+TEST_CASE("articulated bodies with arguments that are no numbers") {
   const auto model = element_by_element(tree_3D);
   auto s = make_state(tree_3D);
   auto r = model.make_state();

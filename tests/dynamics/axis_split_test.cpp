@@ -80,7 +80,7 @@ constexpr bool is_general = std::is_same_v<std::remove_cvref_t<decltype(split_of
 
 }  // namespace
 
-TEST_CASE("joints along coordinate axes take these exactly", "[kernels]") {
+TEST_CASE("joints along coordinate axes take these exactly", "[laws]") {
   STATIC_REQUIRE(leaves<revolute<solid, decltype(axis::z)>, one_number>({true, true, true, true, true, false}));
   STATIC_REQUIRE(leaves<revolute<solid, decltype(axis::x)>, one_number>({true, true, true, false, true, true}));
   STATIC_REQUIRE(leaves<revolute<solid, decltype(axis::minus_y)>, one_number>({true, true, true, true, false, true}));
@@ -96,7 +96,7 @@ TEST_CASE("joints along coordinate axes take these exactly", "[kernels]") {
   STATIC_REQUIRE(!split_of<core::spherical_joint, ball>().leaves_nothing);
 }
 
-TEST_CASE("other axes are not taken exactly", "[kernels]") {
+TEST_CASE("other axes are not taken exactly") {
   STATIC_REQUIRE(is_general<revolute<solid, vec3<>>, one_number>);
   STATIC_REQUIRE(is_general<revolute<solid, vec3<double, zero_t, double>>, one_number>);
   STATIC_REQUIRE(is_general<revolute<solid, vec3<zero_t, zero_t, double>>, one_number>);  // 1.0, but who knows
@@ -104,7 +104,7 @@ TEST_CASE("other axes are not taken exactly", "[kernels]") {
   STATIC_REQUIRE(is_general<prismatic<flat, vec3<double, double, zero_t>>, one_number>);
 }
 
-TEST_CASE("axes of joints made by users", "[kernels]") {
+TEST_CASE("axes of joints made by users") {
   using along_z = std::remove_const_t<decltype(axis::z)>;
   // Of the force and the torque along a screw only a combination is the joint's.
   STATIC_REQUIRE(is_general<screw<double, along_z>, one_number>);
@@ -221,7 +221,7 @@ constexpr vec3<skip> unknown{};
 constexpr double by_rounding = 2.4e4 * eps;
 }  // namespace
 
-TEST_CASE("one joint against dense matrices", "[kernels]") {
+TEST_CASE("one joint against dense matrices") {
   draw random(51);
   using along_y = std::remove_const_t<decltype(axis::y)>;
   using against_z = std::remove_const_t<decltype(axis::minus_z)>;
@@ -250,7 +250,7 @@ TEST_CASE("one joint against dense matrices", "[kernels]") {
   }
 }
 
-TEST_CASE("what a joint along coordinate axes takes is exactly nothing", "[kernels]") {
+TEST_CASE("what a joint along coordinate axes takes is exactly nothing") {
   draw random(52);
   const auto body = draw_body(random);
   const auto taken = rest(split_of<revolute<solid, decltype(axis::z)>, one_number>(), body);
@@ -272,7 +272,7 @@ TEST_CASE("what a joint along coordinate axes takes is exactly nothing", "[kerne
   CHECK(all.angular == body.angular);
 }
 
-TEST_CASE("an axis that moves next to nothing", "[kernels]") {
+TEST_CASE("an axis that moves next to nothing") {
   // What is left of an inertia about an axis by rounding is not taken for one.
   detail::joint_response<double, 1> response;
   const motion still{skip{}, skip{}, skip{}, skip{}, vec3<>{}, vec3<>{}};

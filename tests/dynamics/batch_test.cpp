@@ -65,7 +65,7 @@ double gap(const std::vector<T>& batched, std::size_t k, const X& x) {
   return static_cast<double>(difference / size);
 }
 
-/// Either result is within 5 eps of the truth, the largest number being 1: identities_test.cpp finds 1e-15 for double.
+/// Either result is within 5 eps of the truth, the largest number being 1: inverse_dynamics_test.cpp finds 1e-15 for double.
 template <class T>
 constexpr double by_rounding = 10 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
@@ -97,7 +97,7 @@ struct backwards {
 
 }  // namespace
 
-TEST_CASE("a batch is its states", "[batch]") {
+TEST_CASE("a batch is its states", "[laws][both]") {
   for_all_widths([]<class T, int W>() {
     CAPTURE(W, sizeof(T));
     const states<T> all(100);
@@ -118,7 +118,7 @@ TEST_CASE("a batch is its states", "[batch]") {
   });
 }
 
-TEST_CASE("a batch by any executor", "[batch]") {
+TEST_CASE("a batch by any executor") {
   for_all_widths([]<class T, int W>() {
     CAPTURE(W, sizeof(T));
     const states<T> s(2101);
@@ -128,7 +128,7 @@ TEST_CASE("a batch by any executor", "[batch]") {
   });
 }
 
-TEST_CASE("mass matrices and forward dynamics in batches", "[batch]") {
+TEST_CASE("mass matrices and forward dynamics in batches") {
   const auto check = []<class T>(const states<T>& s) {
     const std::size_t count = s.q.size() / n;
     std::vector<T> M(n * n * count), a(n * count);
@@ -149,7 +149,7 @@ TEST_CASE("mass matrices and forward dynamics in batches", "[batch]") {
   check(states<float>(37));
 }
 
-TEST_CASE("a batch of a robot", "[batch]") {
+TEST_CASE("a batch of a robot") {
   constexpr std::size_t joints = 7;
   random_numbers random(72);
   Eigen::Matrix<double, joints, 21> q, v, a, tau;
@@ -162,7 +162,7 @@ TEST_CASE("a batch of a robot", "[batch]") {
   }
 }
 
-TEST_CASE("batches of Eigen matrices, and in place", "[batch]") {
+TEST_CASE("batches of Eigen matrices, and in place") {
   const states<double> s(19);
   const auto tau = torques<0>(s);
   using matrix = Eigen::Matrix<double, int{n}, Eigen::Dynamic>;
@@ -185,13 +185,13 @@ TEST_CASE("batches of Eigen matrices, and in place", "[batch]") {
              kte::test::contains_text("v has columns of 19 numbers, a state has 3"));
 }
 
-TEST_CASE("batches of no states", "[batch]") {
+TEST_CASE("batches of no states") {
   std::vector<double> none;
   CHECK_NOTHROW(batch::inverse_dynamics(arm, none, none, none, none));
   CHECK_NOTHROW(batch::inverse_dynamics(arm, none, none, none, none, batch::threads(3)));
 }
 
-TEST_CASE("a batch with arguments of wrong sizes", "[batch]") {
+TEST_CASE("a batch with arguments of wrong sizes") {
   const states<double> s(9);
   const auto shorter = [](std::vector<double> x, std::size_t by) {
     x.resize(x.size() - by);
@@ -220,7 +220,7 @@ TEST_CASE("a batch with arguments of wrong sizes", "[batch]") {
   CHECK_THROWS_AS(batch::threads(0), kte::bad_argument);
 }
 
-TEST_CASE("bad states do not spoil the others", "[batch]") {
+TEST_CASE("bad states do not spoil the others") {
   for_all_widths([]<class T, int W>() {
     CAPTURE(W, sizeof(T));
     const states<T> good(2101);
@@ -251,7 +251,7 @@ TEST_CASE("bad states do not spoil the others", "[batch]") {
   });
 }
 
-TEST_CASE("a batch keeps the type of what is wrong", "[batch]") {
+TEST_CASE("a batch keeps the type of what is wrong") {
   // A point mass on the axis of its joint.
   using namespace robots::iiwa14_names;
   constexpr auto c =
@@ -262,7 +262,7 @@ TEST_CASE("a batch keeps the type of what is wrong", "[batch]") {
   CHECK_THROWS_WITH(batch::forward_dynamics(c, x, x, x, a), kte::test::contains_text("state 0: the mass matrix"));
 }
 
-TEST_CASE("threads do all tasks, and rethrow the first exception", "[batch]") {
+TEST_CASE("threads do all tasks, and rethrow the first exception") {
   for (std::size_t n_threads = 1; n_threads <= 4; ++n_threads) {
     std::vector<std::atomic<int>> done(50);
     std::string what;

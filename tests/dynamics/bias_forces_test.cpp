@@ -10,6 +10,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -96,7 +97,7 @@ void check_double(const Chain& c, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("bias against 31 digits") {
+TEST_CASE("bias against 31 digits", "[laws]") {
   // As inverse dynamics (reference_test.cpp, floating_base_test.cpp).
   for (const auto& x : reference::iiwa14) CHECK(off(nonlinear_effects(robots::iiwa14, x.q, x.v), x.bias, 7) < 1e-15L);
   for (const auto& x : reference::solo12) CHECK(off(nonlinear_effects(robots::solo12, x.q, x.v), x.bias, 18) < 1e-15L);

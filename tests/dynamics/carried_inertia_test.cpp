@@ -8,6 +8,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -31,12 +32,12 @@ void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
   CHECK(gap(eigen(carried_inertia(model, s, frame.name)), b) < rounding);
   const auto centre = carried_mass_centre(c, q, frame), r = carried_mass_centre(model, s, q, frame.name);
   CHECK(r.mass == within_relative(centre.mass, rounding));
-  CHECK(gap(kte::test::eigen(r.position), kte::test::eigen(centre.position)) < rounding);
+  CHECK(gap(kte::test::small_chains::eigen(r.position), kte::test::small_chains::eigen(centre.position)) < rounding);
 }
 
 }  // namespace
 
-TEST_CASE("what a frame carries, by its formula") {
+TEST_CASE("what a frame carries, by its formula", "[laws]") {
   // 2 kg at 0.5 m on the cart, then 3 kg on a link of 1 m that is turned by a quarter.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(2.0, vec3{0.5, 0.0, zero})),
                            rigid_link_2D(cart, rail, along_x(1.0), quarter_turn),
@@ -61,7 +62,7 @@ TEST_CASE("what a joint carries is the block of the mass matrix, and what the ba
   CHECK(carried_inertia(floating, q, body).mass == within(m(0, 0), 4 * eps));
   const auto all = carried_mass_centre(floating, q, ground), centre = centre_of_mass(floating, q);
   CHECK(all.mass == within(centre.mass, 4 * eps));
-  CHECK(gap(kte::test::eigen(all.position), kte::test::eigen(centre.position)) < rounding);
+  CHECK(gap(kte::test::small_chains::eigen(all.position), kte::test::small_chains::eigen(centre.position)) < rounding);
 }
 
 TEST_CASE("what frames of runtime chains carry") {

@@ -10,6 +10,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -116,7 +117,7 @@ void check_free_fall(const Chain& c, int outside, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("centre of mass and momentum from the bodies, at 50 digits") {
+TEST_CASE("centre of mass and momentum from the bodies, at 50 digits", "[laws]") {
   // Its first two links lie along one fixed axis, so that poses add their lengths in double.
   check_exactly(robots::iiwa14, 1, 1e-15);
   check_exactly(floating, 2);

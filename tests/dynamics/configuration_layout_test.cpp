@@ -23,7 +23,7 @@ static_assert(layout(robots::solo12).size() == 13 && decltype(robots::solo12)::n
 
 }  // namespace
 
-TEST_CASE("the layout says where coordinates stand, the same at run time", "[configuration]") {
+TEST_CASE("the layout says where coordinates stand, the same at run time") {
   const auto runtime = layout(models::element_by_element(model));
   REQUIRE(runtime.size() == table_of_model.size());
   for (std::size_t i = 0; i < runtime.size(); ++i) CHECK(runtime[i] == table_of_model[i]);
@@ -42,7 +42,7 @@ TEST_CASE("the layout says where coordinates stand, the same at run time", "[con
   CHECK(one.str() == "q  coordinate  q[0]  v[0]\nend");
 }
 
-TEST_CASE("coordinates given from outside or written are not in the layout", "[configuration]") {
+TEST_CASE("coordinates given from outside or written are not in the layout") {
   constexpr auto entries = layout(models::tree);
   const auto names = [](const auto& entries_of) {
     std::string all;
@@ -54,7 +54,7 @@ TEST_CASE("coordinates given from outside or written are not in the layout", "[c
   CHECK(entries[2] == layout_entry<>{"knee", kind::gen, 2, 1, 2, 1});
 }
 
-TEST_CASE("numbers go to a state and back in the order of the layout", "[configuration]") {
+TEST_CASE("numbers go to a state and back in the order of the layout") {
   auto s = make_state(model);
   const auto runtime = models::element_by_element(model);
   auto r = runtime.make_state();
@@ -99,7 +99,7 @@ TEST_CASE("numbers go to a state and back in the order of the layout", "[configu
   CHECK(forces(r) == forces(s));
 }
 
-TEST_CASE("vectors of the wrong size say so", "[configuration]") {
+TEST_CASE("vectors of the wrong size say so") {
   const auto runtime = models::element_by_element(model);
   auto s = make_state(model);
   auto r = runtime.make_state();

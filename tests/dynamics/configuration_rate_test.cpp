@@ -8,7 +8,7 @@ using namespace kte;
 using namespace kte::test::configurations;
 using big = kte::test::digits50;
 
-TEST_CASE("the time derivative of integrate is v", "[configuration]") {
+TEST_CASE("the time derivative of integrate is v") {
   // By central differences at 50 digits, with errors of h^2 = 1e-34 and 1e-50/h.
   const big h("1e-17");
   random_numbers random(4);
@@ -39,7 +39,7 @@ TEST_CASE("the time derivative of integrate is v", "[configuration]") {
   }
 }
 
-TEST_CASE("frames move as the configuration does", "[configuration]") {
+TEST_CASE("frames move as the configuration does") {
   // Along q(t) = integrate(q, t v + t^2/2 a, 1) the rates are v + t a but for t^2: velocity and acceleration of a frame
   // are derivatives of where it stands.
   const big h("1e-12");  // errors: h^2 = 1e-24, and 1e-50/h^2 = 1e-26

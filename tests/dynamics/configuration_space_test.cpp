@@ -16,7 +16,7 @@ auto part(const V& x, int first, int n) {
 
 }  // namespace
 
-TEST_CASE("static and runtime chains integrate to the same numbers", "[configuration]") {
+TEST_CASE("static and runtime chains integrate to the same numbers") {
   const auto runtime = models::element_by_element(model);
   random_numbers random(1);
   CHECK(neutral_configuration(runtime) == neutral_configuration(model));
@@ -29,7 +29,7 @@ TEST_CASE("static and runtime chains integrate to the same numbers", "[configura
   }
 }
 
-TEST_CASE("in the neutral configuration nothing is moved or turned", "[configuration]") {
+TEST_CASE("in the neutral configuration nothing is moved or turned") {
   const auto q = neutral_configuration(model);
   for (int i = 0; i < nq; ++i) CHECK(q[i] == (i == 4 || i == 8 ? 1.0 : 0.0));
   const auto x = forward_kinematics(model, q, tip);
@@ -42,7 +42,7 @@ TEST_CASE("in the neutral configuration nothing is moved or turned", "[configura
   CHECK(neutral_configuration<kte::test::digits50>(model)[4] == 1);
 }
 
-TEST_CASE("the difference is what integrate needs", "[configuration]") {
+TEST_CASE("the difference is what integrate needs") {
   random_numbers random(2);
   for (int round = 0; round < 200; ++round) {
     const auto q = random_configuration<double>(random);
@@ -65,7 +65,7 @@ TEST_CASE("the difference is what integrate needs", "[configuration]") {
   }
 }
 
-TEST_CASE("numbers are just added, angles without end", "[configuration]") {
+TEST_CASE("numbers are just added, angles without end") {
   auto q = neutral_configuration(model);
   joint_vector<double, nv> v = joint_vector<double, nv>::Zero();
   q[0] = 0.5, q[12] = -1.0, q[15] = 100.0, v[0] = 3.0, v[10] = 4.0, v[13] = 8.0;
@@ -79,7 +79,7 @@ TEST_CASE("numbers are just added, angles without end", "[configuration]") {
   CHECK(difference(model, q, integrate(model, q, v, 0.25))[13] == within(5.0 - 2 * std::atan2(0.0, -1.0), 200 * eps));
 }
 
-TEST_CASE("the plane is space about z", "[configuration]") {
+TEST_CASE("the plane is space about z") {
   constexpr auto in_plane = chain(free_joint_2D(puck, table, disc), inertia_2D(disc, planar_body(1.0, 1.0)));
   constexpr auto solid = chain(free_joint_3D(trunk, ground, body), inertia_3D(body, point_mass(1.0)));
   random_numbers random(3);
@@ -98,7 +98,7 @@ TEST_CASE("the plane is space about z", "[configuration]") {
   }
 }
 
-TEST_CASE("quaternions keep length 1 for ever", "[configuration]") {
+TEST_CASE("quaternions keep length 1 for ever") {
   constexpr auto c = chain(free_joint_3D(trunk, ground, body), inertia_3D(body, point_mass(1.0)));
   joint_vector<double, 7> q = neutral_configuration(c);
   joint_vector<double, 6> v;
@@ -115,7 +115,7 @@ TEST_CASE("quaternions keep length 1 for ever", "[configuration]") {
   CHECK((one.head(3) - q.head(3)).norm() < 1e-9);
 }
 
-TEST_CASE("quaternions of any length are taken, of length 0 and NaN refused", "[configuration]") {
+TEST_CASE("quaternions of any length are taken, of length 0 and NaN refused") {
   random_numbers random(6);
   const auto runtime = models::element_by_element(model);
   const auto q = random_configuration<double>(random), p = random_configuration<double>(random);

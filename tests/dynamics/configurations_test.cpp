@@ -9,6 +9,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -18,8 +19,8 @@ constexpr double rounding = 20 * eps;  // of numbers below 10, and a logarithm o
 TEST_CASE("interpolation goes from one configuration to the other at constant rates") {
   const auto model = models::element_by_element(floating);
   random_numbers random(1);
-  const auto q0 = kte::test::random_configuration<double>(floating, random);
-  const auto q1 = kte::test::random_configuration<double>(floating, random);
+  const auto q0 = random_configuration<double>(floating, random);
+  const auto q1 = random_configuration<double>(floating, random);
   const auto at = [&](double t) { return interpolate(floating, q0, q1, t); };
   CHECK(gap(difference(floating, q0, at(0)), Eigen::Matrix<double, 11, 1>::Zero()) < rounding);
   CHECK(gap(difference(floating, q1, at(1)), Eigen::Matrix<double, 11, 1>::Zero()) < rounding);

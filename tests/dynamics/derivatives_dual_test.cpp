@@ -81,14 +81,14 @@ void check(const char* name, const Chain& chain, double most_of_inverse, double 
 
 }  // namespace
 
-TEST_CASE("derivatives of a chain with springs between frames", "[derivatives]") {
+TEST_CASE("derivatives of a chain with springs between frames", "[laws]") {
   check("sprung", sprung, 4e-15, 3e-15, base);
 }
-TEST_CASE("derivatives where coordinates follow others and move two joints", "[derivatives]") {
+TEST_CASE("derivatives where coordinates follow others and move two joints") {
   check("tree", models::tree, 4e-15, 3e-15, models::ground, models::wall, models::motor);
 }
 
-TEST_CASE("element by element as by dual numbers", "[derivatives]") {
+TEST_CASE("element by element as by dual numbers") {
   STATIC_REQUIRE(kte::detail::is_analytical<std::remove_const_t<decltype(arm)>>);
   auto s = make_state(arm), t = s;
   for (unsigned round = 0; round < 10; ++round) {

@@ -14,6 +14,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -28,7 +29,7 @@ using motion_type = random_motion_of<big, std::remove_const_t<decltype(arm)>>;
 
 }  // namespace
 
-TEST_CASE("derivatives of inverse dynamics under friction by load") {
+TEST_CASE("derivatives of inverse dynamics under friction by load", "[laws]") {
   random_numbers random(1);
   const motion_type m(arm, random);
   const auto r = inverse_dynamics_derivatives(arm, m.q, m.v, m.a);

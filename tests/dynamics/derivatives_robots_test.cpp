@@ -56,17 +56,17 @@ void check(const char* name, const Chain& c, const reference::state<N>* states,
 
 }  // namespace
 
-TEST_CASE("derivatives of the iiwa14 against 21 digits", "[derivatives]") {
+TEST_CASE("derivatives of the iiwa14 against 21 digits", "[laws]") {
   check("iiwa14", robots::iiwa14, reference::iiwa14, reference::iiwa14_derivatives, 1e-15L, 25);  // 12 and 25
 }
-TEST_CASE("derivatives of the ur5 against 21 digits", "[derivatives]") {
+TEST_CASE("derivatives of the ur5 against 21 digits") {
   check("ur5", robots::ur5, reference::ur5, reference::ur5_derivatives, 1e-15L, 15);  // 15 and 5
 }
-TEST_CASE("derivatives of a chain of 2 bodies against 21 digits", "[derivatives]") {
+TEST_CASE("derivatives of a chain of 2 bodies against 21 digits") {
   const auto c = reference::static_chain_of(reference::chain2_bodies);
   check("chain2", c, reference::chain2, reference::chain2_derivatives, 2e-15L, 1.4L);  // 1.4 and 1.0
 }
-TEST_CASE("derivatives of a chain of 8 bodies against 21 digits", "[derivatives]") {
+TEST_CASE("derivatives of a chain of 8 bodies against 21 digits") {
   const auto c = reference::static_chain_of(reference::chain8_bodies);
   check("chain8", c, reference::chain8, reference::chain8_derivatives, 2e-15L, 148);
 }

@@ -55,7 +55,7 @@ double gap_between(const Chain& c) {
 }
 }  // namespace
 
-TEST_CASE("derivatives in other scalars", "[derivatives]") {
+TEST_CASE("derivatives in other scalars", "[laws]") {
   using big = kte::test::digits50;
   // Element by element, and by dual numbers: sums over two or three bodies, some eps of the worse of the two.
   CHECK(gap_between<float, double>(arm) < 20 * std::numeric_limits<float>::epsilon());
@@ -65,7 +65,7 @@ TEST_CASE("derivatives in other scalars", "[derivatives]") {
   CHECK(gap_between<double, long double>(models::tree) < 20 * std::numeric_limits<double>::epsilon());
 }
 
-TEST_CASE("second derivatives by dual numbers", "[derivatives]") {
+TEST_CASE("second derivatives by dual numbers") {
   // tau = m l^2 a + m g l cos q, with m l^2 = 1/4 and m g l = 4 under gravity 8.
   const auto c = models::pendulum.gravity(along_y(-8.0));
   using number = dual<double, 1>;

@@ -31,7 +31,7 @@ struct pair_of_springs {
 
 }  // namespace
 
-TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain", "[derivatives]") {
+TEST_CASE("an element with both ports on one coordinate is derived by it once, in a static chain", "[laws]") {
   constexpr auto c = chain(revolute_joint_2D(models::q, models::base, models::joint),
                            rigid_link_2D(models::joint, models::tip, along_x(1.0)),
                            inertia_2D(models::tip, point_mass(1.0)), connect(pair_of_springs{}, models::q, models::q));
@@ -41,7 +41,7 @@ TEST_CASE("an element with both ports on one coordinate is derived by it once, i
   CHECK(r.by_q(0, 0) == 2 + 2 * 5 * 2);
 }
 
-TEST_CASE("derivatives of the solo12, which floats, against 21 digits", "[derivatives]") {
+TEST_CASE("derivatives of the solo12, which floats, against 21 digits") {
   // Bounds as in derivatives_robots_test.cpp. Measured 3.9e-16 for inverse dynamics; 1.8e-15 for forward dynamics,
   // which may lose the condition of M scaled to a diagonal of ones.
   STATIC_REQUIRE(detail::is_analytical<std::remove_const_t<decltype(robots::solo12)>>);
@@ -86,7 +86,7 @@ TEST_CASE("derivatives of the solo12, which floats, against 21 digits", "[deriva
   CHECK(close(same.by_a, r.by_a));
 }
 
-TEST_CASE("the pendulum by hand", "[derivatives]") {
+TEST_CASE("the pendulum by hand") {
   // tau = m l^2 a + m g l cos q, with m l^2 = 1/4 and m g l = 4 under gravity 8.
   const auto c = models::pendulum.gravity(along_y(-8.0));
   const std::array q{0.5}, v{3.0}, a{2.0};
@@ -102,7 +102,7 @@ TEST_CASE("the pendulum by hand", "[derivatives]") {
   CHECK(f.by_tau(0, 0) == 4);
 }
 
-TEST_CASE("what has no derivatives", "[derivatives]") {
+TEST_CASE("what has no derivatives") {
   constexpr auto c =
       chain(revolute_joint_2D(models::q, models::base, models::joint),
             rigid_link_2D(models::joint, models::tip, vec2{0.5, 0.25}), inertia_2D(models::tip, point_mass(1.0)));

@@ -93,5 +93,5 @@ void check(const Chain& chain, unsigned seed, const Outside&... outside) {
 
 }  // namespace
 
-TEST_CASE("derivatives of a tree in space", "[derivatives]") { check(branches_3D, 1, base, cart, drive, motor); }
-TEST_CASE("derivatives of a tree in the plane", "[derivatives]") { check(branches_2D, 2, floor_2D, wall, motor); }
+TEST_CASE("derivatives of a tree in space", "[laws]") { check(branches_3D, 1, base, cart, drive, motor); }
+TEST_CASE("derivatives of a tree in the plane") { check(branches_2D, 2, floor_2D, wall, motor); }

@@ -9,6 +9,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -62,7 +63,7 @@ void check_double(const Chain& c, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("energies of solo12 against 31 digits") {
+TEST_CASE("energies of solo12 against 31 digits", "[laws]") {
   const auto model = models::element_by_element(robots::solo12);
   auto s = model.make_state();
   constexpr long double bound = 1e-15L;  // as of its other numbers

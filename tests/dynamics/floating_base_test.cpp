@@ -6,7 +6,7 @@ using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
 
-TEST_CASE("forward dynamics of a state is that of its numbers without tau, floating", "[floating]") {
+TEST_CASE("forward dynamics of a state is that of its numbers without tau, floating", "[laws]") {
   random_numbers random(9);
   const auto& c = pair_of_bodies;
   const auto q = random_configuration(c, random);
@@ -22,7 +22,7 @@ TEST_CASE("forward dynamics of a state is that of its numbers without tau, float
   CHECK(gap(forward_dynamics(model, r), a) <= 1e-14 * a.norm());
 }
 
-TEST_CASE("a free joint on a base that moves", "[floating]") {
+TEST_CASE("a free joint on a base that moves") {
   const auto runtime = element_by_element(hanging), free_runtime = element_by_element(pair_of_bodies);
   random_numbers random(13);
   const auto vector = [&random](double size) -> vec3<> { return {random(size), random(size), random(size)}; };
@@ -76,7 +76,7 @@ TEST_CASE("a free joint on a base that moves", "[floating]") {
   });
 }
 
-TEST_CASE("a static chain that floats, as one element of a runtime chain", "[floating]") {
+TEST_CASE("a static chain that floats, as one element of a runtime chain") {
   kte_map_chain c;
   c.gravity(weight) << pair_of_bodies;
   auto r = c.make_state();
@@ -92,7 +92,7 @@ TEST_CASE("a static chain that floats, as one element of a runtime chain", "[flo
   CHECK(gap(forward_dynamics(c, r, q, v, tau), a) <= 1000 * eps * a.norm());  // condition of M: 100
 }
 
-TEST_CASE("two joints that share a rotation", "[floating]") {
+TEST_CASE("two joints that share a rotation") {
   constexpr auto c = chain(spherical_joint_3D(ball, ground, body), inertia_3D(body, brick),
                            revolute_joint_3D(q1, body, socket, axis::x), inertia_3D(socket, stick),
                            spherical_joint_3D(ball, socket, hand), inertia_3D(hand, stick))
@@ -115,7 +115,7 @@ TEST_CASE("two joints that share a rotation", "[floating]") {
   CHECK(gap(forward_dynamics(c, q, v, tau), a) <= 100 * bound);
 }
 
-TEST_CASE("NaN and quaternions of length 0 are errors, floating", "[floating]") {
+TEST_CASE("NaN and quaternions of length 0 are errors, floating") {
   const auto runtime = element_by_element(pair_of_bodies);
   auto r = runtime.make_state();
   random_numbers random(16);
@@ -175,7 +175,7 @@ TEST_CASE("NaN and quaternions of length 0 are errors, floating", "[floating]") 
                     "kte: v has 12 numbers, the chain has 10 degrees of freedom");
 }
 
-TEST_CASE("a body without inertia about an axis cannot be moved freely", "[floating]") {
+TEST_CASE("a body without inertia about an axis cannot be moved freely") {
   constexpr auto c = chain(free_joint_3D(trunk, ground, body), inertia_3D(body, point_mass(1.0)));
   const auto runtime = element_by_element(c);
   auto r = runtime.make_state();

@@ -6,7 +6,7 @@ using namespace kte;
 using namespace kte::test::floating_bodies;
 using models::element_by_element;
 
-TEST_CASE("a free body: free fall, Euler's equations, forces in its axes", "[floating]") {
+TEST_CASE("a free body: free fall, Euler's equations, forces in its axes", "[laws]") {
   random_numbers random(1);
   const auto runtime = element_by_element(lone);
   auto r = runtime.make_state();
@@ -38,7 +38,7 @@ TEST_CASE("a free body: free fall, Euler's equations, forces in its axes", "[flo
   }
 }
 
-TEST_CASE("a unit mass", "[floating]") {
+TEST_CASE("a unit mass") {
   constexpr auto unit =
       chain(free_joint_3D(trunk, ground, body), inertia_3D(body, rigid_body{1.0, zero3{}, diagonal(1.0, 1.0, 1.0)}))
           .gravity(along_z(-9.5));
@@ -59,7 +59,7 @@ TEST_CASE("a unit mass", "[floating]") {
   CHECK(s[body].acceleration == vec3{0.0, 0.0, 0.0});
 }
 
-TEST_CASE("a ball joint is three revolute joints", "[floating]") {
+TEST_CASE("a ball joint is three revolute joints") {
   constexpr auto spherical = chain(spherical_joint_3D(ball, ground, hand), inertia_3D(hand, stick),
                                    rigid_link_3D(hand, tip, vec3{0.1, -0.2, -0.7}))
                                  .gravity(weight);
@@ -89,7 +89,7 @@ TEST_CASE("a ball joint is three revolute joints", "[floating]") {
   }
 }
 
-TEST_CASE("a spherical pendulum swings like one on two revolute joints", "[floating]") {
+TEST_CASE("a spherical pendulum swings like one on two revolute joints") {
   // The spin about the rod does not matter where the rod has no inertia about itself, nor where it does not spin.
   constexpr rigid_body rod{1.5, along_z(-0.8), diagonal(0.02, 0.02, 0.0)};
   constexpr rigid_body plate{1.5, along_z(-0.8), diagonal(0.02, 0.02, 0.04)};
@@ -118,7 +118,7 @@ TEST_CASE("a spherical pendulum swings like one on two revolute joints", "[float
   }
 }
 
-TEST_CASE("a free joint in the plane is two slides and a revolute joint", "[floating]") {
+TEST_CASE("a free joint in the plane is two slides and a revolute joint") {
   constexpr auto disc_body = planar_body(1.5, 0.2, vec3{0.1, -0.3, zero});
   constexpr auto free = chain(free_joint_2D(puck, table, disc), inertia_2D(disc, disc_body)).gravity(along_y(-9.81));
   constexpr auto joints =
@@ -159,7 +159,7 @@ TEST_CASE("a free joint in the plane is two slides and a revolute joint", "[floa
   }
 }
 
-TEST_CASE("the momentum of what floats changes by its weight alone", "[floating]") {
+TEST_CASE("the momentum of what floats changes by its weight alone") {
   random_numbers random(5);
   auto s = make_state(pair_of_bodies);
   for (int round = 0; round < 100; ++round) {

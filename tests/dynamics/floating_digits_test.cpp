@@ -38,7 +38,7 @@ void check_digits(const Chain& c, unsigned seed, int rounds) {
 
 }  // namespace
 
-TEST_CASE("double precision against 50 digits, floating", "[floating]") {
+TEST_CASE("double precision against 50 digits, floating", "[laws]") {
   // A revolute, a free and a ball joint, springs and a damper: more chains would show the same.
   check_digits(hanging, 12, 20);
 }

@@ -41,13 +41,13 @@ void check_identities(const Chain& c, unsigned seed, int rounds) {
 
 }  // namespace
 
-TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics, floating", "[floating]") {
+TEST_CASE("mass matrix by columns, forward dynamics after inverse dynamics, floating", "[laws]") {
   check_identities(lone, 6, 50);
   check_identities(pair_of_bodies, 7, 50);
   check_identities(hanging, 8, 50);
 }
 
-TEST_CASE("two floating bodies in one chain are two bodies", "[floating]") {
+TEST_CASE("two floating bodies in one chain are two bodies") {
   // A free joint on what floats moves relative to it; the mass matrix of both has the products of inertia between.
   constexpr auto nested = chain(free_joint_3D(trunk, ground, body), inertia_3D(body, brick),
                                 spherical_joint_3D(ball, body, socket), inertia_3D(socket, stick), base_2D(table),

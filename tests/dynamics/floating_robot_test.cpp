@@ -34,7 +34,7 @@ long double error_of_matrix(const M& m, const long double* upper) {
 
 }  // namespace
 
-TEST_CASE("solo12 against 31 digits", "[floating]") {
+TEST_CASE("solo12 against 31 digits", "[laws]") {
   // Bounds as for arms (reference_test.cpp): sums over four bodies in a row, a few eps of the largest number; measured
   // 2e-16. Forward dynamics may lose the condition of M, which is 2e4: 2.5 kg to move, 1e-4 kg m^2 of a lower leg to
   // turn. Articulated bodies divide by each inertia on its own, and errors are relative to the largest accelerations,
@@ -100,7 +100,7 @@ TEST_CASE("solo12 against 31 digits", "[floating]") {
   }
 }
 
-TEST_CASE("the length of a quaternion does not matter to any algorithm", "[floating]") {
+TEST_CASE("the length of a quaternion does not matter to any algorithm") {
   const auto& c = robots::solo12;
   const auto model = element_by_element(c);
   auto r = model.make_state();

@@ -8,6 +8,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -87,7 +88,7 @@ void check_poses(const Chain& c, const Frame& frame, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("velocities and accelerations of frames by differences at 50 digits") {
+TEST_CASE("velocities and accelerations of frames by differences at 50 digits", "[laws]") {
   check_by_differences(robots::iiwa14, robots::iiwa14_names::tool, 1);
   check_by_differences(floating, body, 2);
   check_by_differences(floating, tip, 3);

@@ -22,13 +22,13 @@ long double error_in(const hard_chain& c) {
 }
 }  // namespace
 
-TEST_CASE("long rows of rods", "[hard]") {
+TEST_CASE("long rows of rods", "[laws][both]") {
   CHECK(error_in(uniform_rods(10)) < 1.5e-15L);  // [5e-16]
   CHECK(error_in(uniform_rods(100)) < 3e-15L);   // [9e-16]
   CHECK(error_in(uniform_rods(1000)) < 3e-15L);  // [8e-16]
 }
 
-TEST_CASE("light and heavy rods", "[hard]") {
+TEST_CASE("light and heavy rods") {
   // The inertias of the light ones are what is left of numbers 1e6 times as large: a rounding of these, eps/2, may
   // count 1e6 times, which is 1e-10.
   CHECK(error_in(heavy_tip_rods()) < 2e-11L);      // [7e-12]
@@ -36,7 +36,7 @@ TEST_CASE("light and heavy rods", "[hard]") {
   CHECK(error_in(shrinking_rods()) < 1.5e-15L);    // [5e-16]
 }
 
-TEST_CASE("long chains in space", "[hard]") {
+TEST_CASE("long chains in space") {
   for (const int n : {6, 30, 100, 300}) {
     CAPTURE(n);
     CHECK(error_in(spatial_chain(n)) < 7e-15L);  // [3e-16, 6e-16, 2.3e-15, 1.7e-15]
@@ -44,7 +44,7 @@ TEST_CASE("long chains in space", "[hard]") {
   CHECK(error_in(heavy_tip_spatial_chain()) < 5e-14L);  // [1.5e-14]
 }
 
-TEST_CASE("the inverse of the mass matrix of long chains, also as a derivative of forward dynamics", "[hard]") {
+TEST_CASE("the inverse of the mass matrix of long chains, also as a derivative of forward dynamics") {
   // Against forward dynamics of chains at rest, which the above checks: column j is what a unit force on j does.
   const auto check = [](hard_chain x) {
     auto& c = x.chain;

@@ -85,19 +85,19 @@ void check(const Chain& c, unsigned seed, const Keys&... keys) {
 
 }  // namespace
 
-TEST_CASE("hybrid dynamics of a tree in space", "[hybrid]") {
+TEST_CASE("hybrid dynamics of a tree in space", "[laws]") {
   SECTION("at its root") { check(tree_3D, 1, q1); }
   SECTION("in its middle, of six degrees of freedom") { check(tree_3D, 2, floating); }
   SECTION("in its middle, a ball joint, and at an end") { check(tree_3D, 3, ball, q3); }
   SECTION("all but one") { check(tree_3D, 4, q4, q3, q1, floating, ball); }
 }
 
-TEST_CASE("hybrid dynamics of masses on coordinates", "[hybrid]") {
+TEST_CASE("hybrid dynamics of masses on coordinates") {
   SECTION("without a joint") { check(rotors, 5, lone); }
   SECTION("with a joint, beside a coordinate that is given") { check(rotors, 6, q1, q4); }
 }
 
-TEST_CASE("hybrid dynamics of a tree in the plane", "[hybrid]") {
+TEST_CASE("hybrid dynamics of a tree in the plane") {
   SECTION("a free joint") { check(tree_2D, 7, sliding); }
   SECTION("a sliding joint in its middle") { check(tree_2D, 8, q2, q3); }
 }

@@ -11,7 +11,7 @@
 using namespace kte;
 using namespace kte::test::trees;
 
-TEST_CASE("with nothing prescribed, hybrid dynamics is forward dynamics", "[hybrid]") {
+TEST_CASE("with nothing prescribed, hybrid dynamics is forward dynamics", "[laws]") {
   random_numbers random(9);
   for (int round = 0; round < 20; ++round) {
     const trial<decltype(rotors)> x(random);
@@ -21,7 +21,7 @@ TEST_CASE("with nothing prescribed, hybrid dynamics is forward dynamics", "[hybr
   }
 }
 
-TEST_CASE("with everything prescribed, hybrid dynamics is inverse dynamics", "[hybrid]") {
+TEST_CASE("with everything prescribed, hybrid dynamics is inverse dynamics") {
   random_numbers random(10);
   for (int round = 0; round < 20; ++round) {
     const trial<decltype(rotors)> x(random);
@@ -31,7 +31,7 @@ TEST_CASE("with everything prescribed, hybrid dynamics is inverse dynamics", "[h
   }
 }
 
-TEST_CASE("hybrid dynamics of the accelerations of forward dynamics gives back the forces", "[hybrid]") {
+TEST_CASE("hybrid dynamics of the accelerations of forward dynamics gives back the forces") {
   random_numbers random(11);
   for (int round = 0; round < 20; ++round) {
     const trial<decltype(rotors)> x(random);
@@ -46,7 +46,7 @@ TEST_CASE("hybrid dynamics of the accelerations of forward dynamics gives back t
   }
 }
 
-TEST_CASE("hybrid dynamics of solo12 with its trunk prescribed against 31 digits", "[hybrid]") {
+TEST_CASE("hybrid dynamics of solo12 with its trunk prescribed against 31 digits") {
   const auto& c = robots::solo12;
   constexpr int n = 18;
   using exact_vector = joint_vector<long double, n>;
@@ -69,7 +69,7 @@ TEST_CASE("hybrid dynamics of solo12 with its trunk prescribed against 31 digits
   }
 }
 
-TEST_CASE("a joint that is prescribed needs no mass", "[hybrid]") {
+TEST_CASE("a joint that is prescribed needs no mass") {
   // A crane turns by hand; a load of 2 kg slides on its boom.
   constexpr auto crane = chain(revolute_joint_3D(q1, base, a), prismatic_joint_3D(q2, a, b, axis::x),
                                inertia_3D(b, point_mass(2.0)), inertia_gen(lone, 0.0));
@@ -89,7 +89,7 @@ TEST_CASE("a joint that is prescribed needs no mass", "[hybrid]") {
   CHECK_THROWS_AS(hybrid_dynamics(twice, q, v, known, prescribed(lone)), singular_mass_matrix);
 }
 
-TEST_CASE("hybrid dynamics at 50 digits", "[hybrid]") {
+TEST_CASE("hybrid dynamics at 50 digits") {
   using big = kte::test::digits50;
   constexpr auto c =
       chain(prismatic_joint_3D(q1, base, a, axis::y), inertia_3D(a, body), spherical_joint_3D(ball, a, b),
@@ -108,7 +108,7 @@ TEST_CASE("hybrid dynamics at 50 digits", "[hybrid]") {
   CHECK(largest(missing) < 1e-45);
 }
 
-TEST_CASE("hybrid dynamics of what is no number, and of other sizes", "[hybrid]") {
+TEST_CASE("hybrid dynamics of what is no number, and of other sizes") {
   constexpr auto c =
       chain(revolute_joint_3D(q1, base, a), inertia_3D(a, body), spherical_joint_3D(ball, a, b), inertia_3D(b, body),
             prismatic_joint_3D(q2, b, d, axis::x), inertia_3D(d, light), inertia_gen(lone, 0.5));

@@ -9,6 +9,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -49,7 +50,7 @@ void check(const Chain& c, const Frame& frame, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula") {
+TEST_CASE("rate of the Jacobian of a point on a wheel, by its formula", "[laws]") {
   // p = (l cos q, l sin q): in own axes J = (0, l, 1) for ever; in the world (-l sin q, l cos q), and 0 at the origin.
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), rigid_link_2D(cart, rail, along_x(0.5)));
   const std::array q{0.3}, v{2.0};

@@ -12,6 +12,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -103,7 +104,7 @@ void check_kept(const Chain& c, std::initializer_list<const char*> frames) {
 
 }  // namespace
 
-TEST_CASE("Jacobian of a foot of solo12 against 31 digits") {
+TEST_CASE("Jacobian of a foot of solo12 against 31 digits", "[laws]") {
   // As for its other numbers (floating_base_test.cpp): a few eps of the largest.
   constexpr long double bound = 1e-15L;
   const auto& foot = robots::solo12_names::hr.foot;

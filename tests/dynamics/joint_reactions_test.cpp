@@ -8,6 +8,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -16,7 +17,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounding = 100 * eps;
 
 Eigen::Matrix<double, 6, 1> eigen(const wrench<vec3<>, vec3<>>& w) {
-  return kte::test::eigen(linear_angular<double>{w.force, w.torque});
+  return kte::test::small_chains::eigen(linear_angular<double>{w.force, w.torque});
 }
 template <class Chain, class Frame>
 void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
@@ -38,7 +39,7 @@ void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("reaction of a pendulum, by its formula") {
+TEST_CASE("reaction of a pendulum, by its formula", "[laws]") {
   // 2 kg at 0.5 m: along the rod m (g sin q - l v^2) inward, across it m (g cos q + l a).
   constexpr auto c = chain(revolute_joint_2D(q1, table, cart), inertia_2D(cart, point_mass(2.0, vec3{0.5, 0.0, zero})))
                          .gravity(along_y(-9.81));
@@ -56,14 +57,14 @@ TEST_CASE("reactions against inverse dynamics and Newton's law") {
     const auto tau = inverse_dynamics(floating, m.q, m.v, m.a);
     const auto at = [&](const auto& frame) { return joint_reaction(floating, m.q, m.v, m.a, frame); };
     CHECK(gap(eigen(at(body)), tau.head<6>()) < rounding);  // of a free joint all is tau
-    CHECK(gap(kte::test::eigen(at(hand).torque), tau.segment<3>(6)) < rounding);
+    CHECK(gap(kte::test::small_chains::eigen(at(hand).torque), tau.segment<3>(6)) < rounding);
     CHECK(at(tip).force.y == within(tau[9], 50 * rounding));
     CHECK(at(aside).torque.x == within(tau[10], 50 * rounding));
     // What the ball joint carries, the link before it does too.
     const auto turn = forward_kinematics(floating, m.q, hand).rotation,
                on = forward_kinematics(floating, m.q, socket).rotation;
-    CHECK(gap(kte::test::eigen(vec3<>(on * at(socket).force)), kte::test::eigen(vec3<>(turn * at(hand).force))) <
-          rounding);
+    CHECK(gap(kte::test::small_chains::eigen(vec3<>(on * at(socket).force)),
+              kte::test::small_chains::eigen(vec3<>(turn * at(hand).force))) < rounding);
   }
 }
 

@@ -16,14 +16,14 @@ constexpr auto shared =
 
 }  // namespace
 
-TEST_CASE("the inverse of the mass matrix where coordinates follow others", "[mass_matrix_inverse]") {
+TEST_CASE("the inverse of the mass matrix where coordinates follow others", "[laws]") {
   STATIC_REQUIRE(!by_articulated_bodies<decltype(models::tree)>);
   check_inverse(models::tree, 4, models::ground, models::wall, models::motor);
   STATIC_REQUIRE(!by_articulated_bodies<decltype(shared)>);
   check_inverse(shared, 5, base);
 }
 
-TEST_CASE("the inverse of a mass matrix that is known", "[mass_matrix_inverse]") {
+TEST_CASE("the inverse of a mass matrix that is known") {
   // M = (2, 1; 1, 1.5), and 4 alone
   constexpr auto motors = chain(revolute_joint_2D(q1, floor_2D, k), inertia_2D(k, planar_body(1.0, 1.0)),
                                 revolute_joint_2D(q2, k, l), inertia_2D(l, planar_body(1.0, 1.0)), inertia_gen(q2, 0.5),
@@ -45,7 +45,7 @@ TEST_CASE("the inverse of a mass matrix that is known", "[mass_matrix_inverse]")
   CHECK(mass_matrix_inverse(reached, std::array{0.5})(0, 0) == within_relative(1.0 / 5, 1e-15));
 }
 
-TEST_CASE("the inverse of the mass matrix at 50 digits", "[mass_matrix_inverse]") {
+TEST_CASE("the inverse of the mass matrix at 50 digits") {
   using big = kte::test::digits50;
   constexpr auto c = chain(prismatic_joint_3D(q1, base, a, axis::y), inertia_3D(a, body),
                            spherical_joint_3D(ball, a, b), inertia_3D(b, light), inertia_gen(q1, 0.5));
@@ -55,7 +55,7 @@ TEST_CASE("the inverse of the mass matrix at 50 digits", "[mass_matrix_inverse]"
   CHECK(largest(none) < 1e-47);
 }
 
-TEST_CASE("mass matrices without an inverse", "[mass_matrix_inverse]") {
+TEST_CASE("mass matrices without an inverse") {
   const auto throws = [](const auto& c) {
     const joint_vector<double, std::remove_cvref_t<decltype(c)>::nq> q = decltype(q)::Constant(0.25);
     CHECK_THROWS_AS(mass_matrix_inverse(c, q), singular_mass_matrix);
@@ -70,7 +70,7 @@ TEST_CASE("mass matrices without an inverse", "[mass_matrix_inverse]") {
   throws(chain(rigid_link_gen(q1, lone, 0.5), revolute_joint_3D(lone, base, a), inertia_3D(a, point_mass(1.0))));
 }
 
-TEST_CASE("the inverse of the mass matrix of what is no number", "[mass_matrix_inverse]") {
+TEST_CASE("the inverse of the mass matrix of what is no number") {
   constexpr auto c = chain(base_gen(drive), revolute_joint_3D(q1, base, a), inertia_3D(a, body),
                            prismatic_joint_3D(drive, a, b, axis::x), spherical_joint_3D(ball, b, d),
                            inertia_3D(d, body), prismatic_joint_3D(q2, d, e, axis::z), inertia_3D(e, light));

@@ -5,7 +5,7 @@
 using namespace kte;
 using namespace kte::test::trees;
 
-TEST_CASE("the inverse of the mass matrix of trees", "[mass_matrix_inverse]") {
+TEST_CASE("the inverse of the mass matrix of trees", "[laws]") {
   SECTION("in space") { check_inverse(joints_3D.gravity(fall), 1, base, cart); }
   SECTION("in the plane") { check_inverse(joints_2D, 2, floor_2D, wall); }
   SECTION("coordinates that are given, rotors, a mass without a joint") {

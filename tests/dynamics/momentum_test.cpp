@@ -8,6 +8,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -36,14 +37,14 @@ void check_change(const Chain& c, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("Generalized momenta are the mass matrix times velocities") {
+TEST_CASE("generalized momenta are the mass matrix times velocities", "[laws]") {
   check_momenta(robots::iiwa14, 1);
   check_momenta(floating_with_springs, 3);
   check_momenta(planar, 4);
   check_momenta(geared, 5);
 }
 
-TEST_CASE("Their change along the velocities is a derivative") {
+TEST_CASE("their change along the velocities is a derivative") {
   check_change(floating_with_springs, 12);
   check_change(planar, 13);
   check_change(geared, 14);

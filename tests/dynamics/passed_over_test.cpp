@@ -61,7 +61,7 @@ constexpr std::array here{0.25, -0.5};
 
 }  // namespace
 
-TEST_CASE("measures block no algorithm of static chains", "[dynamics][passed_over]") {
+TEST_CASE("measures block no algorithm of static chains") {
   const auto plain = arm_with();
   const auto measured = arm_with(position_measure_3D(b, seen));
   CHECK(of_bodies(measured) == of_bodies(plain));
@@ -73,7 +73,7 @@ TEST_CASE("measures block no algorithm of static chains", "[dynamics][passed_ove
   CHECK(forward_dynamics(seen_there, here, here, here) == forward_dynamics(plain, here, here, here));
 }
 
-TEST_CASE("frames that follow others block no algorithm of static chains", "[dynamics][passed_over]") {
+TEST_CASE("frames that follow others block no algorithm of static chains") {
   const auto plain = arm_with();
   const auto sprung = arm_with(nearest, spring_3D(foot, ground, 0.125, 3.0));
   CHECK(of_bodies(sprung) == of_bodies(plain));
@@ -81,7 +81,7 @@ TEST_CASE("frames that follow others block no algorithm of static chains", "[dyn
   CHECK(potential_energy(sprung, here) == within(potential_energy(plain, here) + spring, 1e-14));
 }
 
-TEST_CASE("bases whose motion is given block no algorithm of static chains", "[dynamics][passed_over]") {
+TEST_CASE("bases whose motion is given block no algorithm of static chains") {
   const auto plain = arm_with();
   const auto given = chain(position_control_3D(u, v_key, w, stand, ground), plain).gravity(vec3{0.5, -0.25, -9.75});
   CHECK(of_bodies(given) == of_bodies(plain));
@@ -89,8 +89,7 @@ TEST_CASE("bases whose motion is given block no algorithm of static chains", "[d
   CHECK(generalized_momenta(given, here, here) == generalized_momenta(plain, here, here));
 }
 
-TEST_CASE("coordinates whose motion is given have no row in the regressor of static chains",
-          "[dynamics][passed_over]") {
+TEST_CASE("coordinates whose motion is given have no row in the regressor of static chains") {
   const auto c = chain(position_control_gen(x, y, z, q1), arm_with()).gravity(vec3{0.5, -0.25, -9.75});
   const std::array q{-0.5}, v{-0.75}, acc{2.0};
   const auto tau = (torque_regressor(c, q, v, acc) * inertial_parameters(c)).eval();
@@ -98,7 +97,7 @@ TEST_CASE("coordinates whose motion is given have no row in the regressor of sta
   CHECK(tau[0] == within(inverse_dynamics(c, q, v, acc)[0], 1e-14));
 }
 
-TEST_CASE("loads from outside are any vectors", "[dynamics][external_wrenches]") {
+TEST_CASE("loads from outside are any vectors") {
   const auto c = arm_with();
   const vec3<> f{1, 0, 0}, t{0, 2, 0};
   CHECK(external_forces(c, here, wrench_on(b, along_x(1.0), along_y(2.0))) ==

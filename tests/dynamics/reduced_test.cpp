@@ -15,6 +15,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -78,7 +79,7 @@ void check(const kte_map_chain& c, unsigned seed, const Names&... names) {
 
 }  // namespace
 
-TEST_CASE("chains with locked joints: forces, masses, accelerations") {
+TEST_CASE("chains with locked joints: forces, masses, accelerations", "[laws]") {
   const auto c = models::element_by_element(floating);
   check(c, 1, "q1");
   check(c, 2, "trunk", "q2");

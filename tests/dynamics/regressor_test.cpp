@@ -14,6 +14,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -144,7 +145,7 @@ void check(const Chain& c, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("regressor of two links in the plane, by its formula") {
+TEST_CASE("regressor of two links in the plane, by its formula", "[laws]") {
   // Both frames in the joints, bodies with c anywhere. At 50 digits, then in double.
   const auto check_formula = [](const auto& arm, auto scalar, double tolerance) {
     using S = decltype(scalar);

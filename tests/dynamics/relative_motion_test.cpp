@@ -9,6 +9,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -56,7 +57,7 @@ void check(const Chain& c, const B& b, const A& a, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("relative motion of frames by identities, differences and runtime chains") {
+TEST_CASE("relative motion of frames by identities, differences and runtime chains", "[laws]") {
   check(floating, tip, aside, 1);    // on two branches
   check(floating, hand, tip, 2);     // the one on the other
   check(floating, body, ground, 3);  // a frame in its base

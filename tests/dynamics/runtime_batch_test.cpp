@@ -58,7 +58,7 @@ constexpr double rounding = 64 * 0x1p-52;
 
 }  // namespace
 
-TEST_CASE("batches of states of a runtime chain", "[batch][runtime]") {
+TEST_CASE("batches of states of a runtime chain") {
   const kte_map_chain c = arm();
   auto s = c.make_state();
   REQUIRE(c.nq() == static_cast<int>(nq));
@@ -80,7 +80,7 @@ TEST_CASE("batches of states of a runtime chain", "[batch][runtime]") {
   }
 }
 
-TEST_CASE("a bad state of a batch does not spoil the others", "[batch][runtime][errors]") {
+TEST_CASE("a bad state of a batch does not spoil the others") {
   const kte_map_chain c = arm();
   states x(11);
   std::vector<double> good(nv * 11), tau(nv * 11);
@@ -99,7 +99,7 @@ TEST_CASE("a bad state of a batch does not spoil the others", "[batch][runtime][
   CHECK_THROWS_WITH(batch::inverse_dynamics<4>(c, x.q, x.v, x.a, short_one), test::contains_text("tau has 50 numbers"));
 }
 
-TEST_CASE("matrices of states in rows are refused", "[batch][runtime][errors]") {
+TEST_CASE("matrices of states in rows are refused") {
   const kte_map_chain c = arm();  // two states in two rows: as many numbers, and 2 divides 6
   const Eigen::MatrixXd q = Eigen::MatrixXd::Constant(2, 6, 0.1), v = Eigen::MatrixXd::Zero(5, 2);
   Eigen::MatrixXd tau(5, 2), mass(5, 10), flat(25, 2);
@@ -112,7 +112,7 @@ TEST_CASE("matrices of states in rows are refused", "[batch][runtime][errors]") 
   CHECK(flat.reshaped() == mass.reshaped());
 }
 
-TEST_CASE("batches of chains with laws of their own are refused", "[batch][runtime][errors]") {
+TEST_CASE("batches of chains with laws of their own are refused") {
   kte_map_chain c = arm();
   c << spring_gen("slide", "turn", 0.0, 10.0);
   const states x(2);

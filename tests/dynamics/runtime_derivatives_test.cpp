@@ -88,7 +88,7 @@ void check_hybrid(const Chain& model, unsigned seed, const Keys&... keys) {
 
 }  // namespace
 
-TEST_CASE("derivatives of a runtime iiwa14 against 21 digits", "[derivatives][runtime]") {
+TEST_CASE("derivatives of a runtime iiwa14 against 21 digits", "[laws]") {
   const kte_map_chain c = element_by_element(robots::iiwa14);
   auto s = c.make_state();
   for (std::size_t k = 0; k < std::size(reference::iiwa14_derivatives); ++k) {
@@ -106,7 +106,7 @@ TEST_CASE("derivatives of a runtime iiwa14 against 21 digits", "[derivatives][ru
   }
 }
 
-TEST_CASE("derivatives of runtime trees", "[derivatives][runtime]") {
+TEST_CASE("derivatives of runtime trees") {
   SECTION("joints of all kinds") { check_derivatives(joints_3D.gravity(fall), 1, base, cart); }
   SECTION("in the plane") { check_derivatives(joints_2D, 2, floor_2D, wall); }
   SECTION("rotors, springs on coordinates, given coordinates, a mass without a joint") {
@@ -115,53 +115,54 @@ TEST_CASE("derivatives of runtime trees", "[derivatives][runtime]") {
 }
 
 // Where nothing is known element by element: by dual numbers that go through elements.
-TEST_CASE("derivatives of runtime chains with forces between frames", "[derivatives][runtime][dual]") {
+TEST_CASE("derivatives of runtime chains with forces between frames") {
   SECTION("in space") { check_derivatives(tree_3D, 12, base, cart, motor); }
   SECTION("in the plane") { check_derivatives(tree_2D, 13, floor_2D, wall, motor); }
 }
 
-TEST_CASE("derivatives of runtime chains in which coordinates follow others", "[derivatives][runtime][dual]") {
-  check_derivatives(kte::test::geared, 14);
+TEST_CASE("derivatives of runtime chains in which coordinates follow others") {
+  check_derivatives(kte::test::small_chains::geared, 14);
 }
 
-TEST_CASE("the inverse of the mass matrix of runtime chains", "[mass_matrix_inverse][runtime]") {
+TEST_CASE("the inverse of the mass matrix of runtime chains") {
   SECTION("in space, with springs between frames") { check_inverse(tree_3D, 4, base, cart, motor); }
   SECTION("in the plane, with springs between frames") { check_inverse(tree_2D, 5, floor_2D, wall, motor); }
   SECTION("rotors") { check_inverse(rotors, 6, base, drive, motor, pull); }
-  SECTION("coordinates that follow others") { check_inverse(kte::test::geared, 7); }
+  SECTION("coordinates that follow others") { check_inverse(kte::test::small_chains::geared, 7); }
 }
 
-TEST_CASE("hybrid dynamics of runtime chains", "[hybrid][runtime]") {
+TEST_CASE("hybrid dynamics of runtime chains") {
   SECTION("in the middle of a tree") { check_hybrid(tree_3D, 8, floating, ball, q3); }
   SECTION("nothing") { check_hybrid(tree_3D, 9); }
   SECTION("a mass without a joint, and a joint beside a given coordinate") { check_hybrid(rotors, 10, lone, q1); }
   SECTION("in the plane") { check_hybrid(tree_2D, 11, sliding, q2); }
-  SECTION("coordinates that follow others") { check_hybrid(kte::test::geared, 15, kte::test::q1); }
+  SECTION("coordinates that follow others") {
+    check_hybrid(kte::test::small_chains::geared, 15, kte::test::small_chains::q1);
+  }
 }
 
-TEST_CASE("hybrid dynamics where coordinates follow others is between inverse and forward dynamics",
-          "[hybrid][runtime]") {
-  const auto& model = kte::test::geared;
+TEST_CASE("hybrid dynamics where coordinates follow others is between inverse and forward dynamics") {
+  const auto& model = kte::test::small_chains::geared;
   random_numbers random(16);
   for (int round = 0; round < 20; ++round) {
     const trial<std::remove_cvref_t<decltype(model)>> x(random);
     const auto a = forward_dynamics(model, x.q, x.v, x.tau);
     joint_vector<double, 2> known = x.tau;
     known[0] = a[0];
-    const auto r = hybrid_dynamics(model, x.q, x.v, known, prescribed(kte::test::q1));
+    const auto r = hybrid_dynamics(model, x.q, x.v, known, prescribed(kte::test::small_chains::q1));
     CHECK(r.a[0] == a[0]);
     CHECK(r.tau[1] == x.tau[1]);
     // Forces are sums of terms of the size of M a.
     const double size = 1 + largest(a) * largest(mass_matrix(model, x.q)) / largest(x.tau);
     CHECK(gap(r.tau, x.tau) < both_errors * size);
     CHECK(gap(r.a, a) < both_errors * size);
-    const auto all = hybrid_dynamics(model, x.q, x.v, x.a, prescribed(kte::test::q1, kte::test::q2));
+    const auto all = hybrid_dynamics(model, x.q, x.v, x.a, prescribed(kte::test::small_chains::q1, kte::test::q2));
     CHECK(all.a == x.a);
     CHECK(gap(all.tau, inverse_dynamics(model, x.q, x.v, x.a)) < both_errors);
   }
 }
 
-TEST_CASE("what runtime chains cannot do is said", "[derivatives][hybrid][runtime][errors]") {
+TEST_CASE("what runtime chains cannot do is said") {
   using kte::test::contains_text;
   const std::vector<double> none(8, 0.0);
   const kte_map_chain springs = element_by_element(tree_2D);
@@ -182,7 +183,7 @@ TEST_CASE("what runtime chains cannot do is said", "[derivatives][hybrid][runtim
   CHECK_THROWS_AS(inverse_dynamics_derivatives(massless, m), bad_argument);
 }
 
-TEST_CASE("a given coordinate that is no number", "[mass_matrix_inverse][runtime][errors]") {
+TEST_CASE("a given coordinate that is no number") {
   const kte_map_chain model = element_by_element(rotors);
   auto r = model.make_state();
   auto s = make_state(rotors);
@@ -204,8 +205,7 @@ TEST_CASE("a coordinate that hybrid dynamics has prescribed is free in the next 
   CHECK(mass_matrix_inverse(c, s, rest) == free);
 }
 
-TEST_CASE("the inverse of the mass matrix owes nothing to a call that found no finite number",
-          "[mass_matrix_inverse][runtime][errors]") {
+TEST_CASE("the inverse of the mass matrix owes nothing to a call that found no finite number") {
   // Brothers, and trees side by side: their common numbers are zeros that no joint writes.
   const kte_map_chain c = element_by_element(tree_3D);
   auto s = c.make_state();

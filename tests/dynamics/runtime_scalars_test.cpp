@@ -120,7 +120,7 @@ void check(const kte_map_chain& c, const sample& x, const results<digits50>& exa
 }
 }  // namespace
 
-TEST_CASE("runtime chains in other scalars", "[runtime][scalars]") {
+TEST_CASE("runtime chains in other scalars", "[laws]") {
   const kte_map_chain c = creature();
   random_numbers random(11);
   for (int i = 0; i < 5; ++i) {
@@ -130,7 +130,7 @@ TEST_CASE("runtime chains in other scalars", "[runtime][scalars]") {
   }
 }
 
-TEST_CASE("several states of a runtime chain at once", "[runtime][scalars][pack]") {
+TEST_CASE("several states of a runtime chain at once") {
   using four = pack<double, 4>;
   const kte_map_chain c = creature();
   random_numbers random(12);
@@ -147,7 +147,7 @@ TEST_CASE("several states of a runtime chain at once", "[runtime][scalars][pack]
     CHECK(gap(all, results_in<digits50>(c, x[k]), [k](const four& y) { return y[k]; }) < roundings * 0x1p-52);
 }
 
-TEST_CASE("derivatives of a runtime chain by dual numbers", "[runtime][scalars][dual]") {
+TEST_CASE("derivatives of a runtime chain by dual numbers") {
   using number = dual<double, 1>;
   const kte_map_chain c = creature();
   random_numbers random(13);
@@ -210,13 +210,13 @@ void check_shared() {
 }
 }  // namespace
 
-TEST_CASE("derivatives of runtime chains of joints that share coordinates", "[runtime][scalars][derivatives]") {
+TEST_CASE("derivatives of runtime chains of joints that share coordinates") {
   check_shared<double>();
   check_shared<float>();
   check_shared<long double>();
 }
 
-TEST_CASE("what other scalars cannot do is said", "[runtime][scalars][errors]") {
+TEST_CASE("what other scalars cannot do is said") {
   kte_map_chain c = creature();
   c << spring_gen("hip", "knee", 0.0, 10.0);
   CHECK_NOTHROW(c.make_state());

@@ -74,14 +74,12 @@ void check_runtime(const reference::serial_body (&bodies)[B], const reference::s
 
 }  // namespace
 
-TEST_CASE("a chain of 2 bodies against 31 digits", "[serial]") {
+TEST_CASE("a chain of 2 bodies against 31 digits", "[laws]") {
   check_static(reference::chain2_bodies, reference::chain2);
   check_runtime(reference::chain2_bodies, reference::chain2);
 }
-TEST_CASE("a chain of 8 bodies against 31 digits", "[serial]") {
+TEST_CASE("a chain of 8 bodies against 31 digits") {
   check_static(reference::chain8_bodies, reference::chain8);
   check_runtime(reference::chain8_bodies, reference::chain8);
 }
-TEST_CASE("a chain of 32 bodies against 31 digits", "[serial]") {
-  check_runtime(reference::chain32_bodies, reference::chain32);
-}
+TEST_CASE("a chain of 32 bodies against 31 digits") { check_runtime(reference::chain32_bodies, reference::chain32); }

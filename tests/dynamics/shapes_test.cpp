@@ -165,7 +165,7 @@ double difference_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 }  // namespace
 
-TEST_CASE("chains of all shapes: algorithms agree", "[shapes]") {
+TEST_CASE("chains of all shapes: algorithms agree") {
   int conservative = 0, with_friction = 0;
   for (unsigned seed = 1; seed <= 150; ++seed) {
     const random_chain x(seed, seed % 3 == 0, seed % 3 == 1);
@@ -225,7 +225,7 @@ TEST_CASE("chains of all shapes: algorithms agree", "[shapes]") {
   CHECK(with_friction > 10);
 }
 
-TEST_CASE("what algorithms cannot count they refuse by name", "[shapes]") {
+TEST_CASE("what algorithms cannot count they refuse by name") {
   const auto says = [](const char* text) {
     return Catch::Predicate<bad_argument>(
         [text](const bad_argument& e) { return std::string(e.what()).find(text) != std::string::npos; }, text);

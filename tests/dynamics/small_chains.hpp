@@ -10,7 +10,7 @@
 #include "random.hpp"
 
 /// Small mechanisms with axes that are exact, so that laws hold to all digits of any scalar; and motions of them.
-namespace kte::test {
+namespace kte::test::small_chains {
 
 using big = digits50;
 
@@ -181,4 +181,4 @@ long double off(const X& x, const long double* reference, std::size_t n) {
   return difference / size;
 }
 
-}  // namespace kte::test
+}  // namespace kte::test::small_chains

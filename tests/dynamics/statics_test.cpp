@@ -48,7 +48,7 @@ kte_map_chain masses(int n, bool walls, double c_of_all) {
 
 }  // namespace
 
-TEST_CASE("beams are bent by all of their load at once, however stiff along", "[statics]") {
+TEST_CASE("beams are bent by all of their load at once, however stiff along") {
   const planar_beam_section wire{.EA = 1e9, .EI = 1};
   auto c = cantilever(16, 1, wire);
   c << constant_force_2D("16", vec2{zero, zero}, 2 * pi);
@@ -77,7 +77,7 @@ TEST_CASE("beams are bent by all of their load at once, however stiff along", "[
   CHECK(princeton.iterations < 40);
 }
 
-TEST_CASE("the bend of 45 degrees under 600", "[statics]") {
+TEST_CASE("the bend of 45 degrees under 600") {
   constexpr int n = 64;
   const double a = pi / 4 / n, chord = 2 * 100 * std::sin(a / 2), EI = 1e7 / 12, GA = 1e7 / 2.4;
   kte_map_chain c;
@@ -124,7 +124,7 @@ TEST_CASE("the bend of 45 degrees under 600", "[statics]") {
     CHECK((by_differences - change).segment<3>(6 * i).norm() < 1e-7 * detail::largest_number(k));
 }
 
-TEST_CASE("derivatives by colours are those by one direction after the other", "[statics]") {
+TEST_CASE("derivatives by colours are those by one direction after the other") {
   kte_map_chain c;
   c.gravity(along_z(-9.81));
   for (int arm = 0; arm < 3; ++arm)
@@ -151,7 +151,7 @@ TEST_CASE("derivatives by colours are those by one direction after the other", "
   CHECK((half - 0.5 * (full + without)).cwiseAbs().maxCoeff() <= 1e-13);
 }
 
-TEST_CASE("what a controller writes is no load from outside", "[statics]") {
+TEST_CASE("what a controller writes is no load from outside") {
   auto c = truss();
   c << position_measure_gen("y", "height") << driving_actuator_gen("y", "height") << driving_actuator_gen("y", "push");
   auto s = c.make_state();
@@ -162,7 +162,7 @@ TEST_CASE("what a controller writes is no load from outside", "[statics]") {
   CHECK(f.forces(y, 1)[0] == within(-push_at(2) - 2 - 3, 1e-12));
 }
 
-TEST_CASE("a pushed beam is unstable beyond Euler's load", "[statics]") {
+TEST_CASE("a pushed beam is unstable beyond Euler's load") {
   const double critical = pi * pi / 4;  // of a cantilever; two beams err by 5e-4
   for (const double part : {0.999, 1.001}) {
     auto c = cantilever(2, 1, planar_beam_section{.EA = 1e6, .EI = 1});
@@ -175,7 +175,7 @@ TEST_CASE("a pushed beam is unstable beyond Euler's load", "[statics]") {
   }
 }
 
-TEST_CASE("a shallow truss snaps through", "[statics]") {
+TEST_CASE("a shallow truss snaps through") {
   const double limit = push_at(y_of_limit);
   auto c = truss();
   c << constant_force_2D("top", along_y(-1.5 * limit));
@@ -213,7 +213,7 @@ TEST_CASE("a shallow truss snaps through", "[statics]") {
                        says("no equilibrium was found under all loads, but at load factor 0.66"));
 }
 
-TEST_CASE("a path follows a bend that a step could cut", "[statics]") {
+TEST_CASE("a path follows a bend that a step could cut") {
   // A column with a small push aside bends out at a twelfth of its load; straight on there is another, unstable path.
   auto c = cantilever(8, 1, planar_beam_section{.EA = 1e4, .EI = 1});
   c << constant_force_2D("8", vec2{-30.0, 0.02});
@@ -223,7 +223,7 @@ TEST_CASE("a path follows a bend that a step could cut", "[statics]") {
   CHECK(path.back().q.tail(2)[0] > 0.3);
 }
 
-TEST_CASE("what loads alone hold finds its place", "[statics]") {
+TEST_CASE("what loads alone hold finds its place") {
   kte_map_chain c;
   c.gravity(along_z(-9.81));
   c << revolute_joint_3D("shoulder", "base", "upper", axis::y) << rigid_link_3D("upper", "mid", along_x(0.4))
@@ -241,7 +241,7 @@ TEST_CASE("what loads alone hold finds its place", "[statics]") {
   CHECK(pulled.stability.asymmetry > 0.005);
 }
 
-TEST_CASE("static_equilibrium refuses by name", "[statics]") {
+TEST_CASE("static_equilibrium refuses by name") {
   kte_map_chain c;
   c.gravity(along_z(-9.81));
   c << prismatic_joint_3D("held", "base", "first", axis::z) << spring_3D("base", "first", 0.0, 1e3)
@@ -262,7 +262,7 @@ TEST_CASE("static_equilibrium refuses by name", "[statics]") {
   CHECK_THROWS_MATCHES(natural_modes(c, s, std::array{0.0, 0.0}), bad_argument, says("not in equilibrium, 'held'"));
 }
 
-TEST_CASE("natural modes of masses between springs", "[statics]") {
+TEST_CASE("natural modes of masses between springs") {
   constexpr int n = 10;
   auto c = masses(n, true, 0);
   auto s = c.make_state();
@@ -316,7 +316,7 @@ TEST_CASE("natural modes of masses between springs", "[statics]") {
   CHECK_THROWS_AS(natural_modes(light, t, std::array{0.0, 0.0}), singular_mass_matrix);
 }
 
-TEST_CASE("natural modes of a pendulum, hanging and upright", "[statics]") {
+TEST_CASE("natural modes of a pendulum, hanging and upright") {
   // clang-format off
   static constexpr struct turn_ final : coord_key<"turn"> {} turn;
   static constexpr struct base_ final : frame_2D_key<"base"> {} base;

@@ -7,6 +7,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 template <class Chain, class Frame>
@@ -24,7 +25,7 @@ void check(const Chain& c, const Frame& frame, unsigned seed) {
 }
 }  // namespace
 
-TEST_CASE("what moves a frame are the columns of its Jacobian that are not zero") {
+TEST_CASE("what moves a frame are the columns of its Jacobian that are not zero", "[laws]") {
   check(floating, tip, 1);
   check(floating, aside, 2);
   check(floating, ground, 3);

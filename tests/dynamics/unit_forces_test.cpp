@@ -39,7 +39,7 @@ auto inverse_in(const joint_vector<double, nq>& q) {
 
 }  // namespace
 
-TEST_CASE("a trunk of six axes and four legs of three: groups of four", "[mass_matrix_inverse]") {
+TEST_CASE("a trunk of six axes and four legs of three: groups of four") {
   // Elements: the trunk, a body, then of each leg three joints with a link between two of them.
   constexpr auto f = [] {
     std::array<joint_place, 2 + 4 * 4 + 1> places{joint_place{12, 6, -1}, {0, 0, -1}};
@@ -67,13 +67,12 @@ TEST_CASE("a trunk of six axes and four legs of three: groups of four", "[mass_m
   CHECK(alone.shared(0, 1) == 0);  // on different bases
 }
 
-TEST_CASE("the inverse of the mass matrix of nothing that moves", "[mass_matrix_inverse]") {
+TEST_CASE("the inverse of the mass matrix of nothing that moves") {
   constexpr auto fixed = chain(rigid_link_3D(base, foot, along_z(0.5)), inertia_3D(foot, body));
   CHECK(mass_matrix_inverse(fixed, joint_vector<double, 0>()).size() == 0);
 }
 
-TEST_CASE("the inverse of the mass matrix in scalars that fill a register by ones, fours and eights",
-          "[mass_matrix_inverse]") {
+TEST_CASE("the inverse of the mass matrix in scalars that fill a register by ones, fours and eights") {
   random_numbers random(17);
   for (int round = 0; round < 5; ++round) {
     const auto q = trial<std::remove_cvref_t<decltype(joints_3D)>>(random).q;

@@ -6,7 +6,7 @@ using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
 
-TEST_CASE("gyration_through is gyration seen from the base of an element", "[variation]") {
+TEST_CASE("gyration_through is gyration seen from the base of an element", "[laws]") {
   // With any gyration at the end, not that of a body: the wrench at the base changes by what `transmit` makes of the
   // change at the end, whose motion is that of `compose`.
   worst_gap worst;
@@ -31,7 +31,7 @@ TEST_CASE("gyration_through is gyration seen from the base of an element", "[var
   worst.below(by_rate_bound);
 }
 
-TEST_CASE("by_displacement and by_rate are derivatives of the motion of the end of a joint", "[variation]") {
+TEST_CASE("by_displacement and by_rate are derivatives of the motion of the end of a joint") {
   worst_gap by_position, by_velocity;
   with_all_joints(6, [&](const auto& joint, const auto& at, random_numbers& random) {
     const auto base = random_motion(random);
@@ -52,7 +52,7 @@ TEST_CASE("by_displacement and by_rate are derivatives of the motion of the end 
   by_velocity.below(by_rate_bound);
 }
 
-TEST_CASE("a wrench that is displaced with its frame", "[variation]") {
+TEST_CASE("a wrench that is displaced with its frame") {
   worst_gap worst;
   with_all_joints(7, [&](const auto& joint, const auto& at, random_numbers& random) {
     const auto c = at.coordinate_of();
@@ -75,7 +75,7 @@ TEST_CASE("a wrench that is displaced with its frame", "[variation]") {
   worst.below(by_position_bound);
 }
 
-TEST_CASE("sensitivity_along is the power of varied_wrench", "[variation]") {
+TEST_CASE("sensitivity_along is the power of varied_wrench") {
   worst_gap worst;
   with_all_joints(8, [&](const auto& joint, const auto& at, random_numbers& random) {
     const auto b = random_inertia(random);
@@ -91,7 +91,7 @@ TEST_CASE("sensitivity_along is the power of varied_wrench", "[variation]") {
   worst.below(1e-46);
 }
 
-TEST_CASE("sensitivity_through is the transpose of how motion passes an element", "[variation]") {
+TEST_CASE("sensitivity_through is the transpose of how motion passes an element") {
   worst_gap worst, dense;
   with_all_joints(9, [&](const auto& joint, const auto& at, random_numbers& random) {
     const auto x = joint.relative(at.coordinate_of());

@@ -6,7 +6,7 @@ using namespace kte;
 using namespace kte::detail;
 using namespace kte::test::variations;
 
-TEST_CASE("centripetal_by_rate and gyration_of are derivatives by the angular velocity", "[variation]") {
+TEST_CASE("centripetal_by_rate and gyration_of are derivatives by the angular velocity", "[laws]") {
   random_numbers random(1);
   worst_gap worst;
   for (int round = 0; round < 10; ++round) {
@@ -28,7 +28,7 @@ TEST_CASE("centripetal_by_rate and gyration_of are derivatives by the angular ve
   worst.below(by_rate_bound);
 }
 
-TEST_CASE("gyration and inertia add up, and none is none", "[variation]") {
+TEST_CASE("gyration and inertia add up, and none is none") {
   random_numbers random(2);
   const gyration a{random_matrix(random), random_matrix(random)}, b{random_matrix(random), random_matrix(random)};
   CHECK(gap(numbers(a + b), (numbers(a) + numbers(b)).eval()) == 0);
@@ -42,7 +42,7 @@ TEST_CASE("gyration and inertia add up, and none is none", "[variation]") {
             (numbers(varied_wrench(i, a, d)) + numbers(varied_wrench(j, b, d))).eval()) < 1e-46);
 }
 
-TEST_CASE("varied_wrench is the wrench's derivative by all rates", "[variation]") {
+TEST_CASE("varied_wrench is the wrench's derivative by all rates") {
   random_numbers random(3);
   worst_gap worst;
   for (int round = 0; round < 10; ++round) {
@@ -55,7 +55,7 @@ TEST_CASE("varied_wrench is the wrench's derivative by all rates", "[variation]"
   worst.below(by_rate_bound);
 }
 
-TEST_CASE("gyration_through of a body is its gyration as part of the base", "[variation]") {
+TEST_CASE("gyration_through of a body is its gyration as part of the base") {
   // Fixed to the base by a link, a body turns with it: gyration_of what it is there.
   random_numbers random(5);
   worst_gap worst;

@@ -40,7 +40,7 @@ double difference_of(const A& a, const B& b) {
 }
 }  // namespace
 
-TEST_CASE("actuators of frames: loads by signals are those of the same numbers as parameters", "[actuators]") {
+TEST_CASE("actuators of frames: loads by signals are those of the same numbers as parameters", "[laws]") {
   const vec3<> f{0.3, -0.7, 1.1}, t{-0.2, 0.4, 0.9};
   const auto loads = [&](const auto& by_signals, const auto& by_numbers, const auto& torque) {
     auto x = trial_of(by_signals, 7);
@@ -56,7 +56,7 @@ TEST_CASE("actuators of frames: loads by signals are those of the same numbers a
   CHECK(loads(external_force_2D("x", "f", "t"), constant_force_2D("x", vec2{f.x, f.y}, t.z), t.z) == 0);
 }
 
-TEST_CASE("an actuator between two things acts and reacts, and works by its way", "[actuators]") {
+TEST_CASE("an actuator between two things acts and reacts, and works by its way") {
   random_numbers draw(11);
   CHECK(testing::loads_are_opposite<double>(force_actuator_gen("a", "b", "u"), draw) == 0);
   CHECK(testing::loads_are_opposite<double>(force_actuator_2D("a", "b", "u"), draw) < rounding<double>);
@@ -79,7 +79,7 @@ TEST_CASE("an actuator between two things acts and reacts, and works by its way"
   CHECK(load_difference(together.at<0>(), frame_3D<>{}) == 0);
 }
 
-TEST_CASE("a direct-current motor: power, and its motion under a step of voltage", "[actuators]") {
+TEST_CASE("a direct-current motor: power, and its motion under a step of voltage") {
   const auto c = chain(dc_motor_gen(q, volts, amps, motor), revolute_joint_3D(q, base, arm, axis::z),
                        inertia_3D(arm, rigid_body{0.0, vec3{0.0, 0.0, 0.0}, sym3{0.03, 0.0, 0.0, 0.03, 0.0, 0.05}}));
   manipulator_dynamics_model model(c);
@@ -111,7 +111,7 @@ TEST_CASE("a direct-current motor: power, and its motion under a step of voltage
         }).find("inductance must be finite and positive, got 0") != std::string::npos);
 }
 
-TEST_CASE("a motor within its torque-speed line", "[actuators]") {
+TEST_CASE("a motor within its torque-speed line") {
   const auto e = torque_speed_motor_gen("q", "u", {.max_torque = 40, .max_speed = 8});
   const auto force = [&e](double rate, double command) {
     auto x = trial_of(e, 1);
@@ -142,7 +142,7 @@ TEST_CASE("a motor within its torque-speed line", "[actuators]") {
         }).find("max_speed must be finite and positive, got 0") != std::string::npos);
 }
 
-TEST_CASE("where the torque-speed line begins to limit a motor is an event", "[actuators]") {
+TEST_CASE("where the torque-speed line begins to limit a motor is an event") {
   const auto c = chain(torque_speed_motor_gen(lift, volts, {.max_torque = 40, .max_speed = 8}),
                        prismatic_joint_3D(lift, base, tool, axis::x), inertia_3D(tool, point_mass(2.0)));
   manipulator_dynamics_model model(c);
@@ -155,7 +155,7 @@ TEST_CASE("where the torque-speed line begins to limit a motor is an event", "[a
   CHECK(solver.state()[1] == within(8 - 6 * std::exp(-2.5 * (0.4 - 2 / 15.0)), 1e-10));
 }
 
-TEST_CASE("loads from outside are those of actuators on frames", "[actuators][external_wrenches]") {
+TEST_CASE("loads from outside are those of actuators on frames") {
   const auto c = arm_with(driving_actuator_3D(tool, push, twist));
   const auto r = named(revolute_joint_3D("q", "base", "arm", axis::y), inertia_3D("arm", body),
                        prismatic_joint_3D("lift", "arm", "tool", vec3{0.6, 0.0, 0.8}), inertia_3D("tool", body))
@@ -187,7 +187,7 @@ TEST_CASE("loads from outside are those of actuators on frames", "[actuators][ex
   CHECK_THROWS_AS(inverse_dynamics(dry, u, one_number, one_number, one_number, {{"arm", f, m}}), bad_argument);
 }
 
-TEST_CASE("a motor of a joint follows its law within its ranges", "[actuators]") {
+TEST_CASE("a motor of a joint follows its law within its ranges") {
   constexpr motor_law servo{.gain = 8,
                             .offset = 0.5,
                             .stiffness = 8,

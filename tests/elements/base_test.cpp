@@ -25,7 +25,7 @@ constexpr auto masses =
         .gravity(vec3{-1.0, -9.5, 0.25});
 }  // namespace
 
-TEST_CASE("a coordinate given from outside is no degree of freedom", "[elements][base]") {
+TEST_CASE("a coordinate given from outside is no degree of freedom", "[both]") {
   STATIC_REQUIRE(decltype(masses)::dofs == 2);
   auto s = make_state(masses);
   s[wall].q = -2.0, s[x].q = 0.5;
@@ -39,7 +39,7 @@ TEST_CASE("a coordinate given from outside is no degree of freedom", "[elements]
   CHECK(forward_dynamics(masses, s)[1] == -9.5);
 }
 
-TEST_CASE("all bases start accelerated against gravity, and may be moved", "[elements][base]") {
+TEST_CASE("all bases start accelerated against gravity, and may be moved") {
   auto s = make_state(masses);
   CHECK(s[a].acceleration == vec2{1.0, 9.5});
   CHECK(s[b].acceleration == vec2{1.0, 9.5});
@@ -54,7 +54,7 @@ TEST_CASE("all bases start accelerated against gravity, and may be moved", "[ele
   CHECK(forward_dynamics(masses, s)[1] == -13.5);
 }
 
-TEST_CASE("a base without a declaration is an error in a runtime chain", "[elements][base]") {
+TEST_CASE("a base without a declaration is an error in a runtime chain") {
   kte_map_chain chain;
   chain << base_2D("b") << rigid_link_2D("a", "tip", along_x(1.0));
   CHECK_NOTHROW(chain << rigid_link_2D("b", "on b", along_x(1.0)));

@@ -35,9 +35,9 @@ std::array<frame_3D<>, 2> loaded(const bushing_matrix& k, const bushing_matrix& 
 
 }  // namespace
 
-TEST_CASE("bushings obey the laws", "[elements][bushing]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("bushings obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
 
-TEST_CASE("functions of half a turn keep their digits where they change to series", "[elements][bushing]") {
+TEST_CASE("functions of half a turn keep their digits where they change to series") {
   const auto errors = []<class S>(const S& t) {
     using variable = dual<S, 1>;
     variable tt(t * t);
@@ -63,7 +63,7 @@ TEST_CASE("functions of half a turn keep their digits where they change to serie
     for (const digits50& e : errors(t)) CHECK(e <= 4 * eps<digits50>);
 }
 
-TEST_CASE("the rates by which a bushing is damped are derivatives", "[elements][bushing]") {
+TEST_CASE("the rates by which a bushing is damped are derivatives") {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     auto x = trial_of<digits50>(bushing_3D("a", "b", {}), seed);
     const auto seen = [](auto& y) {
@@ -81,7 +81,7 @@ TEST_CASE("the rates by which a bushing is damped are derivatives", "[elements][
   }
 }
 
-TEST_CASE("a bushing resists what it is moved by", "[elements][bushing]") {
+TEST_CASE("a bushing resists what it is moved by") {
   const double margin = 32 * eps<double>;
   // Moved along, it is its matrix.
   const vec3 u{0.1, -0.3, 0.2};
@@ -104,7 +104,7 @@ TEST_CASE("a bushing resists what it is moved by", "[elements][bushing]") {
   CHECK(std::isnan(loaded(coupled_all, {}, {.position = {not_a_number, 0, 0}})[0].torque.x));
 }
 
-TEST_CASE("bushings are saved and loaded, and reject matrices that give work away", "[elements][bushing]") {
+TEST_CASE("bushings are saved and loaded, and reject matrices that give work away") {
   kte_map_chain c;
   c << base_3D("a") << base_3D("b") << bushing_3D("a", "b", coupled_all, isotropic_bushing(1, 2), rest);
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));

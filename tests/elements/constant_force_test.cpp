@@ -24,11 +24,9 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("constant forces obey the laws", "[elements][constant_force]") {
-  check_laws<double>(), check_laws<digits50>();
-}
+TEST_CASE("constant forces obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
 
-TEST_CASE("a constant force keeps its direction in the world, a follower in its frame", "[elements][constant_force]") {
+TEST_CASE("a constant force keeps its direction in the world, a follower in its frame") {
   auto dead = trial_of(constant_force_2D("a", vec2{3.0, 4.0}, 5), 1);
   dead.at<0>().rotation = {0, 1};  // a quarter turn
   dead.doForce();
@@ -50,7 +48,7 @@ TEST_CASE("a constant force keeps its direction in the world, a follower in its 
   CHECK(thruster.at<0>().torque == t);
 }
 
-TEST_CASE("constant forces are saved and loaded, and reject what is not finite", "[elements][constant_force]") {
+TEST_CASE("constant forces are saved and loaded, and reject what is not finite") {
   kte_map_chain c;
   c << base_2D("a") << constant_force_2D("a", vec2{1.0, 2.0}, 3.0) << follower_force_2D("a", vec2{4.0, 5.0}, 6.0)
     << base_3D("b") << constant_force_3D("b", along_x(7.0), along_y(8.0)) << follower_force_3D("b", along_z(9.0));

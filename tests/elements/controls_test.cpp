@@ -6,7 +6,7 @@ using namespace kte::test::signals;
 
 // Controllers, and what they are fed with.
 
-TEST_CASE("an arm on a table that turns, with measures and a controller: static and at run time", "[signals]") {
+TEST_CASE("an arm on a table that turns, with measures and a controller: static and at run time") {
   const auto c = measured_arm(key_itself, to_static);
   const auto x = measured_arm(text_of_key, to_runtime);
   auto s = make_state(c);
@@ -85,7 +85,7 @@ TEST_CASE("an arm on a table that turns, with measures and a controller: static 
   CHECK(slopes[2] == within(0.1, 1e-16));
 }
 
-TEST_CASE("a controller whose wanted signal is measured; a base at a given rate", "[signals]") {
+TEST_CASE("a controller whose wanted signal is measured; a base at a given rate") {
   manipulator_dynamics_model model(followed_disc(key_itself, to_flat));
   manipulator_dynamics_model at_run_time(followed_disc(text_of_key, to_runtime));
   Eigen::Vector2d u{0.5, -0.2};  // rate and acceleration of the cam
@@ -112,7 +112,7 @@ TEST_CASE("a controller whose wanted signal is measured; a base at a given rate"
   }
 }
 
-TEST_CASE("gains that make no sense", "[signals]") {
+TEST_CASE("gains that make no sense") {
   CHECK(complaint([] {
           (void)pid_control_gen("q", "r", "z", "u", {.proportional = 1, .limit = 0});
         }).find("limit must be positive, got 0") != std::string::npos);

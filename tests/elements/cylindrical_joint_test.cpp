@@ -36,8 +36,7 @@ kte_map_chain with_arm(kte_map_chain c) {
 
 }  // namespace
 
-TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it turns",
-          "[elements][cylindrical_joint]") {
+TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it turns", "[laws]") {
   kte_map_chain texts, other;
   texts << cylindrical_joint_3D("turn", "slide", "ground", "sleeve", oblique);
   other << inertia_gen("turn", 0.0)  // first in the order of coordinates
@@ -48,7 +47,7 @@ TEST_CASE("a cylindrical joint is the same by keys, by texts, and slid before it
   CHECK(record_of(with_arm(texts)) == record_of(arm));
 }
 
-TEST_CASE("a sleeve on a shaft that stands elsewhere", "[elements][cylindrical_joint]") {
+TEST_CASE("a sleeve on a shaft that stands elsewhere") {
   constexpr auto placed =
       chain(cylindrical_joint_3D(turn, slide, ground, sleeve, oblique).at(along_y(0.5), quarter_turn_x),
             inertia_3D(sleeve, brick), revolute_joint_3D(p, sleeve, hand, axis::y), inertia_3D(hand, brick))
@@ -62,7 +61,7 @@ TEST_CASE("a sleeve on a shaft that stands elsewhere", "[elements][cylindrical_j
   CHECK(record_of(models::registered(record_of(placed))) == record_of(placed));
 }
 
-TEST_CASE("a sleeve on a shaft", "[elements][cylindrical_joint]") {
+TEST_CASE("a sleeve on a shaft") {
   constexpr auto c = chain(cylindrical_joint_3D(turn, slide, ground, sleeve, axis::x),
                            inertia_3D(sleeve, rigid_body{2.0, along_x(0.25), diagonal(0.5, 0.3, 0.3)}));
   const std::array q{0.7, -1.5};
@@ -80,7 +79,7 @@ TEST_CASE("a sleeve on a shaft", "[elements][cylindrical_joint]") {
   CHECK(s[inner_of(sleeve)].rotation == s[sleeve].rotation);
 }
 
-TEST_CASE("a cylindrical joint in files is two joints", "[elements][cylindrical_joint]") {
+TEST_CASE("a cylindrical joint in files is two joints") {
   const auto r = record_of(arm);
   CHECK(r.elements[0].type == "revolute_joint_3D");
   CHECK(r.elements[0].connections[2].name == "sleeve.inner");
@@ -91,7 +90,7 @@ TEST_CASE("a cylindrical joint in files is two joints", "[elements][cylindrical_
   CHECK(record_of(from_record(arm, r)) == r);
 }
 
-TEST_CASE("a runtime chain takes a joint of two as a whole, or not", "[elements][cylindrical_joint]") {
+TEST_CASE("a runtime chain takes a joint of two as a whole, or not") {
   kte_map_chain c;
   c << base_3D("ground") << fixed_joint_3D("ground", "taken");
   const auto before = record_of(c);
@@ -105,7 +104,7 @@ TEST_CASE("a runtime chain takes a joint of two as a whole, or not", "[elements]
   CHECK(c.make_state().frame_3D("sleeve.inner").position == vec3{0.0, 0.0, 0.0});
 }
 
-TEST_CASE("a cylindrical joint wants an axis of length 1", "[elements][cylindrical_joint]") {
+TEST_CASE("a cylindrical joint wants an axis of length 1") {
   CHECK(complaint([] {
           cylindrical_joint_3D("turn", "slide", "shaft", "sleeve", vec3{0.0, 0.0, 2.0});
         }) ==

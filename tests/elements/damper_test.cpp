@@ -42,19 +42,19 @@ auto push(double c, double v1, double v2) {
 
 }  // namespace
 
-TEST_CASE("dampers obey the laws", "[elements][damper]") {
+TEST_CASE("dampers obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a damper pulls its anchors to one speed", "[elements][damper]") {
+TEST_CASE("a damper pulls its anchors to one speed") {
   CHECK(push(0.5, 1.0, 5.0) == std::pair{2.0, -2.0});
   CHECK(push(0.5, 5.0, 1.0) == std::pair{-2.0, 2.0});
   CHECK(push(0.5, 3.0, 3.0) == std::pair{0.0, 0.0});
   CHECK(std::isnan(push(0.5, not_a_number, 3.0).second));
 }
 
-TEST_CASE("a damper wants a damping that is not negative", "[elements][damper]") {
+TEST_CASE("a damper wants a damping that is not negative") {
   const std::string where = "kte: damper_gen (anchor1 'hip', anchor2 'knee'): damping must be finite and not negative";
   const auto what = [](double c) { return complaint([&] { damper_gen("hip", "knee", c); }); };
   CHECK(what(-0.5) == where + ", got -0.5");
@@ -67,7 +67,7 @@ TEST_CASE("a damper wants a damping that is not negative", "[elements][damper]")
   CHECK(complaint([] { damper_3D("hip", "knee", 0); }) == "");
 }
 
-TEST_CASE("a damper between frames works along the line through them", "[elements][damper]") {
+TEST_CASE("a damper between frames works along the line through them") {
   auto x = trial_of(damper_2D("a", "b", 0.5), 1);
   x.at<0>() = {.position = {1.0, 1.0}, .velocity = {2.0, 0.0}, .ang_velocity = 7.0};
   x.at<1>() = {.position = {4.0, 5.0}, .rotation = {0.0, 1.0}, .velocity = {0.0, -10.0}};  // (10, 0) in the world
@@ -82,7 +82,7 @@ TEST_CASE("a damper between frames works along the line through them", "[element
   CHECK(x.at<1>().torque == 0.0);
 }
 
-TEST_CASE("a damper does nothing to what moves across its line", "[elements][damper]") {
+TEST_CASE("a damper does nothing to what moves across its line") {
   auto x = trial_of(damper_3D("a", "b", 0.5), 1);
   x.at<0>() = {};
   x.at<1>() = {.position = {0.0, 0.0, 2.0}, .velocity = {3.0, -5.0, 0.0}, .ang_velocity = {1.0, 2.0, 3.0}};
@@ -91,7 +91,7 @@ TEST_CASE("a damper does nothing to what moves across its line", "[elements][dam
   CHECK(x.at<1>().force == vec3<>{});
 }
 
-TEST_CASE("a damper whose ends coincide gives no force, and no NaN", "[elements][damper]") {
+TEST_CASE("a damper whose ends coincide gives no force, and no NaN") {
   auto x = trial_of(damper_3D("a", "b", 0.5), 1);
   x.at<0>().position = x.at<1>().position;
   x.doForce();

@@ -15,7 +15,7 @@ inline constexpr struct cart_  final : frame_2D_key<"cart">   {} cart;
 // clang-format on
 }  // namespace
 
-TEST_CASE("a motor adds its input to a coordinate's force", "[elements][driving_actuator]") {
+TEST_CASE("a motor adds its input to a coordinate's force", "[laws][both]") {
   auto x = trial_of(driving_actuator_gen("q", "motor"), 1);
   x.at<0>().f = 0.5;
   x.at<1>() = 2.25;
@@ -31,7 +31,7 @@ TEST_CASE("a motor adds its input to a coordinate's force", "[elements][driving_
   CHECK(y.at<0>().f == digits50(1) / 3);
 }
 
-TEST_CASE("a motor accelerates a cart", "[elements][driving_actuator]") {
+TEST_CASE("a motor accelerates a cart") {
   constexpr auto c = chain(driving_actuator_gen(q, motor), prismatic_joint_2D(q, base, cart, axis::x),
                            inertia_2D(cart, point_mass(4.0)));
   auto s = make_state(c);

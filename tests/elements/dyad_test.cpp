@@ -34,7 +34,7 @@ kte_map_chain five_bar() {
 
 }  // namespace
 
-TEST_CASE("a five-bar linkage stays closed, and its dynamics agree", "[elements][dyad]") {
+TEST_CASE("a five-bar linkage stays closed, and its dynamics agree", "[laws]") {
   const auto c = five_bar();
   auto s = c.make_state();
   random_numbers draw(1);
@@ -55,7 +55,7 @@ TEST_CASE("a five-bar linkage stays closed, and its dynamics agree", "[elements]
   }
 }
 
-TEST_CASE("two motors move a five-bar linkage, and energy is what they put in", "[elements][dyad]") {
+TEST_CASE("two motors move a five-bar linkage, and energy is what they put in") {
   const auto c = five_bar();
   manipulator_dynamics_model model(c);
   model.input("motor 1") = 1.2, model.input("motor 2") = -0.4;
@@ -72,7 +72,7 @@ TEST_CASE("two motors move a five-bar linkage, and energy is what they put in", 
   CHECK(energy(solver.state()) - before == within(1.2 * moved[0] - 0.4 * moved[1], 1e-12));
 }
 
-TEST_CASE("with its second crank at rest it is a four-bar", "[elements][dyad]") {
+TEST_CASE("with its second crank at rest it is a four-bar") {
   const auto same = [](const auto& q1) {
     const double q2 = 0.7;
     const four_bar_lengths bars{
@@ -87,7 +87,7 @@ TEST_CASE("with its second crank at rest it is a four-bar", "[elements][dyad]") 
   for (const double q : {1.2, 2.0, 2.9}) same(q);
 }
 
-TEST_CASE("a dyad that cannot be closed, that makes no sense, and in files", "[elements][dyad]") {
+TEST_CASE("a dyad that cannot be closed, that makes no sense, and in files") {
   auto short_bars = lengths;
   short_bars.bar1 = 0.01, short_bars.bar2 = 0.02;
   CHECK_THROWS_MATCHES(core::dyad_bar1(short_bars).value(2.0, 1.0), bad_argument,

@@ -7,7 +7,7 @@
 using namespace kte;
 using namespace kte::test;
 
-TEST_CASE("a fixed joint is a rigid link", "[elements][fixed_joint]") {
+TEST_CASE("a fixed joint is a rigid link") {
   const auto same = [](const auto& joint, const auto& link) {
     STATIC_REQUIRE(std::is_same_v<decltype(joint), decltype(link)>);
     CHECK(record_of(joint.core, joint.names) == record_of(link.core, link.names));
@@ -21,7 +21,7 @@ TEST_CASE("a fixed joint is a rigid link", "[elements][fixed_joint]") {
   same(fixed_joint_3D("a", "b", along_z(0.5), quarter_turn_y), rigid_link_3D("a", "b", along_z(0.5), quarter_turn_y));
 }
 
-TEST_CASE("a fixed joint without a place moves its end as its base", "[elements][fixed_joint]") {
+TEST_CASE("a fixed joint without a place moves its end as its base") {
   auto x = trial_of(fixed_joint_3D("a", "b"), 1);
   CHECK(x.output().position == x.at<0>().position);
   CHECK(x.output().rotation == x.at<0>().rotation);
@@ -29,7 +29,7 @@ TEST_CASE("a fixed joint without a place moves its end as its base", "[elements]
   CHECK(x.output().acceleration == x.at<0>().acceleration);
 }
 
-TEST_CASE("a fixed joint wants a finite position", "[elements][fixed_joint]") {
+TEST_CASE("a fixed joint wants a finite position") {
   CHECK(complaint([] { fixed_joint_3D("a", "b", along_x(not_a_number)); }) ==
         "kte: rigid_link_3D (base 'a', end 'b'): position must be finite, got nan");
 }

@@ -106,9 +106,9 @@ bool near_tip(const V& tip, const vec3<>& exact, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("flexible beams obey the laws", "[elements][flexible_beam]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("flexible beams obey the laws") { check_laws<double>(), check_laws<digits50>(); }
 
-TEST_CASE("flexible beams in numbers of fewer and of more digits", "[elements][flexible_beam]") {
+TEST_CASE("flexible beams in numbers of fewer and of more digits") {
   const auto off = []<class S>(const S&) {
     auto x = trial_of<S>(flexible_beam_3D("a", "b", 1.5, solid), 4);
     auto exact = trial_of<digits50>(flexible_beam_3D("a", "b", 1.5, solid), 4);
@@ -121,7 +121,7 @@ TEST_CASE("flexible beams in numbers of fewer and of more digits", "[elements][f
   CHECK(off(1.0L) < 200);
 }
 
-TEST_CASE("small motions of one beam are those of the linear beam", "[elements][flexible_beam]") {
+TEST_CASE("small motions of one beam are those of the linear beam") {
   const double L = 2, P = 1e-6, EI = 3, EI_y = 2, EA = 7, GA = 20, GJ = 1.5;  // what is left out is of P^2
   const auto small = [](double x, double exact) { return std::abs(x - exact) <= 1e-5 * std::abs(exact); };
   auto c = cantilever(1, L, planar_beam_section{.EA = EA, .EI = EI});
@@ -141,7 +141,7 @@ TEST_CASE("small motions of one beam are those of the linear beam", "[elements][
   CHECK(small(2 * q[4], P * L / GJ));  // of the quaternion
 }
 
-TEST_CASE("a cantilever is rolled up by an end moment", "[elements][flexible_beam]") {
+TEST_CASE("a cantilever is rolled up by an end moment") {
   // 2 pi EI/L bends it to a circle, whatever its stiffness along: each of four beams to a quarter.
   const auto c = cantilever(4, 1, planar_beam_section{.EA = 1e4, .EI = 1});
   const auto q = balanced(c, straight(c, 4, 1), 40, [](double share) {
@@ -150,7 +150,7 @@ TEST_CASE("a cantilever is rolled up by an end moment", "[elements][flexible_bea
   CHECK(near_tip(q.tail(3), {0, 0, 2 * pi}, 1e-8));
 }
 
-TEST_CASE("a beam under a force at its end is the elastica", "[elements][flexible_beam]") {
+TEST_CASE("a beam under a force at its end is the elastica") {
   // Bisshopp and Drucker: P = alpha EI/L^2, x/L, y/L by elliptic integrals; inextensible, so within alpha/EA = 1e-4.
   struct point {
     double alpha, x, y;
@@ -185,7 +185,7 @@ double distance(const Eigen::VectorXd& q, const vec3<>& exact) {
 }
 }  // namespace
 
-TEST_CASE("the Princeton beam, in both planes with torsion", "[elements][flexible_beam]") {
+TEST_CASE("the Princeton beam, in both planes with torsion") {
   // A blade of 508 mm with a weight of 13.345 N at 30 degrees: reference by shooting of the exact equations.
   const double h = 12.3777e-3, w = 3.2024e-3, E = 71.7e9, G = E / 2.62, L = 0.508, P = 13.345;
   const double I_y = h * w * w * w / 12, I_z = w * h * h * h / 12;
@@ -207,7 +207,7 @@ TEST_CASE("the Princeton beam, in both planes with torsion", "[elements][flexibl
   CHECK(e[2] < 4e-8);
 }
 
-TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi", "[elements][flexible_beam]") {
+TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi") {
   // An arc of radius 100, 300 at its tip across its plane; reference by shooting.
   const double EI = 1e7 / 12, GA = 1e7 / 2.4;
   const auto e = errors_of_fourth_order([&](int n) {
@@ -229,7 +229,7 @@ TEST_CASE("the bend of 45 degrees of Bathe and Bolourchi", "[elements][flexible_
   CHECK(e[2] < 3e-5);
 }
 
-TEST_CASE("a beam in space that is an arc or a helix rests", "[elements][flexible_beam]") {
+TEST_CASE("a beam in space that is an arc or a helix rests") {
   // p' = R x, R' = R [r_0]x / L
   const auto loads = [](const vec3<>& r_0, double L) {
     auto x = trial_of(flexible_beam_3D("a", "b", L, solid, r_0), 1);
@@ -246,7 +246,7 @@ TEST_CASE("a beam in space that is an arc or a helix rests", "[elements][flexibl
   CHECK(std::log2(whole / half) > 2.8);  // strains of fourth order, of what bends to both sides third: 12 EI/L^2
 }
 
-TEST_CASE("a pushed beam buckles at Euler's load", "[elements][flexible_beam]") {
+TEST_CASE("a pushed beam buckles at Euler's load") {
   // pi^2 EI/(4 L^2) of a cantilever; two beams err by 5e-4.
   const auto c = cantilever(2, 1, planar_beam_section{.EA = 1e6, .EI = 1});
   const auto stiffness = [&](double push) {
@@ -263,7 +263,7 @@ TEST_CASE("a pushed beam buckles at Euler's load", "[elements][flexible_beam]") 
   CHECK(Eigen::LLT<Eigen::MatrixXd>(stiffness(1.001 * critical)).info() != Eigen::Success);
 }
 
-TEST_CASE("a body on a beam keeps its energy", "[elements][flexible_beam]") {
+TEST_CASE("a body on a beam keeps its energy") {
   // clang-format off
   static constexpr struct at_   final : pose_3D_key<"at">    {} at;
   static constexpr struct wall_ final : frame_3D_key<"wall"> {} wall;
@@ -284,7 +284,7 @@ TEST_CASE("a body on a beam keeps its energy", "[elements][flexible_beam]") {
   CHECK(std::abs(after.potential - before.potential) > 0.1);
 }
 
-TEST_CASE("a beam turned round", "[elements][flexible_beam]") {
+TEST_CASE("a beam turned round") {
   const auto loads = [](const mat3<vec3<>>& turn, const vec3<>& place) {
     auto x = trial_of(flexible_beam_3D("a", "b", 2.0, solid), 1);
     x.at<0>() = {}, x.at<1>() = {.position = place, .rotation = turn};
@@ -312,7 +312,7 @@ TEST_CASE("a beam turned round", "[elements][flexible_beam]") {
   CHECK(std::isnan(loads(turn, {not_a_number, 0, 0})[1].torque.y));
 }
 
-TEST_CASE("flexible beams are saved and loaded, and reject what makes no sense", "[elements][flexible_beam]") {
+TEST_CASE("flexible beams are saved and loaded, and reject what makes no sense") {
   kte_map_chain c;
   c << base_2D("a") << base_2D("b") << flexible_beam_2D("a", "b", 1.5, flat, 0.1) << base_3D("c") << base_3D("d")
     << flexible_beam_3D("c", "d", 1.5, solid, vec3{0.1, 0.2, 0.3});
@@ -327,7 +327,7 @@ TEST_CASE("flexible beams are saved and loaded, and reject what makes no sense",
   CHECK(what(1, {.EA = 1, .EI = -2}) == where + "stiffnesses of the section must be finite and not negative, got -2");
 }
 
-TEST_CASE("a flexible beam of which the ends stand in one place is named", "[elements][flexible_beam]") {
+TEST_CASE("a flexible beam of which the ends stand in one place is named") {
   auto e = trial_of(flexible_beam_3D("a", "b", 1.0, solid), 1);
   e.at<0>() = {}, e.at<1>() = {};
   CHECK_THROWS_MATCHES(e.doForce(), bad_argument, says("flexible_beam_3D: its ends stand in one place"));

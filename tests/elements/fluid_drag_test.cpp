@@ -36,9 +36,9 @@ void check_laws() {
 }
 }  // namespace
 
-TEST_CASE("drag obeys the laws", "[elements][fluid_drag]") { check_laws<double>(), check_laws<digits50>(); }
+TEST_CASE("drag obeys the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
 
-TEST_CASE("drag by its formula", "[elements][fluid_drag]") {
+TEST_CASE("drag by its formula") {
   const auto force = [](const vec2<>& v, auto... numbers) {
     auto x = trial_of(fluid_drag_2D("a", numbers...), 1);
     x.template at<0>() = {.rotation = {0, 1}, .velocity = v};  // a quarter turn
@@ -55,7 +55,7 @@ TEST_CASE("drag by its formula", "[elements][fluid_drag]") {
   CHECK(std::isnan(force({not_a_number, 0}, 2.0).x));
 }
 
-TEST_CASE("a body falls through the air at its terminal speed in the end", "[elements][fluid_drag]") {
+TEST_CASE("a body falls through the air at its terminal speed in the end") {
   // v = v_t tanh(g t/v_t), v_t^2 = m g/c;  fallen v_t^2/g ln cosh(g t/v_t)
   constexpr double m = 3, c = 0.02, g = 9.81, t = 5;
   const auto fall =
@@ -70,7 +70,7 @@ TEST_CASE("a body falls through the air at its terminal speed in the end", "[ele
   CHECK(solver.state()[0] == within(-v_t * v_t / g * std::log(std::cosh(g * t / v_t)), 1e-9));
 }
 
-TEST_CASE("drag is saved and loaded, and rejects what makes no sense", "[elements][fluid_drag]") {
+TEST_CASE("drag is saved and loaded, and rejects what makes no sense") {
   kte_map_chain chain;
   chain << base_2D("a") << fluid_drag_2D("a", 1.0, 2.0, vec2{3.0, 4.0}) << base_3D("b") << fluid_drag_3D("b", 5.0);
   CHECK(record_of(models::registered(record_of(chain))) == record_of(chain));

@@ -17,7 +17,7 @@ const auto tether = [](const auto& x) {
 };
 }  // namespace
 
-TEST_CASE("forces by functions are what these say", "[elements][force_law]") {
+TEST_CASE("forces by functions are what these say", "[laws]") {
   auto c = trial_of(force_law_gen("q", spring_law), 1);
   c.at<0>() = {.q = 2, .q_dot = 4};
   c.doForce();
@@ -39,7 +39,7 @@ TEST_CASE("forces by functions are what these say", "[elements][force_law]") {
             [](const auto& x) { return dot(x.position, x.position); }) <= 10 * by_differences<digits50>);
 }
 
-TEST_CASE("forces by functions act in static and in runtime chains, with derivatives", "[elements][force_law]") {
+TEST_CASE("forces by functions act in static and in runtime chains, with derivatives") {
   // clang-format off
   static constexpr struct q_    final : coord_key<"q">       {} q;
   static constexpr struct base_ final : frame_3D_key<"base"> {} base;

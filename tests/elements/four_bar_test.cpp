@@ -45,7 +45,7 @@ double gap(const runtime_state& s, const char* a, const char* b) {
 
 }  // namespace
 
-TEST_CASE("Andrews' squeezer of four-bars") {
+TEST_CASE("Andrews' squeezer of four-bars", "[laws]") {
   const auto k = squeezer();
   manipulator_dynamics_model model(k);
   model.input("motor") = 0.033;

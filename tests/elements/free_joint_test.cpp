@@ -47,12 +47,12 @@ frame_3D<> in_space(const frame_2D<>& x) {
 
 }  // namespace
 
-TEST_CASE("free joints obey the laws", "[elements][free_joint]") {
+TEST_CASE("free joints obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a free joint moves its end as its coordinate says", "[elements][free_joint]") {
+TEST_CASE("a free joint moves its end as its coordinate says") {
   auto x = trial_of(free_joint_3D("X", "base", "end"), 1);
   x.at<1>() = {};  // a base at rest
   x.at<0>() = {.position = {1.0, 2.0, 3.0},
@@ -71,7 +71,7 @@ TEST_CASE("a free joint moves its end as its coordinate says", "[elements][free_
   CHECK(e.ang_acceleration == vec3{7.0, -3.0, 5.0});
 }
 
-TEST_CASE("the force on a pose is that of virtual power on each axis", "[elements][free_joint]") {
+TEST_CASE("the force on a pose is that of virtual power on each axis") {
   // Each axis is one of the end: f is the wrench on the end, number by number, wherever the base is.
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto x = trial_of(free_joint_3D("X", "base", "end"), seed);
@@ -87,7 +87,7 @@ TEST_CASE("the force on a pose is that of virtual power on each axis", "[element
   }
 }
 
-TEST_CASE("loads on a pose add up, and are cleared", "[elements][free_joint]") {
+TEST_CASE("loads on a pose add up, and are cleared") {
   auto x = trial_of(free_joint_3D("X", "base", "end"), 1);
   x.output().force = {1.0, -2.0, 0.5}, x.output().torque = {0.25, 3.0, -1.0};
   x.doForce(), x.doForce();
@@ -102,7 +102,7 @@ TEST_CASE("loads on a pose add up, and are cleared", "[elements][free_joint]") {
   CHECK(p.torque == 0.0);
 }
 
-TEST_CASE("a free joint in the plane is one in space about z", "[elements][free_joint]") {
+TEST_CASE("a free joint in the plane is one in space about z") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto x = trial_of(free_joint_2D("X", "base", "end"), seed);
     auto y = trial_of(free_joint_3D("X", "base", "end"), seed);
@@ -126,7 +126,7 @@ TEST_CASE("a free joint in the plane is one in space about z", "[elements][free_
   }
 }
 
-TEST_CASE("the length of the quaternion of a pose does not matter", "[elements][free_joint]") {
+TEST_CASE("the length of the quaternion of a pose does not matter") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto x = trial_of(free_joint_3D("X", "base", "end"), seed);
     for (const double s : {-1.0, 1.5, 1e-100, 1e100}) {
@@ -139,7 +139,7 @@ TEST_CASE("the length of the quaternion of a pose does not matter", "[elements][
   }
 }
 
-TEST_CASE("a free joint keeps NaN", "[elements][free_joint]") {
+TEST_CASE("a free joint keeps NaN") {
   auto x = trial_of(free_joint_3D("X", "base", "end"), 3);
   x.at<0>().rotation.y = not_a_number;
   x.doMotion();
@@ -150,7 +150,7 @@ TEST_CASE("a free joint keeps NaN", "[elements][free_joint]") {
   CHECK(std::isnan(y.output().rotation.cos));
 }
 
-TEST_CASE("a free joint in a runtime chain wants names of its kinds", "[elements][free_joint]") {
+TEST_CASE("a free joint in a runtime chain wants names of its kinds") {
   kte_map_chain c;
   c << revolute_joint_3D("q", "ground", "arm") << base_2D("table");
   const auto fails = [&c](const auto& e, const std::string& what) {
@@ -177,7 +177,7 @@ TEST_CASE("a free joint in a runtime chain wants names of its kinds", "[elements
   CHECK_THROWS_WITH(s.pose_3D("Y"), "kte: this chain has no 3D pose 'Y' (there are 'X')");
 }
 
-TEST_CASE("free joints go to records and back", "[elements][free_joint]") {
+TEST_CASE("free joints go to records and back") {
   constexpr auto in_plane = chain(free_joint_2D(puck, table, disc), inertia_2D(disc, planar_body(2.0, 0.5)));
   constexpr auto solid = chain(free_joint_3D(trunk, ground, body), inertia_3D(body, point_mass(2.0, along_x(0.25))));
   const auto check = [](const auto& c, const std::string& type) {

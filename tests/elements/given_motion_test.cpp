@@ -6,7 +6,7 @@ using namespace kte::test::signals;
 
 // Frames and coordinates that move as signals say.
 
-TEST_CASE("a frame that turns as signals say: closed form, and power", "[signals]") {
+TEST_CASE("a frame that turns as signals say: closed form, and power") {
   auto x = trial_of<digits50>(rotation_control_3D("r", "w", "al", "base", "end"), 1);
   const vec3<digits50> n{digits50("0.6"), 0, digits50("0.8")};
   const auto at = [&](const digits50& t) {  // about n by 4 t + t^2, the base at rest
@@ -60,7 +60,7 @@ TEST_CASE("a frame that turns as signals say: closed form, and power", "[signals
   CHECK(flat.output().rotation.sin == within(hinge.output().rotation.sin, rounding<double>));
 }
 
-TEST_CASE("a coordinate at a given rate is one at a given position", "[signals]") {
+TEST_CASE("a coordinate at a given rate is one at a given position") {
   const auto on = [](const auto& name, const auto& to, const auto& control) {
     return to(control, revolute_joint_3D(name(q), name(ground), name(arm), axis::y), inertia_3D(name(arm), body),
               prismatic_joint_3D(name(lift), name(arm), name(tool), axis::x), inertia_3D(name(tool), body));
@@ -82,7 +82,7 @@ TEST_CASE("a coordinate at a given rate is one at a given position", "[signals]"
         1e-14);
 }
 
-TEST_CASE("frames at given rates", "[signals]") {
+TEST_CASE("frames at given rates") {
   // where their internal states put them they move as if signals had
   auto by_rate = trial_of(velocity_control_3D("v", "a", "x", "y", "z", "base", "end"), 3);
   auto by_position = trial_of(position_control_3D("p", "v", "a", "base", "end"), 4);
@@ -126,7 +126,7 @@ TEST_CASE("frames at given rates", "[signals]") {
   CHECK(abs(norm_rate) < digits50("1e-48"));
 }
 
-TEST_CASE("a top on a frame that turns: static and at run time, and half a turn by integration", "[signals]") {
+TEST_CASE("a top on a frame that turns: static and at run time, and half a turn by integration") {
   const auto all = [](const auto& name, const auto& to) {
     return to(ang_velocity_control_3D(name(w), name(al), name(part_e), name(part_x), name(part_y), name(part_z),
                                       name(ground), name(table)),

@@ -76,12 +76,12 @@ S off_dalembert(const Element& e, const std::vector<particle<S>>& particles, uns
 
 }  // namespace
 
-TEST_CASE("the mass of an inertia is that of its force", "[elements][inertia]") {
+TEST_CASE("the mass of an inertia is that of its force", "[laws][both]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("an inertia resists as its particles do", "[elements][inertia]") {
+TEST_CASE("an inertia resists as its particles do") {
   using S = digits50;
   random_numbers draw(2);
   for (unsigned seed = 1; seed <= 10; ++seed) {
@@ -99,7 +99,7 @@ TEST_CASE("an inertia resists as its particles do", "[elements][inertia]") {
   }
 }
 
-TEST_CASE("Euler's equations: a body that spins freely needs no torque", "[elements][inertia]") {
+TEST_CASE("Euler's equations: a body that spins freely needs no torque") {
   // I al = -w x (I w), principal axes.
   const vec3 w{0.5, -2.0, 1.5};
   const double A = 0.75, B = 0.5, C = 1.0;
@@ -111,7 +111,7 @@ TEST_CASE("Euler's equations: a body that spins freely needs no torque", "[eleme
   CHECK(x.at<0>().force == vec3{0.0, 0.0, 0.0});
 }
 
-TEST_CASE("a mass off the axis pulls outwards", "[elements][inertia]") {
+TEST_CASE("a mass off the axis pulls outwards") {
   auto x = trial_of(inertia_3D("frame", point_mass(3.0, vec3{0.5, zero, 0.25})), 1);
   x.at<0>() = {.ang_velocity = {0.0, 0.0, 4.0}};
   x.doForce();
@@ -123,14 +123,14 @@ TEST_CASE("a mass off the axis pulls outwards", "[elements][inertia]") {
   CHECK(x.at<0>().torque == vec3{0.25 * 28.5, 0.0, -0.5 * 28.5});
 }
 
-TEST_CASE("an inertia keeps NaN", "[elements][inertia]") {
+TEST_CASE("an inertia keeps NaN") {
   auto x = trial_of(inertia_2D("frame", planar_body(1, 1)), 1);
   x.at<0>().acceleration.x = not_a_number;
   x.doForce();
   CHECK(std::isnan(x.at<0>().force.x));
 }
 
-TEST_CASE("an inertia wants a physical body", "[elements][inertia]") {
+TEST_CASE("an inertia wants a physical body") {
   const std::string where = "kte: inertia_3D (frame 'forearm'): ";
   const auto what = [](const auto& body) { return complaint([&] { inertia_3D("forearm", body); }); };
   const auto with = [&](const sym3<>& i) { return what(rigid_body{1.0, zero3{}, i}); };
@@ -175,7 +175,7 @@ TEST_CASE("an inertia wants a physical body", "[elements][inertia]") {
         "kte: inertia_gen (coordinate 'rotor'): mass must be finite and not negative, got nan");
 }
 
-TEST_CASE("a body as it was published", "[elements][inertia]") {
+TEST_CASE("a body as it was published") {
   // The frame of a published robot's upper arm, 2 % above the triangle inequality: only by name.
   const rigid_body arm{1.42, vec3{0.03, -0.01, 0.04}, sym3{0.00191, 0.0, 0.0, 0.00846, 0.0, 0.01059}};
   CHECK(complaint([&] { inertia_3D("arm", arm); }).find("0.01059 is above 0.00846 + 0.00191") != std::string::npos);
@@ -194,7 +194,7 @@ TEST_CASE("a body as it was published", "[elements][inertia]") {
         where + "inertia must be finite, got nan");
 }
 
-TEST_CASE("an inertia is physical to the digits of the body about its frame", "[elements][inertia]") {
+TEST_CASE("an inertia is physical to the digits of the body about its frame") {
   // Bodies that were lumped into one: what is left about the centre of mass is rounding of m |c|^2.
   const auto what = [](const auto& body) { return complaint([&] { inertia_3D("lump", body); }); };
   CHECK(what(rigid_body{0.5, vec3{0.1, 0.0, -0.2}, sym3{3e-18, 1e-18, 0.0, -1e-18, 0.0, 8e-18}}) == "");

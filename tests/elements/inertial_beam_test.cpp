@@ -16,7 +16,7 @@
 
 using namespace kte;
 
-TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends") {
+TEST_CASE("a beam with a consistent mass moves as a rigid bar between stiff ends", "[laws]") {
   // a bar of 3 kg and 0.8 m on a hinge: m L^2/3, half of its weight on the tip
   kte_map_chain c;
   c << revolute_joint_3D("q", "ground", "root", axis::y) << rigid_link_3D("root", "tip", along_x(0.8))
@@ -193,7 +193,7 @@ TEST_CASE("frequencies of a beam that turns, which its pull makes stiffer") {
   CHECK(order(error(w4[0], first), error(w8[0], first)) == within(4, 0.4));
 }
 
-TEST_CASE("the spin-up of Kane, Ryan and Banerjee") {
+TEST_CASE("the spin-up of Kane, Ryan and Banerjee", "[long]") {
   // EA = 2.8e7, EI = 1.4e4, 1.2 kg/m, 10 m, from rest to 6 rad/s in 15 s (Simo and Vu-Quoc, J. Appl. Mech. 53 (1986)),
   // by the trapezoidal rule; the tip lags most by 0.573787 (16 beams, RK4 of 9e-5 s), linear masses err
   // by 1.8e-3.
@@ -237,7 +237,7 @@ TEST_CASE("the spin-up of Kane, Ryan and Banerjee") {
   CHECK(most == within(-0.573787, 2e-4));
 }
 
-TEST_CASE("a beam that swings and bends keeps its energy") {
+TEST_CASE("a beam that swings and bends keeps its energy", "[long]") {
   kte_map_chain c;
   const beam_section section{.EA = 200, .EI_y = 0.5, .EI_z = 1, .GJ = 0.4, .GA_y = 100, .GA_z = 80};
   const auto J = diagonal(0.02, 0.005, 0.005);

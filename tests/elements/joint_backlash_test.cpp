@@ -41,7 +41,7 @@ void check_laws() {
 }
 }  // namespace
 
-TEST_CASE("teeth with play push where they touch, and never pull", "[elements][joint_backlash]") {
+TEST_CASE("teeth with play push where they touch, and never pull", "[laws]") {
   check_laws<double>(), check_laws<digits50>();
   CHECK(push(0.25, 5) == std::pair{0.0, 0.0});  // within
   CHECK(push(-0.125, -5) == std::pair{0.0, 0.0});
@@ -55,7 +55,7 @@ TEST_CASE("teeth with play push where they touch, and never pull", "[elements][j
   CHECK(std::isnan(push(0.5, not_a_number).second));
 }
 
-TEST_CASE("the energy of teeth with play, and where they touch", "[elements][joint_backlash]") {
+TEST_CASE("the energy of teeth with play, and where they touch") {
   const gen_coord<> still{};
   const auto energy = [&](double x) {
     return joint_backlash_gen("a", "b", 0.5, 8.0, 2.0).core.potential_energy(still, gen_coord<>{.q = x});
@@ -74,7 +74,7 @@ TEST_CASE("the energy of teeth with play, and where they touch", "[elements][joi
   CHECK(switching(0.0, -0.125) == -0.125);
 }
 
-TEST_CASE("a mass flies to and fro in the play of a joint, and its touches are events", "[elements][joint_backlash]") {
+TEST_CASE("a mass flies to and fro in the play of a joint, and its touches are events") {
   constexpr double gap = 0.5, k = 400, mass = 1, v = 2;
   const auto c = chain(base_gen(wall), prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(mass)),
                        joint_backlash_gen(wall, q, gap, k, 0.0));
@@ -91,7 +91,7 @@ TEST_CASE("a mass flies to and fro in the play of a joint, and its touches are e
   }
 }
 
-TEST_CASE("play is saved and loaded, and rejects what makes no sense", "[elements][joint_backlash]") {
+TEST_CASE("play is saved and loaded, and rejects what makes no sense") {
   kte_map_chain c;
   c << base_gen("wall") << prismatic_joint_2D("q", "base", "cart", axis::x)
     << joint_backlash_gen("wall", "q", 0.01, 1e4, 3.0);
@@ -105,7 +105,7 @@ TEST_CASE("play is saved and loaded, and rejects what makes no sense", "[element
   CHECK(what(1, 1, not_a_number).starts_with(where + "damping must be finite and not negative"));
 }
 
-TEST_CASE("teeth with damping touch and part at events, and never pull", "[elements][joint_backlash]") {
+TEST_CASE("teeth with damping touch and part at events, and never pull") {
   // 1 kg at 2 m/s in play of 0.5 m; teeth of k = 400 N/m, c = 10 Ns/m: d = v/w exp(-5 t) sin(w t) until d'' = 0
   constexpr double gap = 0.5, k = 400, gamma = 5;
   const double w = std::sqrt(k - gamma * gamma), phase = std::atan2(2 * gamma * w, gamma * gamma - w * w);
@@ -147,7 +147,7 @@ TEST_CASE("teeth with damping touch and part at events, and never pull", "[eleme
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
 }
 
-TEST_CASE("teeth that lag are pressed again; without play the others touch at once", "[elements][joint_backlash]") {
+TEST_CASE("teeth that lag are pressed again; without play the others touch at once") {
   const auto core = joint_backlash_mode_gen("a", "b", "mode", 0.5, 8.0, 2.0).core;
   const auto tight = joint_backlash_mode_gen("a", "b", "mode", 0.0, 8.0, 2.0).core;
   const gen_coord<> still{};

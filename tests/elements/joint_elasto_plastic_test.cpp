@@ -73,7 +73,7 @@ Eigen::Vector3d pushed_to_and_fro(const Friction& friction) {
 
 }  // namespace
 
-TEST_CASE("elasto-plastic friction is as in the paper", "[elements][joint_elasto_plastic]") {
+TEST_CASE("elasto-plastic friction is as in the paper", "[laws]") {
   random_numbers draw(1);
   for (int i = 0; i < 40; ++i) {
     const double v = draw(0.003), z = draw(1.5e-5);
@@ -102,7 +102,7 @@ TEST_CASE("elasto-plastic friction is as in the paper", "[elements][joint_elasto
   CHECK(std::isnan(answer_to(1e-3, not_a_number).z_dot));
 }
 
-TEST_CASE("under a swinging load it stays where LuGre friction creeps", "[elements][joint_elasto_plastic]") {
+TEST_CASE("under a swinging load it stays where LuGre friction creeps") {
   const auto x = pushed_to_and_fro(joint_elasto_plastic_gen(q, bristles, dry));
   CHECK(x[0] == within(x[2], 1e-12));  // the bristles have bent with it
   CHECK(std::abs(x[0]) < 7e-6);
@@ -111,8 +111,7 @@ TEST_CASE("under a swinging load it stays where LuGre friction creeps", "[elemen
   CHECK(y[0] > 8e-6);
 }
 
-TEST_CASE("the Jacobian of a model with elasto-plastic friction knows its bristles",
-          "[elements][joint_elasto_plastic]") {
+TEST_CASE("the Jacobian of a model with elasto-plastic friction knows its bristles") {
   manipulator_dynamics_model model(chain(inertia_gen(q, 1.0), joint_elasto_plastic_gen(q, bristles, dry)));
   const Eigen::Vector3d x(0.1, 5e-4, 1e-5);
   const auto j = model.jacobian(0.0, x);
@@ -124,8 +123,7 @@ TEST_CASE("the Jacobian of a model with elasto-plastic friction knows its bristl
   }
 }
 
-TEST_CASE("elasto-plastic friction is saved and loaded, and rejects what makes no sense",
-          "[elements][joint_elasto_plastic]") {
+TEST_CASE("elasto-plastic friction is saved and loaded, and rejects what makes no sense") {
   const auto saved = record_of(chain(inertia_gen(q, 1.0), joint_elasto_plastic_gen(q, bristles, dry)));
   CHECK(record_of(models::registered(saved)) == saved);
   const auto what = [](auto member, double x) {

@@ -36,7 +36,7 @@ S by_formula(const friction_parameters& p, const S& v) {
 
 }  // namespace
 
-TEST_CASE("smooth friction is as its formula says", "[elements][joint_friction]") {
+TEST_CASE("smooth friction is as its formula says", "[laws]") {
   random_numbers draw(1);
   CHECK(testing::no_work_done<double>(joint_friction_gen("q", dry), draw) == 0);
   for (int i = 0; i < 20; ++i) {
@@ -54,7 +54,7 @@ TEST_CASE("smooth friction is as its formula says", "[elements][joint_friction]"
   CHECK(std::isnan(force(dry, not_a_number)));
 }
 
-TEST_CASE("smooth friction has its derivative at rest too", "[elements][joint_friction]") {
+TEST_CASE("smooth friction has its derivative at rest too") {
   const auto c = chain(inertia_gen(q, 2.0), joint_friction_gen(q, dry));
   const auto slope = [&](double v) {
     return inverse_dynamics_derivatives(c, std::array{0.0}, std::array{v}, std::array{0.0}).by_v(0, 0);
@@ -65,7 +65,7 @@ TEST_CASE("smooth friction has its derivative at rest too", "[elements][joint_fr
   CHECK(slope(0.002) == within_relative((force(dry, 0.002 - h) - force(dry, 0.002 + h)) / (2 * h), 1e-5));
 }
 
-TEST_CASE("damping and a spring of one coordinate need no base", "[elements][joint_friction]") {
+TEST_CASE("damping and a spring of one coordinate need no base") {
   random_numbers draw(2);
   CHECK(testing::no_work_done<double>(joint_damping_gen("q", 0.5), draw) == 0);
   auto x = trial_of(joint_stiffness_gen("q", 8.0, 0.25), 1);
@@ -81,7 +81,7 @@ TEST_CASE("damping and a spring of one coordinate need no base", "[elements][joi
   CHECK(potential_energy(c, at) == 4);
 }
 
-TEST_CASE("dry friction stops a sliding mass where it should", "[elements][joint_friction]") {
+TEST_CASE("dry friction stops a sliding mass where it should") {
   // v = v_0 - F t/m until it stands, after m v_0^2/(2 F); the smooth law slides on by up to v0 m/F ln(v_0/v0).
   constexpr double m = 2, F = 1, v_0 = 0.5, soft = 1e-4;
   const auto c = chain(inertia_gen(q, m), joint_friction_gen(q, {.coulomb = F, .smoothing_velocity = soft}));
@@ -95,7 +95,7 @@ TEST_CASE("dry friction stops a sliding mass where it should", "[elements][joint
   CHECK(std::abs(solver.state()[1]) < 1e-8);
 }
 
-TEST_CASE("smooth friction is saved and loaded, and rejects what makes no sense", "[elements][joint_friction]") {
+TEST_CASE("smooth friction is saved and loaded, and rejects what makes no sense") {
   kte_map_chain c;
   c << inertia_gen("q", 1.0) << joint_friction_gen("q", dry) << joint_damping_gen("q", 0.5)
     << joint_stiffness_gen("q", 8.0, 0.25) << joint_friction_gen("q", {.viscous = 0.1});

@@ -39,7 +39,7 @@ void check_laws() {
 }
 }  // namespace
 
-TEST_CASE("stops push back where they touch, and never pull", "[elements][joint_limit]") {
+TEST_CASE("stops push back where they touch, and never pull", "[laws]") {
   check_laws<double>(), check_laws<digits50>();
   CHECK(force(both, 0.25, 5) == 0);  // within
   CHECK(force(both, -0.75, -5) == 0);
@@ -59,7 +59,7 @@ TEST_CASE("stops push back where they touch, and never pull", "[elements][joint_
   CHECK(force(ceiling, -1e300, 0) == 0);
 }
 
-TEST_CASE("the energy of stops, and where they touch", "[elements][joint_limit]") {
+TEST_CASE("the energy of stops, and where they touch") {
   const auto energy = [](double x) { return joint_limit_gen("q", both).core.potential_energy(gen_coord<>{.q = x}); };
   CHECK(energy(1.0) == 1.0);
   CHECK(energy(-2.0) == 4.0);
@@ -78,7 +78,7 @@ TEST_CASE("the energy of stops, and where they touch", "[elements][joint_limit]"
   CHECK(switching({.upper = 0, .stiffness = 8}, 3.0) == -3.0);
 }
 
-TEST_CASE("a ball jumps on a stiff floor, and its touches are events", "[elements][joint_limit]") {
+TEST_CASE("a ball jumps on a stiff floor, and its touches are events") {
   // Thrown up at v = g/2 it falls back in 1 s. On the floor it swings about where it would lie, g/w^2 lower, by the arc
   // from one crossing of the floor to the next.
   constexpr double g = 9.81, v = g / 2, w = 100;
@@ -98,7 +98,7 @@ TEST_CASE("a ball jumps on a stiff floor, and its touches are events", "[element
   }
 }
 
-TEST_CASE("limits are saved and loaded, and reject what makes no sense", "[elements][joint_limit]") {
+TEST_CASE("limits are saved and loaded, and reject what makes no sense") {
   kte_map_chain c;
   c << inertia_gen("q", 1.0) << joint_limit_gen("q", both) << joint_limit_gen("q", {.lower = 0, .stiffness = 1});
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));

@@ -82,7 +82,7 @@ Eigen::Vector3d pushed_in_fixed_steps(double force) {
 
 }  // namespace
 
-TEST_CASE("LuGre friction is as in the paper", "[elements][joint_lugre]") {
+TEST_CASE("LuGre friction is as in the paper", "[laws]") {
   random_numbers draw(1);
   for (int i = 0; i < 20; ++i) {
     const double v = draw(0.003), z = draw(1.5e-5);
@@ -95,7 +95,7 @@ TEST_CASE("LuGre friction is as in the paper", "[elements][joint_lugre]") {
   }
 }
 
-TEST_CASE("sliding steadily, the force is that of Stribeck's curve", "[elements][joint_lugre]") {
+TEST_CASE("sliding steadily, the force is that of Stribeck's curve") {
   for (const double v : {-1.0, -0.002, 0.0005, 0.1}) {
     const double r = v / 0.001, g = 1 + 0.5 * std::exp(-r * r), z = std::copysign(g / 1e5, v);
     const auto x = answer_to(dry, v, z);
@@ -106,7 +106,7 @@ TEST_CASE("sliding steadily, the force is that of Stribeck's curve", "[elements]
   CHECK(answer_to(dry, 0.0, 1e-5).force == -1);  // a spring
 }
 
-TEST_CASE("below stiction a load is held for ever, above it slides", "[elements][joint_lugre]") {
+TEST_CASE("below stiction a load is held for ever, above it slides") {
   const auto held = pushed_by(1.4), sliding = pushed_by(1.6);
   const auto exact = pushed_in_fixed_steps(1.4);
   // 2700 steps err by 1e-12 + 1e-8 |z| at most, of which x moves by 15 times as much: dz/dx = 1 - 1.4/1.5. Then z
@@ -118,7 +118,7 @@ TEST_CASE("below stiction a load is held for ever, above it slides", "[elements]
   CHECK(std::abs(sliding[2]) <= 1.5e-5);
 }
 
-TEST_CASE("derivatives pass through LuGre friction", "[elements][joint_lugre]") {
+TEST_CASE("derivatives pass through LuGre friction") {
   const auto c = chain(prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(1.0)),
                        joint_lugre_gen(q, bristles, dry));
   const std::array x{0.0}, v{0.002}, a{0.0};
@@ -127,13 +127,13 @@ TEST_CASE("derivatives pass through LuGre friction", "[elements][joint_lugre]") 
   CHECK(d.tau[0] == within_relative(0.002 * 316.4, 1e-15));
 }
 
-TEST_CASE("LuGre friction is saved and loaded", "[elements][joint_lugre]") {
+TEST_CASE("LuGre friction is saved and loaded") {
   const auto saved = record_of(cart_on_rail);
   CHECK(record_of(models::registered(saved)) == saved);
   CHECK(record_of(from_record(cart_on_rail, saved)) == saved);
 }
 
-TEST_CASE("LuGre friction rejects what makes no sense", "[elements][joint_lugre]") {
+TEST_CASE("LuGre friction rejects what makes no sense") {
   const auto what = [](auto member, double x) {
     auto p = dry;
     p.*member = x;
@@ -150,7 +150,7 @@ TEST_CASE("LuGre friction rejects what makes no sense", "[elements][joint_lugre]
         where + "stribeck_velocity must be finite and positive, got 0");
 }
 
-TEST_CASE("LuGre friction at rates of any size", "[elements][joint_lugre]") {
+TEST_CASE("LuGre friction at rates of any size") {
   const kte::core::joint_lugre_gen friction{
       {.sigma0 = 1e10, .sigma1 = 0, .sigma2 = 0, .coulomb = 2, .stiction = 3, .stribeck_velocity = 1e-3}};
   using number = kte::dual<double, 1>;
@@ -164,7 +164,7 @@ TEST_CASE("LuGre friction at rates of any size", "[elements][joint_lugre]") {
   }
 }
 
-TEST_CASE("The Jacobian of a model with LuGre friction knows its bristles") {
+TEST_CASE("the Jacobian of a model with LuGre friction knows its bristles") {
   manipulator_dynamics_model model(cart_on_rail);
   model.input(push) = 1.2;
   const Eigen::Vector3d x(0.1, 5e-4, 1e-5);

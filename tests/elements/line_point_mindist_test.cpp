@@ -48,7 +48,7 @@ kte_map_chain tied(const Nearest& nearest) {
 
 }  // namespace
 
-TEST_CASE("nearest points move as they should and hand loads back", "[elements][line_point_mindist]") {
+TEST_CASE("nearest points move as they should and hand loads back", "[laws]") {
   check_laws<double>(), check_laws<digits50>();
   random_numbers draw(2);
   auto x = trial_of(plane_point_mindist_3D("a", "b", vec3<>{2.0 / 7, -3.0 / 7, 6.0 / 7}, vec3<>{0.25, -0.5, 1}), 3);
@@ -58,7 +58,7 @@ TEST_CASE("nearest points move as they should and hand loads back", "[elements][
   CHECK(near(cross(way, vec3<>{2, -3, 6}), vec3<>{}, 1e-14));  // along its normal
 }
 
-TEST_CASE("a spring to the nearest point of a line or plane", "[elements][line_point_mindist]") {
+TEST_CASE("a spring to the nearest point of a line or plane") {
   const vec3<> n{2.0 / 7, -3.0 / 7, 6.0 / 7}, o{0.25, -0.5, 1};
   const bool plane = GENERATE(false, true);
   const auto c = plane ? tied(plane_point_mindist_3D("mass", "nearest", n, o))
@@ -82,7 +82,7 @@ TEST_CASE("a spring to the nearest point of a line or plane", "[elements][line_p
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
 }
 
-TEST_CASE("nearest points reject what is no direction", "[elements][line_point_mindist]") {
+TEST_CASE("nearest points reject what is no direction") {
   CHECK(complaint([] {
           line_point_mindist_3D("a", "b", vec3<>{1, 1, 0}, vec3<>{});
         }).find("tangent must have length 1") != std::string::npos);
@@ -94,8 +94,7 @@ TEST_CASE("nearest points reject what is no direction", "[elements][line_point_m
         }).find("normal must have length 1") != std::string::npos);
 }
 
-TEST_CASE("the nearest point of a line under gravity is accelerated as in the world",
-          "[elements][line_point_mindist]") {
+TEST_CASE("the nearest point of a line under gravity is accelerated as in the world") {
   const bool plane = GENERATE(false, true), turned = GENERATE(false, true);
   kte_map_chain c;
   c.gravity(along_y(-9.75)) << prismatic_joint_3D("x", "ground", "mass", axis::x)
@@ -119,7 +118,7 @@ TEST_CASE("the nearest point of a line under gravity is accelerated as in the wo
   CHECK(near(frame_acceleration(c, s, "mass").linear, vec3<>{2, 0, 0}, 1e-15));
 }
 
-TEST_CASE("frames at nearest points of static chains move as their positions do", "[elements][line_point_mindist]") {
+TEST_CASE("frames at nearest points of static chains move as their positions do") {
   const auto c =
       chain(revolute_joint_3D(x_key, ground, mass, axis::z), inertia_3D(mass, point_mass(2.0)),
             rigid_link_3D(mass, arm, along_x(0.5)), line_point_mindist_3D(arm, foot, axis::x, vec3{0.0, 1.0, 0.0}))
@@ -130,8 +129,7 @@ TEST_CASE("frames at nearest points of static chains move as their positions do"
   CHECK(near(bias_acceleration(c, q, v, foot).linear, vec3<>{-2, 0, 0}, 1e-15));
 }
 
-TEST_CASE("a mass on a nearest point bars what is about masses, not what is about motion",
-          "[elements][line_point_mindist]") {
+TEST_CASE("a mass on a nearest point bars what is about masses, not what is about motion") {
   const auto nearest = line_point_mindist_3D("mass", "nearest", axis::x, vec3<>{0, 0.5, 0});
   const auto plain = tied(nearest);
   auto weighted = tied(nearest);

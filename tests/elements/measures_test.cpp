@@ -6,7 +6,7 @@ using namespace kte::test::signals;
 
 // Measures of frames and coordinates.
 
-TEST_CASE("measures of frames: rates are derivatives of positions, in axes of the world", "[signals]") {
+TEST_CASE("measures of frames: rates are derivatives of positions, in axes of the world") {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     auto x = trial_of<digits50>(velocity_measure_3D("x", "y"), seed);
     const auto place = [&x](const digits50& t) {
@@ -48,7 +48,7 @@ TEST_CASE("measures of frames: rates are derivatives of positions, in axes of th
   CHECK(moves.output() == moves.at<0>().q_dot);
 }
 
-TEST_CASE("no force may depend on an accelerometer", "[signals]") {
+TEST_CASE("no force may depend on an accelerometer") {
   const auto all = [](const auto& name, const auto& to) {
     return to(revolute_joint_3D(name(q), name(ground), name(arm), axis::y), inertia_3D(name(arm), body),
               acceleration_measure_3D(name(arm), name(seen_a)),

@@ -97,7 +97,7 @@ struct followers {
 
 }  // namespace
 
-TEST_CASE("masses of coordinates that follow others are those of all coordinates, folded", "[elements][mimic]") {
+TEST_CASE("masses of coordinates that follow others are those of all coordinates, folded", "[laws]") {
   followers x;
   const vec3 axis{0.6, 0.0, 0.8};
   x.free("a"), x.body(revolute_joint_3D("a", "ground", "A", axis), "A", "A'");
@@ -140,11 +140,11 @@ TEST_CASE("masses of coordinates that follow others are those of all coordinates
   CHECK((m * (answer - v)).norm() < 1e-13 * bias.norm());
 }
 
-TEST_CASE("what follows coordinates keeps power, and moves as its function", "[elements][mimic]") {
+TEST_CASE("what follows coordinates keeps power, and moves as its function") {
   check_laws<double>(), check_laws<digits50>();
 }
 
-TEST_CASE("gears and differentials in equations of motion", "[elements][mimic]") {
+TEST_CASE("gears and differentials in equations of motion") {
   // two shafts of 2 and 3 kg m^2, a cage of 4 at half their sum, a wheel of 5 at -2 times the first
   kte_map_chain c;
   c << inertia_gen("a", 2.0) << inertia_gen("b", 3.0) << differential_gen("a", "b", "cage", 0.5, 0.5)
@@ -164,7 +164,7 @@ TEST_CASE("gears and differentials in equations of motion", "[elements][mimic]")
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
 }
 
-TEST_CASE("a motion given by signals, and measured", "[elements][mimic]") {
+TEST_CASE("a motion given by signals, and measured") {
   kte_map_chain c;
   c << position_control_3D("p", "p'", "p''", "ground", "table") << position_control_gen("u", "v", "a", "q")
     << prismatic_joint_3D("q", "table", "cart", axis::x) << inertia_3D("cart", point_mass(2.0))
@@ -186,7 +186,7 @@ TEST_CASE("a motion given by signals, and measured", "[elements][mimic]") {
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
 }
 
-TEST_CASE("laws that give three numbers drive frames and loads, in both kinds of chain", "[elements][mimic]") {
+TEST_CASE("laws that give three numbers drive frames and loads, in both kinds of chain") {
   // A table that is shaken by three laws, and a load by one, with typed zeros.
   const auto way = [](const auto& t) { return along_x(0.5 * t * t); };
   const auto speed = [](const auto& t) { return vec3{1.0 * t, 0 * t, 0 * t}; };
@@ -215,7 +215,7 @@ TEST_CASE("laws that give three numbers drive frames and loads, in both kinds of
   CHECK(forward_dynamics(fixed, t)[0] == within(6, 1e-15));
 }
 
-TEST_CASE("ratios are numbers, and no file holds functions", "[elements][mimic]") {
+TEST_CASE("ratios are numbers, and no file holds functions") {
   CHECK(complaint([] { mimic_gen("a", "b", infinity); }).find("ratio must be finite") != std::string::npos);
   CHECK(complaint([] { mimic_gen("a", "b", 1.0, not_a_number); }).find("offset must be finite") != std::string::npos);
   CHECK(complaint([] { differential_gen("a", "b", "c", 1.0, infinity); }).find("ratio2 must be finite") !=
@@ -225,7 +225,7 @@ TEST_CASE("ratios are numbers, and no file holds functions", "[elements][mimic]"
   CHECK_THROWS_AS(record_of(c), bad_argument);
 }
 
-TEST_CASE("a coordinate that moves no mass is named, whatever follows it", "[elements][mimic]") {
+TEST_CASE("a coordinate that moves no mass is named, whatever follows it") {
   const auto arm = [] {
     kte_map_chain c;
     c << revolute_joint_3D("q", "ground", "arm", axis::z) << rigid_link_3D("arm", "tip", along_x(0.5))

@@ -40,12 +40,12 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("planar joints obey the laws", "[elements][planar_joint]") {
+TEST_CASE("planar joints obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a planar joint is a free joint in the plane", "[elements][planar_joint]") {
+TEST_CASE("a planar joint is a free joint in the plane") {
   const auto in_space = chain(planar_joint_3D(puck, ground, body), inertia_3D(body, brick),
                               revolute_joint_3D(q, body, hand).at(along_x(0.5)), inertia_3D(hand, brick))
                             .gravity(along_y(-9.81));
@@ -62,7 +62,7 @@ TEST_CASE("a planar joint is a free joint in the plane", "[elements][planar_join
   }
 }
 
-TEST_CASE("a planar joint is two sliding joints and a turning one", "[elements][planar_joint]") {
+TEST_CASE("a planar joint is two sliding joints and a turning one") {
   // Of these p' = R v and p'' = R (a + w x v): with T = diag(R, 1), v_3 = T v and so on.
   kte_map_chain three;
   three.gravity(as<double>(sledge.gravity()))
@@ -85,7 +85,7 @@ TEST_CASE("a planar joint is two sliding joints and a turning one", "[elements][
   }
 }
 
-TEST_CASE("planar joints: static chains, runtime chains, files", "[elements][planar_joint]") {
+TEST_CASE("planar joints: static chains, runtime chains, files") {
   CHECK(difference(sledge, models::registered(record_of(sledge)), hand, 3) < few_ulps);
   const auto placed =
       chain(planar_joint_3D(puck, ground, body).at(along_z(0.5), quarter_turn_x)).gravity(vec3{1.0, 2.0, 3.0});
@@ -99,7 +99,7 @@ TEST_CASE("planar joints: static chains, runtime chains, files", "[elements][pla
   CHECK(record_of(sledge).elements[0].parameters.empty());
 }
 
-TEST_CASE("a body on a plane has the same mass wherever it is", "[elements][planar_joint]") {
+TEST_CASE("a body on a plane has the same mass wherever it is") {
   const auto at_home = mass_matrix(sledge, std::array{0.0, 0.0, 0.0, 0.5});
   const auto runtime = models::registered(record_of(sledge));
   auto s = runtime.make_state();
@@ -111,7 +111,7 @@ TEST_CASE("a body on a plane has the same mass wherever it is", "[elements][plan
     }
 }
 
-TEST_CASE("a planar joint keeps NaN", "[elements][planar_joint]") {
+TEST_CASE("a planar joint keeps NaN") {
   auto x = trial_of(planar_joint_3D("X", "base", "end"), 3);
   x.at<0>().angle = not_a_number;
   x.doMotion();
@@ -121,7 +121,7 @@ TEST_CASE("a planar joint keeps NaN", "[elements][planar_joint]") {
   CHECK(std::isnan(x.output().position.x));
 }
 
-TEST_CASE("a planar joint wants a pose in the plane, and frames in space", "[elements][planar_joint]") {
+TEST_CASE("a planar joint wants a pose in the plane, and frames in space") {
   kte_map_chain c;
   c << free_joint_3D("X", "ground", "body") << base_2D("table");
   CHECK_THROWS_WITH(c << planar_joint_3D("X", "body", "end"),

@@ -54,7 +54,7 @@ bool same(const frame_2D<>& x, const frame_3D<>& y) {
 
 }  // namespace
 
-TEST_CASE("a chain in the plane is the chain in space about z", "[elements][planar]") {
+TEST_CASE("a chain in the plane is the chain in space about z", "[laws]") {
   random_numbers draw(1);
   auto s = make_state(in_plane);
   auto t = make_state(in_space);
@@ -86,7 +86,7 @@ TEST_CASE("a chain in the plane is the chain in space about z", "[elements][plan
   }
 }
 
-TEST_CASE("a joint in the plane is exactly the joint in space about the typed z", "[elements][planar]") {
+TEST_CASE("a joint in the plane is exactly the joint in space about the typed z") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto x = trial_of(revolute_joint_2D("q", "b", "e"), seed);
     auto y = trial_of(revolute_joint_3D("q", "b", "e"), seed);

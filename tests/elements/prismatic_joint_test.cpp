@@ -27,12 +27,12 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("prismatic joints obey the laws", "[elements][prismatic_joint]") {
+TEST_CASE("prismatic joints obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("sliding along a typed axis is sliding along a general axis", "[elements][prismatic_joint]") {
+TEST_CASE("sliding along a typed axis is sliding along a general axis") {
   const auto check = [](const auto& axis) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       auto typed = trial_of(prismatic_joint_3D("q", "b", "e", axis), seed);
@@ -50,7 +50,7 @@ TEST_CASE("sliding along a typed axis is sliding along a general axis", "[elemen
   check(axis::minus_x), check(axis::minus_y), check(axis::minus_z);
 }
 
-TEST_CASE("a slider on a turntable feels Coriolis and centrifugal acceleration", "[elements][prismatic_joint]") {
+TEST_CASE("a slider on a turntable feels Coriolis and centrifugal acceleration") {
   auto x = trial_of(prismatic_joint_2D("q", "b", "e", axis::x), 1);
   x.at<0>() = {.q = 3.0, .q_dot = 5.0, .q_ddot = 0.5};
   x.at<1>() = {.ang_velocity = 2.0};
@@ -59,7 +59,7 @@ TEST_CASE("a slider on a turntable feels Coriolis and centrifugal acceleration",
   CHECK(x.output().acceleration == vec2{0.5 - 12.0, 20.0});
 }
 
-TEST_CASE("a prismatic joint passes the wrench on and takes the force along its axis", "[elements][prismatic_joint]") {
+TEST_CASE("a prismatic joint passes the wrench on and takes the force along its axis") {
   auto x = trial_of(prismatic_joint_3D("q", "b", "e", axis::y), 2);
   x.at<0>().q = 0.5;
   x.doMotion();
@@ -70,14 +70,14 @@ TEST_CASE("a prismatic joint passes the wrench on and takes the force along its 
   CHECK(x.at<1>().torque == vec3{0.25 + 2.0, 3.0, -1.0 - 0.5});  // with 0.5 y x F
 }
 
-TEST_CASE("a prismatic joint keeps NaN", "[elements][prismatic_joint]") {
+TEST_CASE("a prismatic joint keeps NaN") {
   auto x = trial_of(prismatic_joint_3D("q", "b", "e", axis::y), 3);
   x.at<0>().q_dot = not_a_number;
   x.doMotion();
   CHECK(std::isnan(x.output().velocity.y));
 }
 
-TEST_CASE("a prismatic joint wants an axis of length 1", "[elements][prismatic_joint]") {
+TEST_CASE("a prismatic joint wants an axis of length 1") {
   const auto what = [](const auto& axis) { return complaint([&] { prismatic_joint_2D("x", "rail", "cart", axis); }); };
   const std::string where =
       "kte: prismatic_joint_2D (coordinate 'x', base 'rail', end 'cart'): axis must have length 1";

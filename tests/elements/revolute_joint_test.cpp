@@ -34,12 +34,12 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("revolute joints obey the laws", "[elements][revolute_joint]") {
+TEST_CASE("revolute joints obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a joint about a typed axis is one about a general axis", "[elements][revolute_joint]") {
+TEST_CASE("a joint about a typed axis is one about a general axis") {
   const auto check = [](const auto& axis) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       auto typed = trial_of(revolute_joint_3D("q", "b", "e", axis), seed);
@@ -56,7 +56,7 @@ TEST_CASE("a joint about a typed axis is one about a general axis", "[elements][
   check(axis::minus_x), check(axis::minus_y), check(axis::minus_z);
 }
 
-TEST_CASE("a revolute joint turns by the right-hand rule", "[elements][revolute_joint]") {
+TEST_CASE("a revolute joint turns by the right-hand rule") {
   const auto x_axis_after_quarter_turn = [](const auto& axis) {
     return as<double>(core::revolute_joint<kind::frame_3D, std::remove_cvref_t<decltype(axis)>>(axis)
                           .relative(coordinate{1.0, zero, zero, 0.0, 1.0})
@@ -69,7 +69,7 @@ TEST_CASE("a revolute joint turns by the right-hand rule", "[elements][revolute_
   CHECK(x_axis_after_quarter_turn(axis::minus_z) == vec3{2.0, -0.5, 3.0});
 }
 
-TEST_CASE("a revolute joint leaves no torque along its axis to the base but f", "[elements][revolute_joint]") {
+TEST_CASE("a revolute joint leaves no torque along its axis to the base but f") {
   auto x = trial_of(revolute_joint_3D("q", "b", "e", oblique<double>()), 7);
   x.output().force = {1.0, -2.0, 0.5}, x.output().torque = {0.25, 3.0, -1.0};
   x.doForce();
@@ -78,7 +78,7 @@ TEST_CASE("a revolute joint leaves no torque along its axis to the base but f", 
   CHECK(dot(oblique<double>(), x.at<1>().torque) == within(along, rounding<double>));
 }
 
-TEST_CASE("a revolute joint keeps NaN", "[elements][revolute_joint]") {
+TEST_CASE("a revolute joint keeps NaN") {
   auto x = trial_of(revolute_joint_3D("q", "b", "e"), 3);
   x.at<0>().q = std::numeric_limits<double>::quiet_NaN();
   x.doMotion();
@@ -86,7 +86,7 @@ TEST_CASE("a revolute joint keeps NaN", "[elements][revolute_joint]") {
   CHECK(std::isnan(x.output().velocity.x));
 }
 
-TEST_CASE("a revolute joint wants an axis of length 1", "[elements][revolute_joint]") {
+TEST_CASE("a revolute joint wants an axis of length 1") {
   const auto what = [](const vec3<>& axis) {
     return complaint([&] { revolute_joint_3D("elbow angle", "upper arm", "forearm", axis); });
   };

@@ -30,12 +30,12 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("rigid links obey the laws", "[elements][rigid_link]") {
+TEST_CASE("rigid links obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a link by quaternion, by matrix and by typed turns is the same", "[elements][rigid_link]") {
+TEST_CASE("a link by quaternion, by matrix and by typed turns is the same") {
   const vec3 r{0.3, -0.2, 0.7};
   const auto turn = quarter_turn_x * quarter_turn_z;
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -51,7 +51,7 @@ TEST_CASE("a link by quaternion, by matrix and by typed turns is the same", "[el
   }
 }
 
-TEST_CASE("a lever: the force at its end, with its torque, reaches the base", "[elements][rigid_link]") {
+TEST_CASE("a lever: the force at its end, with its torque, reaches the base") {
   auto x = trial_of(rigid_link_2D("a", "b", along_x(2.0), quarter_turn), 1);
   x.output().force = {3.0, 0.0};  // along y of the base
   x.output().torque = 0.5;
@@ -60,7 +60,7 @@ TEST_CASE("a lever: the force at its end, with its torque, reaches the base", "[
   CHECK(x.at<0>().torque == 6.5);
 }
 
-TEST_CASE("a coordinate at a distance follows, and hands its force back", "[elements][rigid_link]") {
+TEST_CASE("a coordinate at a distance follows, and hands its force back") {
   auto x = trial_of(rigid_link_gen("a", "b", 0.25), 1);
   x.at<0>() = {.q = 1.5, .q_dot = -2.0, .q_ddot = 3.0, .f = 10.0};
   x.doMotion();
@@ -72,14 +72,14 @@ TEST_CASE("a coordinate at a distance follows, and hands its force back", "[elem
   CHECK(x.at<0>().f == 17.0);
 }
 
-TEST_CASE("a rigid link keeps NaN", "[elements][rigid_link]") {
+TEST_CASE("a rigid link keeps NaN") {
   auto x = trial_of(rigid_link_3D("a", "b", along_x(1.0)), 1);
   x.at<0>().ang_velocity.z = not_a_number;
   x.doMotion();
   CHECK(std::isnan(x.output().velocity.y));
 }
 
-TEST_CASE("a rigid link wants a finite position and a rotation", "[elements][rigid_link]") {
+TEST_CASE("a rigid link wants a finite position and a rotation") {
   const auto what = [](const auto&... arguments) {
     return complaint([&] { rigid_link_3D("shoulder", "elbow", arguments...); });
   };

@@ -61,7 +61,7 @@ void check_pendulum(const Chain& c, double R) {
 
 }  // namespace
 
-TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[elements][rotor]") {
+TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[laws]") {
   kte_map_chain c;
   c << revolute_joint_3D("p", "ground", "table", axis::z)
     << inertia_3D("table", rigid_body{1.0, zero3{}, sym3{0.2, 0.0, 0.0, 0.2, 0.0, 0.3}}) << inertia_gen("q", 0.5)
@@ -80,7 +80,7 @@ TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[ele
         }).find("axis must have length 1") != std::string::npos);
 }
 
-TEST_CASE("a gyroscope on a turntable tilts", "[elements][rotor]") {
+TEST_CASE("a gyroscope on a turntable tilts") {
   // The table turns at W about z, a gimbal on it tilts about x, a rotor spins in it about y with momentum h: at no tilt
   // the gimbal feels the torque W h about x.
   kte_map_chain c;
@@ -100,14 +100,14 @@ TEST_CASE("a gyroscope on a turntable tilts", "[elements][rotor]") {
   CHECK(s.coordinate("spin").q_ddot == within(0, 1e-14));
 }
 
-TEST_CASE("a pendulum on a bearing with friction by its load", "[elements][dry_revolute_joint]") {
+TEST_CASE("a pendulum on a bearing with friction by its load") {
   // With A = L q'' + g cos q, B = g sin q - L q'^2 and s the sign of q' the bearing carries m (B, A), so that
   // L A = - R s sqrt(A^2 + B^2): A = - R s |B| / sqrt(L^2 - R^2 s^2), and no acceleration fits where R s > L.
   check_pendulum(pendulum(0.05), 0.05);
   check_pendulum(planar_pendulum(0.05), 0.05);
 }
 
-TEST_CASE("a wheel runs down on its bearing", "[elements][dry_revolute_joint]") {
+TEST_CASE("a wheel runs down on its bearing") {
   // Balanced, it loads the bearing by its weight: I q'' = - R m g q' / sqrt(q'^2 + v^2), whatever its angle.
   constexpr double m = 3.0, I = 0.2, R = 0.01;
   kte_map_chain c;
@@ -125,7 +125,7 @@ TEST_CASE("a wheel runs down on its bearing", "[elements][dry_revolute_joint]") 
         "negative, got -0.25");
 }
 
-TEST_CASE("a bearing jams from where accelerations lose half their digits", "[elements][dry_revolute_joint]") {
+TEST_CASE("a bearing jams from where accelerations lose half their digits") {
   // They are as 1 / sqrt(1 - (R s / L)^2), and lose a share 1 / (1 - R s / L) of eps
   const double angle = 0.4, rate = 3.0, s = rate / std::sqrt(rate * rate + smoothing * smoothing);
   const Eigen::Matrix<double, 1, 1> q1(angle), v1(rate), none(0.0);
@@ -144,7 +144,7 @@ TEST_CASE("a bearing jams from where accelerations lose half their digits", "[el
   }
 }
 
-TEST_CASE("a bearing jams where it is larger than its arm", "[elements][dry_revolute_joint]") {
+TEST_CASE("a bearing jams where it is larger than its arm") {
   const auto c = pendulum(0.6);
   const kte_map_chain r = models::registered(record_of(c));
   auto state = r.make_state();

@@ -53,12 +53,12 @@ kte_map_chain geared_arm(const vec3<>& n, double pitch) {
 
 }  // namespace
 
-TEST_CASE("screw joints obey the laws", "[elements][screw_joint]") {
+TEST_CASE("screw joints obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a screw joint is a turning and a sliding joint that follows", "[elements][screw_joint]") {
+TEST_CASE("a screw joint is a turning and a sliding joint that follows") {
   unsigned seed = 0;
   const auto check = [&](const auto& n, double pitch) {
     const auto screw = arm(n, pitch);
@@ -70,7 +70,7 @@ TEST_CASE("a screw joint is a turning and a sliding joint that follows", "[eleme
   check(vec3{2.0 / 3, -1.0 / 3, 2.0 / 3}, -0.7);
 }
 
-TEST_CASE("a turn of a screw", "[elements][screw_joint]") {
+TEST_CASE("a turn of a screw") {
   auto x = trial_of(screw_joint_3D("q", "base", "end", axis::x, 0.25), 1);
   x.at<1>() = {};
   x.at<0>() = {.q = 2.0, .q_dot = 3.0, .q_ddot = -4.0};
@@ -86,7 +86,7 @@ TEST_CASE("a turn of a screw", "[elements][screw_joint]") {
   CHECK(x.at<0>().f == 8.0 * 0.25 + 5.0);  // h F + T along the axis
 }
 
-TEST_CASE("screws of tiny, huge, no and negative pitch", "[elements][screw_joint]") {
+TEST_CASE("screws of tiny, huge, no and negative pitch") {
   // A body of mass m and moment I about the axis, which goes through its centre: a = (u - m g h) / (I + m h^2).
   const auto check = [](double pitch, double inertia) {
     const auto c = chain(screw_joint_3D(q, ground, nut, axis::z, pitch),
@@ -119,7 +119,7 @@ TEST_CASE("screws of tiny, huge, no and negative pitch", "[elements][screw_joint
   CHECK_THROWS_AS(forward_dynamics(c, std::array{0.0}, std::array{0.5}, std::array{3.0}), singular_mass_matrix);
 }
 
-TEST_CASE("screw joints in files", "[elements][screw_joint]") {
+TEST_CASE("screw joints in files") {
   const auto check = [](const auto& c) {
     const auto r = record_of(c);
     CHECK(from_json(to_json(r)) == r);
@@ -135,7 +135,7 @@ TEST_CASE("screw joints in files", "[elements][screw_joint]") {
   check(chain(screw_joint_3D(q, ground, nut, axis::y, 0.25).at(along_z(0.5), quarter_turn_x)));
 }
 
-TEST_CASE("a screw joint keeps NaN", "[elements][screw_joint]") {
+TEST_CASE("a screw joint keeps NaN") {
   auto x = trial_of(screw_joint_3D("q", "base", "end", axis::z, 0.25), 3);
   x.at<0>().q = not_a_number;
   x.doMotion();
@@ -143,7 +143,7 @@ TEST_CASE("a screw joint keeps NaN", "[elements][screw_joint]") {
   CHECK(std::isnan(x.output().position.z));
 }
 
-TEST_CASE("a screw joint wants an axis of length 1 and a finite pitch", "[elements][screw_joint]") {
+TEST_CASE("a screw joint wants an axis of length 1 and a finite pitch") {
   const auto what = [](const vec3<>& n, double pitch) {
     return complaint([&] { screw_joint_3D("turn", "bolt", "nut", n, pitch); });
   };

@@ -26,12 +26,12 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("spherical joints obey the laws", "[elements][spherical_joint]") {
+TEST_CASE("spherical joints obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a spherical joint turns its end as its coordinate says", "[elements][spherical_joint]") {
+TEST_CASE("a spherical joint turns its end as its coordinate says") {
   auto x = trial_of(spherical_joint_3D("X", "base", "end"), 1);
   x.at<1>() = {.position = {1.0, 2.0, 3.0}, .velocity = {4.0, 5.0, 6.0}, .acceleration = {-1.0, -2.0, -3.0}};
   x.at<0>() = {.rotation = {0.5, 0.5, 0.5, 0.5},  // x to y to z to x
@@ -47,7 +47,7 @@ TEST_CASE("a spherical joint turns its end as its coordinate says", "[elements][
   CHECK(e.ang_acceleration == vec3{7.0, -3.0, 5.0});
 }
 
-TEST_CASE("the force on a rotation is that of virtual power on each axis", "[elements][spherical_joint]") {
+TEST_CASE("the force on a rotation is that of virtual power on each axis") {
   // Each axis is one of the end, and so is the torque on it; forces pass to the base.
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto x = trial_of(spherical_joint_3D("X", "base", "end"), seed);
@@ -63,7 +63,7 @@ TEST_CASE("the force on a rotation is that of virtual power on each axis", "[ele
   }
 }
 
-TEST_CASE("a spherical joint that turns about z is a revolute joint", "[elements][spherical_joint]") {
+TEST_CASE("a spherical joint that turns about z is a revolute joint") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto x = trial_of(spherical_joint_3D("X", "base", "end"), seed);
     auto y = trial_of(revolute_joint_3D("q", "base", "end"), seed);
@@ -85,7 +85,7 @@ TEST_CASE("a spherical joint that turns about z is a revolute joint", "[elements
   }
 }
 
-TEST_CASE("the length of a quaternion does not matter", "[elements][spherical_joint]") {
+TEST_CASE("the length of a quaternion does not matter") {
   auto x = trial_of(spherical_joint_3D("X", "base", "end"), 5);
   for (const double s : {-1.0, 1.5, 1e-100, 1e100}) {
     auto y = x;
@@ -101,7 +101,7 @@ TEST_CASE("the length of a quaternion does not matter", "[elements][spherical_jo
   CHECK(std::isnan(x.output().rotation.x.x));
 }
 
-TEST_CASE("a spherical joint in a runtime chain wants names of its kinds", "[elements][spherical_joint]") {
+TEST_CASE("a spherical joint in a runtime chain wants names of its kinds") {
   kte_map_chain c;
   c << revolute_joint_3D("q", "ground", "arm") << base_2D("table");
   const auto fails = [&c](const auto& e, const std::string& what) {
@@ -122,7 +122,7 @@ TEST_CASE("a spherical joint in a runtime chain wants names of its kinds", "[ele
   CHECK_THROWS_AS(s.rotation_3D("Y"), unknown_name);
 }
 
-TEST_CASE("spherical joints go to records and back", "[elements][spherical_joint]") {
+TEST_CASE("spherical joints go to records and back") {
   constexpr auto c = chain(spherical_joint_3D(turn, ground, body), inertia_3D(body, point_mass(2.0, along_x(0.25))));
   const auto r = record_of(c);
   CHECK(r.elements[0].type == "spherical_joint_3D");

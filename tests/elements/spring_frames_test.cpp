@@ -76,12 +76,12 @@ double energy(double distance, Numbers... numbers) {
 
 }  // namespace
 
-TEST_CASE("springs between frames obey the laws", "[elements][spring]") {
+TEST_CASE("springs between frames obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a spring pulls frames together beyond its rest length, and pushes them apart below", "[elements][spring]") {
+TEST_CASE("a spring pulls frames together beyond its rest length, and pushes them apart below") {
   CHECK(pulls_by(30.0, pulled(2.0, 10.0)));
   CHECK(pulls_by(-20.0, pulled(7.0, 10.0)));
   CHECK(pulls_by(0.0, pulled(5.0, 10.0)));
@@ -91,7 +91,7 @@ TEST_CASE("a spring pulls frames together beyond its rest length, and pushes the
   CHECK(pulls_by(0.0, pulled(2.0, zero)));
 }
 
-TEST_CASE("a spring between frames saturates", "[elements][spring]") {
+TEST_CASE("a spring between frames saturates") {
   CHECK(pulls_by(12.0, pulled(2.0, 10.0, 12.0)));
   CHECK(pulls_by(-12.0, pulled(7.0, 10.0, 12.0)));
   CHECK(pulls_by(30.0, pulled(2.0, 10.0, 31.0)));
@@ -102,7 +102,7 @@ TEST_CASE("a spring between frames saturates", "[elements][spring]") {
   CHECK(pulls_by(1.0, pulled(zero, 10.0, one)));
 }
 
-TEST_CASE("where a spring between frames saturates is an event", "[elements][spring]") {
+TEST_CASE("where a spring between frames saturates is an event") {
   const auto below = [](double distance, auto... numbers) {
     const auto at = vec3{0.0, distance, 0.0};
     const double solid = spring_3D("a", "b", numbers...).core.switching(frame_3D<>{}, frame_3D<>{.position = at});
@@ -118,7 +118,7 @@ TEST_CASE("where a spring between frames saturates is an event", "[elements][spr
   CHECK(below(9.0, 0.5, 8.0, 0.0) == 1.0);  // no saturation
 }
 
-TEST_CASE("the energy of a spring between frames", "[elements][spring]") {
+TEST_CASE("the energy of a spring between frames") {
   CHECK(energy(5.0, 2.0, 10.0) == 45.0);
   CHECK(energy(5.0, zero, 10.0) == 125.0);
   CHECK(energy(5.0, 2.0, 10.0, 0.0) == 45.0);
@@ -129,7 +129,7 @@ TEST_CASE("the energy of a spring between frames", "[elements][spring]") {
   CHECK(energy(5.0, 3.0, 0.0, 4.0) == 0.0);
 }
 
-TEST_CASE("a spring whose ends coincide gives no force, and no NaN", "[elements][spring]") {
+TEST_CASE("a spring whose ends coincide gives no force, and no NaN") {
   const auto none = [](const auto& spring) {
     auto x = trial_of(spring, 1);
     x.template at<0>().position = x.template at<1>().position;
@@ -142,7 +142,7 @@ TEST_CASE("a spring whose ends coincide gives no force, and no NaN", "[elements]
   CHECK(none(spring_3D("a", "b", zero, 10.0, 2.0)));
 }
 
-TEST_CASE("nor are derivatives NaN where the ends of a spring coincide", "[elements][spring]") {
+TEST_CASE("nor are derivatives NaN where the ends of a spring coincide") {
   const auto force = [](const auto& spring, double length) {
     frame_3D<sloped> a, b;
     b.position.x = sloped(length, 1);
@@ -164,7 +164,7 @@ TEST_CASE("nor are derivatives NaN where the ends of a spring coincide", "[eleme
   CHECK(energy(spring_3D("a", "b", zero, 8.0, 3.0)) == 0.0);
 }
 
-TEST_CASE("a spring between frames keeps NaN", "[elements][spring]") {
+TEST_CASE("a spring between frames keeps NaN") {
   const auto kept = [](const auto& spring) {
     auto x = trial_of(spring, 1);
     x.template at<0>().position.y = not_a_number;
@@ -177,7 +177,7 @@ TEST_CASE("a spring between frames keeps NaN", "[elements][spring]") {
   CHECK(kept(spring_3D("a", "b", zero, 10.0, 2.0)));
 }
 
-TEST_CASE("springs and dampers between frames of any size", "[elements][spring]") {
+TEST_CASE("springs and dampers between frames of any size") {
   // From the origin to 3 m along x and 4 m along y, times what squares of double cannot hold.
   for (const double size : {1e-200, 1e-155, 1e155, 1e200, 1e300}) {
     CAPTURE(size);
@@ -196,7 +196,7 @@ TEST_CASE("springs and dampers between frames of any size", "[elements][spring]"
   }
 }
 
-TEST_CASE("stiff springs saturate", "[elements][spring]") {
+TEST_CASE("stiff springs saturate") {
   for (const double k : {1e155, 1e200, 1e300}) {
     CAPTURE(k);
     const auto check = [&](const auto& spring, double most) {
@@ -220,7 +220,7 @@ TEST_CASE("stiff springs saturate", "[elements][spring]") {
   }
 }
 
-TEST_CASE("a spring between frames wants finite numbers, and none negative", "[elements][spring]") {
+TEST_CASE("a spring between frames wants finite numbers, and none negative") {
   const std::string where = "kte: spring_3D (anchor1 'wall', anchor2 'hand'): ";
   const auto what = [](auto... numbers) { return complaint([&] { spring_3D("wall", "hand", numbers...); }); };
   CHECK(what(not_a_number, 1.0) == where + "rest length must be finite and not negative, got nan");
@@ -286,13 +286,13 @@ void check_gradient(const E1& e1, const E2& e2) {
 }
 }  // namespace
 
-TEST_CASE("an arm is held against springs by the gradient of their energy", "[elements][spring]") {
+TEST_CASE("an arm is held against springs by the gradient of their energy") {
   check_gradient(spring_3D(hook, hand, 0.25, 8.0), spring_3D(hand, upper, 0.375, 4.0));
   check_gradient(spring_3D(hook, hand, zero, 8.0), spring_3D(hand, upper, 0.25, 16.0, 1.0));
   check_gradient(torsion_spring_3D(hook, hand, 8.0), spring_3D(hand, upper, zero, 16.0, 1.0));
 }
 
-TEST_CASE("what springs and dampers do not read is not computed, what they read is", "[elements][spring]") {
+TEST_CASE("what springs and dampers do not read is not computed, what they read is") {
   // Both frames at rest on the base: positions and rotations are typed.
   constexpr auto c = chain(revolute_joint_3D(q1, base, upper), rigid_link_3D(base, hook, along_z(1)),
                            inertia_3D(upper, point_mass(1.0, along_x(1))), spring_3D(base, hook, 0.5, 8.0),
@@ -301,7 +301,7 @@ TEST_CASE("what springs and dampers do not read is not computed, what they read 
   CHECK(inverse_dynamics(c, std::array{0.5}, std::array{2.0}, std::array{3.0})[0] == 3.0);
 }
 
-TEST_CASE("elements between frames in files", "[elements][spring]") {
+TEST_CASE("elements between frames in files") {
   kte_map_chain c;
   c << base_2D("a") << base_2D("b") << base_3D("x") << base_3D("y") << spring_2D("a", "b", 0.5, 8.0, 1.0)
     << spring_3D("x", "y", zero, 8.0) << damper_2D("a", "b", 0.5) << damper_3D("x", "y", 0.25)

@@ -45,12 +45,12 @@ double pull(const Element& e, double q) {
 
 }  // namespace
 
-TEST_CASE("springs obey the laws", "[elements][spring]") {
+TEST_CASE("springs obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a spring has no jump where its anchors cross", "[elements][spring]") {
+TEST_CASE("a spring has no jump where its anchors cross") {
   const auto spring = spring_gen("a", "b", 0.25, 8.0);
   for (int i = -32; i <= 32; ++i) CHECK(pull(spring, i / 16.0) == 8.0 * (i / 16.0 - 0.25));
   CHECK(pull(spring, 0.0) == -2.0);
@@ -58,7 +58,7 @@ TEST_CASE("a spring has no jump where its anchors cross", "[elements][spring]") 
   CHECK(pull(spring, -1e-300) == -2.0);
 }
 
-TEST_CASE("a spring saturates", "[elements][spring]") {
+TEST_CASE("a spring saturates") {
   const auto spring = spring_gen("a", "b", 0.25, 8.0, 3.0);
   CHECK(pull(spring, 0.5) == 2.0);
   CHECK(pull(spring, 0.625) == 3.0);
@@ -70,7 +70,7 @@ TEST_CASE("a spring saturates", "[elements][spring]") {
   CHECK(pull(spring_gen("a", "b", 0.25, 8.0, 0.0), 100.0) == 798.0);  // no saturation
 }
 
-TEST_CASE("a spring holds energy, beyond saturation as the work of its force", "[elements][spring]") {
+TEST_CASE("a spring holds energy, beyond saturation as the work of its force") {
   const auto energy = [](const auto& spring, double q) {
     return energy_of(spring)(gen_coord<>{.q = 0.0}, gen_coord<>{.q = q});
   };
@@ -88,7 +88,7 @@ TEST_CASE("a spring holds energy, beyond saturation as the work of its force", "
   CHECK(std::isnan(energy(limited, not_a_number)));
 }
 
-TEST_CASE("a spring with typed constants is limited too", "[elements][spring]") {
+TEST_CASE("a spring with typed constants is limited too") {
   CHECK(pull(spring_gen("a", "b", zero, 8.0, one), 7.0) == 1.0);
   const auto core = spring_gen("a", "b", one, one, 0.5).core;
   const coordinate rest{zero, zero, zero, one, zero};
@@ -96,12 +96,12 @@ TEST_CASE("a spring with typed constants is limited too", "[elements][spring]") 
   CHECK(core.potential_energy(rest, rest) == 0.375);  // 0.5 N along 1 m, but for the first half
 }
 
-TEST_CASE("a spring keeps NaN", "[elements][spring]") {
+TEST_CASE("a spring keeps NaN") {
   CHECK(std::isnan(pull(spring_gen("a", "b", 0.25, 8.0), not_a_number)));
   CHECK(std::isnan(pull(spring_gen("a", "b", 0.25, 8.0, 3.0), not_a_number)));
 }
 
-TEST_CASE("a spring wants finite numbers, and none negative", "[elements][spring]") {
+TEST_CASE("a spring wants finite numbers, and none negative") {
   const std::string where = "kte: spring_gen (anchor1 'wall', anchor2 'cart'): ";
   const auto what = [](auto... numbers) { return complaint([&] { spring_gen("wall", "cart", numbers...); }); };
   CHECK(what(not_a_number, 1.0) == where + "rest length must be finite, got nan");

@@ -57,7 +57,7 @@ double acceleration(const Model& model, double angle, double rate, double mode) 
 
 }  // namespace
 
-TEST_CASE("laws of sticking joints", "[elements][sticking_joint]") {
+TEST_CASE("laws of sticking joints") {
   random_numbers draw(1);
   const auto check = [&](const auto& joint, const auto& named) {
     CHECK(testing::motion_is_derivative<double>(joint, draw) <= by_differences<double>);
@@ -75,7 +75,7 @@ TEST_CASE("laws of sticking joints", "[elements][sticking_joint]") {
         sticking_prismatic_joint_3D("q", "m", "a", "b", vec3{0.0, 0.6, 0.8}, {0.1, 0.2}).at(along_x(0.3)));
 }
 
-TEST_CASE("a pendulum on a bearing accelerates by its mode", "[elements][sticking_joint]") {
+TEST_CASE("a pendulum on a bearing accelerates by its mode") {
   // as in rotor_test.cpp, with the friction of the mode instead of that of the rate
   constexpr double mu = 0.5, radius = 0.1, R = mu * radius;
   const auto c = pendulum(radius, {mu, 0.7});
@@ -94,7 +94,7 @@ TEST_CASE("a pendulum on a bearing accelerates by its mode", "[elements][stickin
     }
 }
 
-TEST_CASE("what a bearing carries says how much it holds", "[elements][sticking_joint]") {
+TEST_CASE("what a bearing carries says how much it holds") {
   const auto c = pendulum(0.1, {0.5, 0.7});
   const manipulator_dynamics_model fixed(c);
   const kte_map_chain r = models::registered(record_of(c));
@@ -108,7 +108,7 @@ TEST_CASE("what a bearing carries says how much it holds", "[elements][sticking_
   check(fixed), check(at_run_time);
 }
 
-TEST_CASE("moments press on two bearings", "[elements][sticking_joint]") {
+TEST_CASE("moments press on two bearings") {
   // F across the guide and a moment M: F/2 +- M/L, of which the larger is twice what presses where they differ in sign.
   const double F = 3.0, M = GENERATE(0.0, 0.4, -0.4, 2.5, -2.5), span = 0.5, mu = 0.2;
   kte_map_chain c;
@@ -124,7 +124,7 @@ TEST_CASE("moments press on two bearings", "[elements][sticking_joint]") {
   CHECK(model(0.0, x)[3] == within(expected, 1e-14));
 }
 
-TEST_CASE("static and runtime chains of sticking joints", "[elements][sticking_joint]") {
+TEST_CASE("static and runtime chains of sticking joints") {
   const auto c = slide_on_arm();
   const kte_map_chain r = models::registered(record_of(c));
   CHECK(record_of(r) == record_of(c));
@@ -147,7 +147,7 @@ TEST_CASE("static and runtime chains of sticking joints", "[elements][sticking_j
     }
 }
 
-TEST_CASE("derivatives of models with sticking joints", "[elements][sticking_joint]") {
+TEST_CASE("derivatives of models with sticking joints") {
   const auto c = slide_on_arm();
   const manipulator_dynamics_model fixed(c);
   const kte_map_chain r = models::registered(record_of(c));
@@ -171,7 +171,7 @@ TEST_CASE("derivatives of models with sticking joints", "[elements][sticking_joi
     }
 }
 
-TEST_CASE("a sticking joint that is locked is a link, and has a place", "[elements][sticking_joint]") {
+TEST_CASE("a sticking joint that is locked is a link, and has a place") {
   const auto c = slide_on_arm();
   const kte_map_chain r = models::registered(record_of(c));
   const auto less = reduced(c, std::array{0.3, 0.2}, q);
@@ -186,7 +186,7 @@ TEST_CASE("a sticking joint that is locked is a link, and has a place", "[elemen
   CHECK(of_loose(0.0, x)[1] == within(expected, 1e-13));
 }
 
-TEST_CASE("a bearing larger than its arm jams where it slides, and holds for ever", "[elements][sticking_joint]") {
+TEST_CASE("a bearing larger than its arm jams where it slides, and holds for ever") {
   for (const double R : {L * (1 - 1e-12), L, L * (1 + 1e-12), 0.6}) {
     const auto c = pendulum(1.0, {.friction = R, .static_friction = 0.7});
     const manipulator_dynamics_model fixed(c);
@@ -202,7 +202,7 @@ TEST_CASE("a bearing larger than its arm jams where it slides, and holds for eve
   }
 }
 
-TEST_CASE("parameters of sticking joints", "[elements][sticking_joint]") {
+TEST_CASE("parameters of sticking joints") {
   const auto bearing = [](double radius, const dry_friction_parameters& p) {
     return complaint([&] { sticking_revolute_joint_2D("q", "m", "a", "b", radius, p); });
   };

@@ -45,12 +45,9 @@ double pull(const Spring& spring, double x) {
 
 }  // namespace
 
-TEST_CASE("springs by laws and tables obey the laws", "[elements][table_spring]") {
-  check_laws<double>(), check_laws<digits50>();
-}
+TEST_CASE("springs by laws and tables obey the laws", "[laws]") { check_laws<double>(), check_laws<digits50>(); }
 
-TEST_CASE("a table goes through its points, monotone and smooth, and straight beyond them",
-          "[elements][table_spring]") {
+TEST_CASE("a table goes through its points, monotone and smooth, and straight beyond them") {
   const monotone_cubic curve(lengths, pulls);
   for (std::size_t i = 0; i < 5; ++i) CHECK(curve(lengths[i]) == within(pulls[i], 1e-14));
   CHECK(curve(-5.0) == within(-9 - 2 * 2.5, 1e-14));
@@ -75,7 +72,7 @@ TEST_CASE("a table goes through its points, monotone and smooth, and straight be
   CHECK(std::isnan(curve(not_a_number)));
 }
 
-TEST_CASE("springs of any law pull as it says", "[elements][table_spring]") {
+TEST_CASE("springs of any law pull as it says") {
   CHECK(pull(law_spring_gen("a", "b", cubed), 2.0) == 8.0);
   CHECK(pull(table_spring_gen("a", "b", lengths, pulls), 4.0) == 25.0);
   const std::vector<double> x{0, 1}, y{0, 5};
@@ -86,7 +83,7 @@ TEST_CASE("springs of any law pull as it says", "[elements][table_spring]") {
   CHECK(e.at<0>().force == vec2{0.0, 8.0});
 }
 
-TEST_CASE("Duffing's oscillator keeps its period", "[elements][table_spring]") {
+TEST_CASE("Duffing's oscillator keeps its period") {
   // x'' = -x^3 from x = A: T = 4 K(1/sqrt 2)/A with K = Gamma(1/4)^2 / (4 sqrt pi).
   static constexpr struct q_ final : coord_key<"q"> {
   } q;
@@ -104,7 +101,7 @@ TEST_CASE("Duffing's oscillator keeps its period", "[elements][table_spring]") {
   CHECK(potential_energy(c, std::array{2.0}) == 4.0);
 }
 
-TEST_CASE("tables are saved and loaded, functions are refused", "[elements][table_spring]") {
+TEST_CASE("tables are saved and loaded, functions are refused") {
   kte_map_chain c;
   c << base_gen("wall") << inertia_gen("q", 1.0) << table_spring_gen("wall", "q", lengths, pulls) << base_3D("a")
     << base_3D("b") << table_spring_3D("a", "b", std::vector{0.0, 1.0}, std::vector{0.0, 5.0});
@@ -129,7 +126,7 @@ TEST_CASE("tables are saved and loaded, functions are refused", "[elements][tabl
            "record or file can hold"));
 }
 
-TEST_CASE("tables reject what makes no sense", "[elements][table_spring]") {
+TEST_CASE("tables reject what makes no sense") {
   using list = std::vector<double>;
   const auto what = [](const list& x, const list& y) { return complaint([&] { table_spring_gen("a", "b", x, y); }); };
   const std::string where = "kte: table_spring_gen (anchor1 'a', anchor2 'b'): ";

@@ -25,12 +25,12 @@ void check_laws() {
 
 }  // namespace
 
-TEST_CASE("torsion dampers obey the laws", "[elements][torsion_damper]") {
+TEST_CASE("torsion dampers obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a torsion damper in the plane", "[elements][torsion_damper]") {
+TEST_CASE("a torsion damper in the plane") {
   auto x = trial_of(torsion_damper_2D("a", "b", 0.5), 1);
   x.at<0>().ang_velocity = 1.0, x.at<1>().ang_velocity = 5.0;
   x.doForce();
@@ -43,7 +43,7 @@ TEST_CASE("a torsion damper in the plane", "[elements][torsion_damper]") {
   CHECK(std::isnan(x.at<1>().torque));
 }
 
-TEST_CASE("a torsion damper in space compares angular velocities in the same axes", "[elements][torsion_damper]") {
+TEST_CASE("a torsion damper in space compares angular velocities in the same axes") {
   auto x = trial_of(torsion_damper_3D("a", "b", 0.5), 1);
   x.at<0>() = {.ang_velocity = {1.0, 2.0, 3.0}};
   x.at<1>() = {.rotation = as<double>(quarter_turn_z), .ang_velocity = {4.0, 1.0, -1.0}};  // (-1, 4, -1) in the world
@@ -54,7 +54,7 @@ TEST_CASE("a torsion damper in space compares angular velocities in the same axe
   CHECK(x.at<1>().force == vec3<>{});
 }
 
-TEST_CASE("a torsion damper wants a damping that is not negative", "[elements][torsion_damper]") {
+TEST_CASE("a torsion damper wants a damping that is not negative") {
   const std::string rest = " (anchor1 'hip', anchor2 'knee'): damping must be finite and not negative, got ";
   CHECK(complaint([] { torsion_damper_2D("hip", "knee", -0.5); }) == "kte: torsion_damper_2D" + rest + "-0.5");
   CHECK(complaint([] { torsion_damper_3D("hip", "knee", infinity); }) == "kte: torsion_damper_3D" + rest + "inf");

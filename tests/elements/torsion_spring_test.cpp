@@ -77,12 +77,12 @@ void check_all_angles() {
 
 }  // namespace
 
-TEST_CASE("torsion springs obey the laws", "[elements][torsion_spring]") {
+TEST_CASE("torsion springs obey the laws", "[laws]") {
   check_laws<double>();
   check_laws<digits50>();
 }
 
-TEST_CASE("a torsion spring in the plane", "[elements][torsion_spring]") {
+TEST_CASE("a torsion spring in the plane") {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 8 * 4 * eps<double>; };  // 8 Nm/rad, up to pi
   CHECK(torque(0.0, 0.0, 8.0) == 0.0);
   CHECK(close(torque(0.25, 1.0, 8.0), 6.0));
@@ -97,7 +97,7 @@ TEST_CASE("a torsion spring in the plane", "[elements][torsion_spring]") {
   CHECK(close(torque(0.0, 3.1875, 8.0), 8 * (3.1875 - 2 * pi<double>)));
 }
 
-TEST_CASE("a torsion spring in space may rest at any rotation", "[elements][torsion_spring]") {
+TEST_CASE("a torsion spring in space may rest at any rotation") {
   const vec3 turn{0.5, 0.75, 1.5};
   const auto rest = matrix(vec3{-0.3, 1.1, 0.4});
   auto x = trial_of(torsion_spring_3D("a", "b", 4.0, zero, rest), 1);
@@ -121,7 +121,7 @@ TEST_CASE("a torsion spring in space may rest at any rotation", "[elements][tors
         }).find("rest rotation must be a rotation") != std::string::npos);
 }
 
-TEST_CASE("files of torsion springs have a rest rotation where there is one", "[elements][torsion_spring]") {
+TEST_CASE("files of torsion springs have a rest rotation where there is one") {
   kte_map_chain c;
   c << base_3D("a") << base_3D("b") << torsion_spring_3D("a", "b", 4.0)
     << torsion_spring_3D("a", "b", 4.0, 2.0, as<double>(quarter_turn_z));
@@ -131,7 +131,7 @@ TEST_CASE("files of torsion springs have a rest rotation where there is one", "[
   CHECK(record_of(models::registered(r)) == r);
 }
 
-TEST_CASE("a torsion spring keeps NaN", "[elements][torsion_spring]") {
+TEST_CASE("a torsion spring keeps NaN") {
   auto flat = trial_of(torsion_spring_2D("a", "b", 8.0, 3.0), 1);
   flat.at<1>().rotation.cos = not_a_number;
   flat.doForce();
@@ -148,11 +148,11 @@ TEST_CASE("a torsion spring keeps NaN", "[elements][torsion_spring]") {
   }
 }
 
-TEST_CASE("a rest angle has all digits", "[elements][torsion_spring]") {
+TEST_CASE("a rest angle has all digits") {
   CHECK(abs(torque(digits50(0), digits50(1), 1, zero, 0.75) - digits50(0.25)) <= 4 * eps<digits50>);
 }
 
-TEST_CASE("a torsion spring saturates", "[elements][torsion_spring]") {
+TEST_CASE("a torsion spring saturates") {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 16 * eps<double>; };
   CHECK(close(torque(0.0, 1.0, 8.0, 3.0), 3.0));
   CHECK(close(torque(0.0, -1.0, 8.0, 3.0), -3.0));
@@ -164,7 +164,7 @@ TEST_CASE("a torsion spring saturates", "[elements][torsion_spring]") {
   CHECK(near(torque_of_turn(turn, 4.0, 8.0), vec3{2.0, 3.0, 6.0}, rounding<double>));
 }
 
-TEST_CASE("the energy of a torsion spring", "[elements][torsion_spring]") {
+TEST_CASE("the energy of a torsion spring") {
   const auto close = [](double x, double y) { return std::abs(x - y) <= 16 * eps<double>; };
   const auto energy = [](const auto& spring, const vec3<>& turn) {
     return energy_of(spring)(frame_3D<>{}, frame_3D<>{.rotation = matrix(turn)});
@@ -179,7 +179,7 @@ TEST_CASE("the energy of a torsion spring", "[elements][torsion_spring]") {
   CHECK(close(planar(torsion_spring_2D("a", "b", 4.0, 2.0, 0.5), 2.25), 3.0));
 }
 
-TEST_CASE("a torsion spring in space keeps all digits at all angles", "[elements][torsion_spring]") {
+TEST_CASE("a torsion spring in space keeps all digits at all angles") {
   check_all_angles<double>();
   check_all_angles<digits50>();
   for (const auto& turn : {as<double>(half_turn_x), as<double>(half_turn_y), as<double>(half_turn_z)}) {
@@ -190,7 +190,7 @@ TEST_CASE("a torsion spring in space keeps all digits at all angles", "[elements
   CHECK(detail::turn_of(matrix(no_rotation{})) == vec3<>{});
 }
 
-TEST_CASE("a torsion spring has derivatives, at rest too", "[elements][torsion_spring]") {
+TEST_CASE("a torsion spring has derivatives, at rest too") {
   const auto slope = [](const auto& spring, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     frame_3D<sloped> a, b;
@@ -206,7 +206,7 @@ TEST_CASE("a torsion spring has derivatives, at rest too", "[elements][torsion_s
   }
 }
 
-TEST_CASE("a torsion spring wants finite numbers", "[elements][torsion_spring]") {
+TEST_CASE("a torsion spring wants finite numbers") {
   const std::string where = "kte: torsion_spring_2D (anchor1 'hip', anchor2 'knee'): ";
   const auto what = [](auto... numbers) { return complaint([&] { torsion_spring_2D("hip", "knee", numbers...); }); };
   CHECK(what(-1.0) == where + "stiffness must be finite and not negative, got -1");

@@ -35,7 +35,7 @@ kte_map_chain with_arm(kte_map_chain c) {
 
 }  // namespace
 
-TEST_CASE("universal joints are the same by keys, by texts, and as joints and a link", "[elements][universal_joint]") {
+TEST_CASE("universal joints are the same by keys, by texts, and as joints and a link", "[laws]") {
   kte_map_chain texts, old;
   texts << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset);
   old << revolute_joint_3D("q1", "ground", "cross", axis::x) << rigid_link_3D("cross", "second", offset)
@@ -49,7 +49,7 @@ TEST_CASE("universal joints are the same by keys, by texts, and as joints and a 
   CHECK(difference(with_arm(none), with_arm(without), hand, 3) < few_ulps);
 }
 
-TEST_CASE("a joint of two coordinates has a place, as a link in front of it", "[elements][universal_joint]") {
+TEST_CASE("a joint of two coordinates has a place, as a link in front of it") {
   constexpr mat3<> turned{{0.8, -0.48, 0.36}, {0.6, 0.64, -0.48}, {0.0, 0.6, 0.8}};
   constexpr auto placed =
       chain(hooke_joint_3D(q1, q2, ground, shaft, axis::x, oblique, offset).at(offset, turned),
@@ -75,7 +75,7 @@ TEST_CASE("a joint of two coordinates has a place, as a link in front of it", "[
         "kte: revolute_joint_3D (coordinate 'q1', base 'ground', end 'shaft.inner'): position must be finite, got nan");
 }
 
-TEST_CASE("two shafts with a universal joint between them, up to a right angle", "[elements][universal_joint]") {
+TEST_CASE("two shafts with a universal joint between them, up to a right angle") {
   // Shafts turn about z and about an axis inclined by b in the plane x, z. Of their angles tan a2 = tan a1 / cos b, and
   // with N = cos^2 b + sin^2 a1 sin^2 b, a2' = a1' cos b / N. The cross: tan q1 = sin a1 tan b, sin q2 = cos a1 sin b.
   constexpr auto c =
@@ -97,7 +97,7 @@ TEST_CASE("two shafts with a universal joint between them, up to a right angle",
     }
 }
 
-TEST_CASE("the cross of a universal joint has a name", "[elements][universal_joint]") {
+TEST_CASE("the cross of a universal joint has a name") {
   auto s = make_state(arm);
   s[q1].q = 0.5;
   arm.doMotion(s);
@@ -109,7 +109,7 @@ TEST_CASE("the cross of a universal joint has a name", "[elements][universal_joi
   CHECK(t.frame_3D(inner_of("shaft")).position == vec3{0.0, 0.0, 0.0});
 }
 
-TEST_CASE("universal joints in files are two joints", "[elements][universal_joint]") {
+TEST_CASE("universal joints in files are two joints") {
   const auto r = record_of(arm);
   CHECK(r.elements[0].type == "revolute_joint_3D");
   CHECK(r.elements[0].connections[2].name == "shaft.inner");
@@ -121,7 +121,7 @@ TEST_CASE("universal joints in files are two joints", "[elements][universal_join
   CHECK(record_of(from_record(arm, r)) == r);
 }
 
-TEST_CASE("a universal joint wants axes of length 1 that are not parallel", "[elements][universal_joint]") {
+TEST_CASE("a universal joint wants axes of length 1 that are not parallel") {
   const auto what = [](const vec3<>& axis1, const vec3<>& axis2) {
     return complaint([&] { universal_joint_3D("a", "b", "fork", "shaft", axis1, axis2); });
   };

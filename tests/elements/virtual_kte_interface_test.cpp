@@ -16,6 +16,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -69,7 +70,7 @@ S off_in_random_motion(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("a virtual model moves with the real one and loads it backwards", "[elements][virtual_kte_interface]") {
+TEST_CASE("a virtual model moves with the real one and loads it backwards", "[laws]") {
   for (unsigned seed = 1; seed < 6; ++seed) {
     CHECK(off_in_random_motion<double>(seed) < rounding<double>);
     CHECK(off_in_random_motion<big>(seed) < rounding<big>);
@@ -86,7 +87,7 @@ TEST_CASE("a virtual model moves with the real one and loads it backwards", "[el
   CHECK(jacobian(c, s, q, "palm") == jacobian(c, s, q, "hand"));
 }
 
-TEST_CASE("virtual models in the plane and on coordinates", "[elements][virtual_kte_interface]") {
+TEST_CASE("virtual models in the plane and on coordinates") {
   kte_map_chain mast;
   mast << prismatic_joint_2D("q1", "table", "cart", axis::x) << inertia_2D("cart", point_mass(2.0))
        << virtual_kte_interface_2D("cart", "ghost") << rigid_link_2D("ghost", "tip", along_y(0.5))
@@ -104,7 +105,7 @@ TEST_CASE("virtual models in the plane and on coordinates", "[elements][virtual_
   CHECK(inverse_dynamics(wheel, t, q, v, a)[0] == within((0.5 - 0.1) * 1.5 - 20 * 0.3, 1e-14));
 }
 
-TEST_CASE("what needs loads to be those of motions refuses virtual models", "[elements][virtual_kte_interface]") {
+TEST_CASE("what needs loads to be those of motions refuses virtual models") {
   const auto c = at_run_time(arm_with_walker(virtually));
   auto s = c.make_state();
   const Eigen::Vector3d x(0.1, 0.2, 0.3);

@@ -10,6 +10,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -46,8 +47,7 @@ std::array<double, 2> to_lift(double r, double rate, double friction_radius, dou
 
 }  // namespace
 
-TEST_CASE("what a controller joint asks for moves the joint in earnest as it should",
-          "[elements][vmc_revolute_joint]") {
+TEST_CASE("what a controller joint asks for moves the joint in earnest as it should", "[laws]") {
   random_numbers random(3);
   const auto c = [] {
     kte_map_chain r;
@@ -66,7 +66,7 @@ TEST_CASE("what a controller joint asks for moves the joint in earnest as it sho
   }
 }
 
-TEST_CASE("a controller joint breaks loose from rest", "[elements][vmc_revolute_joint]") {
+TEST_CASE("a controller joint breaks loose from rest") {
   // At rest: the load m g r, and what friction could hold, of at most the load.
   for (const double tau : to_lift(0.5, 0, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 + 20 * 0.03, 4e-15));
   for (const double tau : to_lift(0.01, 0, 0.02, 0.03)) CHECK(tau == within(2 * 20 * 0.01, 1e-16));
@@ -77,7 +77,7 @@ TEST_CASE("a controller joint breaks loose from rest", "[elements][vmc_revolute_
   for (const double tau : to_lift(0.5, -0.1, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 - force * 0.02, 4e-15));
 }
 
-TEST_CASE("a controller joint is for passes and inverse dynamics", "[elements][vmc_revolute_joint]") {
+TEST_CASE("a controller joint is for passes and inverse dynamics") {
   kte_map_chain c;
   c << controller;
   auto s = c.make_state();

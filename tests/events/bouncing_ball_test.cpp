@@ -42,7 +42,7 @@ void check_bounces(Solver solver) {
 
 }  // namespace
 
-TEST_CASE("A bouncing ball: times, speeds and peaks") {
+TEST_CASE("a bouncing ball: times, speeds and peaks") {
   SECTION("Kutta") { check_bounces(runge_kutta4(fall, 0.0, dropped, 0.1)); }
   SECTION("Kutta, long steps") { check_bounces(runge_kutta4(fall, 0.0, dropped, 7.0)); }
   SECTION("Butcher") { check_bounces(runge_kutta5(fall, 0.0, dropped, 0.03)); }
@@ -52,14 +52,14 @@ TEST_CASE("A bouncing ball: times, speeds and peaks") {
   SECTION("Dormand and Prince") { check_bounces(dormand_prince45(fall, 0.0, dropped)); }
 }
 
-TEST_CASE("A bouncing ball by a method of order 1 bounces on the lines between its steps") {
+TEST_CASE("a bouncing ball by a method of order 1 bounces on the lines between its steps") {
   euler solver(fall, 0.0, dropped, 1e-4);
   const auto report = integrate(solver, 4.0, events(ground(0.5)));
   REQUIRE(report.events.size() > 5);
   for (int n = 0; n < 5; ++n) CHECK(report.events[static_cast<std::size_t>(n)].time == within(impact(0.5, n), 1e-3));
 }
 
-TEST_CASE("Samples are those before and after a reset, and at it both") {
+TEST_CASE("samples are those before and after a reset, and at it both") {
   const double e = 0.75;
   dormand_prince45 solver(fall, 0.0, dropped);
   int at_impact = 0;
@@ -85,7 +85,7 @@ TEST_CASE("Samples are those before and after a reset, and at it both") {
   CHECK(seen == std::vector<double>{0, 0, 0.25, 0.25, 0.5, 0.5, 0.5, 1.5, 0.75, 1.75, 1, 2});
 }
 
-TEST_CASE("Observers of steps see both states at a reset") {
+TEST_CASE("observers of steps see both states at a reset") {
   runge_kutta4 solver(fall, 0.0, dropped, 0.3);
   std::vector<double> times, speeds;
   integrate(solver, 1.5, events(ground(0.5)),
@@ -99,7 +99,7 @@ TEST_CASE("Observers of steps see both states at a reset") {
   CHECK(times[7] == 1.5);
 }
 
-TEST_CASE("An impact early in a long step is as exact as in a short one, and so are those after it") {
+TEST_CASE("an impact early in a long step is as exact as in a short one, and so are those after it") {
   dormand_prince45 solver(fall, 0.0, dropped);
   solver.integrate(1e7);
   solver.restart(0.0, dropped, keep_step);  // and tries a step to the end

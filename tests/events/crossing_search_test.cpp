@@ -12,7 +12,7 @@
 
 using namespace kte::detail;
 
-TEST_CASE("The misfit of a quartic is what any value in between is off by") {
+TEST_CASE("the misfit of a quartic is what any value in between is off by", "[both]") {
   std::array<double, 9> y{};
   for (int i = 0; i < 9; ++i) {
     const double t = i - 4.0;
@@ -27,13 +27,13 @@ TEST_CASE("The misfit of a quartic is what any value in between is off by") {
     }
 }
 
-TEST_CASE("The inner Bernstein coefficients of t and of t^4") {
+TEST_CASE("the inner Bernstein coefficients of t and of t^4") {
   CHECK(inner_bernstein(std::array{0.0, 0.25, 0.5, 0.75, 1.0}) == std::array{0.25, 0.5, 0.75});
   CHECK(inner_bernstein(std::array{0.0, 1.0, 16.0, 81.0, 256.0}) == std::array{0.0, 0.0, 0.0});
   CHECK(inner_bernstein(std::array{256.0, 81.0, 16.0, 1.0, 0.0}) == std::array{0.0, 0.0, 0.0});
 }
 
-TEST_CASE("A sign change is found within four steps a bit, however f is shaped") {
+TEST_CASE("a sign change is found within four steps a bit, however f is shaped") {
   constexpr double eps = std::numeric_limits<double>::epsilon(), root = 0.3;
   const auto check = [](const char* name, double size, const auto& f) {
     CAPTURE(name, size);
@@ -59,7 +59,7 @@ TEST_CASE("A sign change is found within four steps a bit, however f is shaped")
   }
 }
 
-TEST_CASE("A sign change is found in few steps where interpolation always stalls") {
+TEST_CASE("a sign change is found in few steps where interpolation always stalls") {
   // -1 at each power of 0.24, from where it almost touches zero at twice the next one and stays there: each secant ends
   // just before that, so that interpolation goes on in ever tinier steps. It is positive below 1e-30 only: 103 bits, of
   // which a tooth of this saw takes 2.06, two bisections and at most one step more.
@@ -77,7 +77,7 @@ TEST_CASE("A sign change is found in few steps where interpolation always stalls
   CHECK(steps < 3 * 50);                     // 133; where three slow steps do not end in a bisection 500
 }
 
-TEST_CASE("A smooth sign change is found in few steps") {
+TEST_CASE("a smooth sign change is found in few steps") {
   // The digits double or more with each, where no bisection is forced: 8, 8 and 9 steps, or one more by the rounding of
   // the last. Bisection alone takes 53.
   const auto steps_of = [](const auto& f) {
@@ -91,7 +91,7 @@ TEST_CASE("A smooth sign change is found in few steps") {
   CHECK(steps_of([](double x) { return 1 - std::exp(10 * (x - 0.3)); }) <= 10);
 }
 
-TEST_CASE("A short flight is seen: what leaves zero and comes back after a time T") {
+TEST_CASE("a short flight is seen: what leaves zero and comes back after a time T") {
   // It is above 4/25 T^2 from T/5 to 4/5 T, and times that are tried follow each other by factors of 4.
   for (double T = 0.3; T > 1e-6; T *= 0.77) {
     const auto height = [T](double t) { return t * (T - t); };

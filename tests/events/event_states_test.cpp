@@ -28,7 +28,7 @@ struct disc {
 
 }  // namespace
 
-TEST_CASE("Events of states with rotations: a disc that strikes turns back") {
+TEST_CASE("events of states with rotations: a disc that strikes turns back") {
   const auto upright = event([](double, const Eigen::Vector3d& x) {
                          return x[0];
                        }).reset([](double, Eigen::Vector3d& x) { x[2] *= -0.5; });
@@ -44,7 +44,7 @@ TEST_CASE("Events of states with rotations: a disc that strikes turns back") {
   }
 }
 
-TEST_CASE("Events in every scalar, and of dynamic states") {
+TEST_CASE("events in every scalar, and of dynamic states") {
   const auto check = [](auto one, double accuracy) {
     using S = decltype(one);
     using state = Eigen::Matrix<S, 2, 1>;
@@ -69,7 +69,7 @@ TEST_CASE("Events in every scalar, and of dynamic states") {
   CHECK(report.events.at(0).time == within_relative(1.25, 1e-15));
 }
 
-TEST_CASE("Late times are resolved to their ulp") {
+TEST_CASE("late times are resolved to their ulp") {
   const auto f = [](double, const Eigen::Vector2d&) { return Eigen::Vector2d(1, 0); };
   dormand_prince45 solver(f, 1e9, Eigen::Vector2d(-0.7, 0));
   const auto report = integrate(solver, 1e9 + 1, events(event([](double, const Eigen::Vector2d& x) { return x[0]; })));

@@ -8,7 +8,7 @@ using kte::test::within_relative;
 
 // Which zeros are events, and in what order.
 
-TEST_CASE("The zeros of an oscillator are found to the tolerance of the solution") {
+TEST_CASE("the zeros of an oscillator are found to the tolerance of the solution") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(0, 1), {.absolute = 1e-12, .relative = 1e-12});
   const auto report = integrate(solver, 32.0, events(event(position)));
   REQUIRE(report.events.size() == 10);
@@ -21,7 +21,7 @@ TEST_CASE("The zeros of an oscillator are found to the tolerance of the solution
   }
 }
 
-TEST_CASE("The state at an event is on the far side of zero, or at zero") {
+TEST_CASE("the state at an event is on the far side of zero, or at zero") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(0, 1));
   int side = 1;
   const auto found = integrate(solver, 1000.0, events(event(position))).events;
@@ -33,7 +33,7 @@ TEST_CASE("The state at an event is on the far side of zero, or at zero") {
   CHECK(solver.statistics().steps < 10000);
 }
 
-TEST_CASE("Two zeros within a step are found, however close, down to a millionth of it") {
+TEST_CASE("two zeros within a step are found, however close, down to a millionth of it") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> anywhere(0.01, 3.9);
   for (double width : {0.9, 0.5, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 2e-6}) {
@@ -51,7 +51,7 @@ TEST_CASE("Two zeros within a step are found, however close, down to a millionth
   }
 }
 
-TEST_CASE("Three zeros within a step, and those of a polynomial beyond the degree of the search") {
+TEST_CASE("three zeros within a step, and those of a polynomial beyond the degree of the search") {
   const auto cubic = events_of([](double t) { return (t - 0.21) * (t - 0.22) * (t - 0.26); }, 1);
   REQUIRE(cubic.size() == 3);
   CHECK(is_at(cubic[1].time, 0.22));
@@ -62,7 +62,7 @@ TEST_CASE("Three zeros within a step, and those of a polynomial beyond the degre
     CHECK(nine[k].time == within((1 - std::cos((static_cast<double>(k) + 0.5) * pi / 9)) / 2, 1e-14));
 }
 
-TEST_CASE("A g that waves within a step is searched in pieces") {
+TEST_CASE("a g that waves within a step is searched in pieces") {
   const auto waves = [](double t) { return std::sin(100 * t + 0.1); };
   const auto found = events_of(waves, 10, {.pieces = 32});
   REQUIRE(found.size() == 318);
@@ -71,7 +71,7 @@ TEST_CASE("A g that waves within a step is searched in pieces") {
   CHECK(events_of([](double t) { return std::sin(20 * t); }, 10).size() == 63);  // three waves need no pieces
 }
 
-TEST_CASE("A dip that is seen only as a misfit of the quartics is looked into") {
+TEST_CASE("a dip that is seen only as a misfit of the quartics is looked into") {
   for (double middle : {0.46, 0.465, 0.47}) {  // between two values; the first quartics stay positive
     const double half = 0.1 * std::sqrt(std::log(1.001));
     const auto dip = [=](double t) { return 1 - 1.001 * std::exp(-std::pow((t - middle) / 0.1, 2)); };
@@ -82,7 +82,7 @@ TEST_CASE("A dip that is seen only as a misfit of the quartics is looked into") 
   }
 }
 
-TEST_CASE("Touching zero is no crossing, reaching it and going on is one") {
+TEST_CASE("touching zero is no crossing, reaching it and going on is one") {
   CHECK(events_of([](double t) { return (t - 0.5) * (t - 0.5); }, 4).empty());  // at a time that is looked at
   CHECK(events_of([](double t) { return (t - 1) * (t - 1); }, 4).empty());      // at the end of a step
   CHECK(events_of([](double t) { return -(t - 0.3) * (t - 0.3); }, 4).empty());
@@ -103,7 +103,7 @@ TEST_CASE("Touching zero is no crossing, reaching it and going on is one") {
   CHECK(plateau[0].time <= 2.3 + 4 * eps);
 }
 
-TEST_CASE("A crossing is at the first time beyond zero, to the ulp") {
+TEST_CASE("a crossing is at the first time beyond zero, to the ulp") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> anywhere(0.001, 7.9);
   for (int i = 0; i < 50; ++i) {
@@ -126,7 +126,7 @@ TEST_CASE("A crossing is at the first time beyond zero, to the ulp") {
   CHECK(integrate(across_zero, 1.0, events(event(g))).events[0].time == within_relative(1e-9, 1e-15));
 }
 
-TEST_CASE("Directions are those of increasing time, also when integrated backward") {
+TEST_CASE("directions are those of increasing time, also when integrated backward") {
   const auto g = [](double t, const scalar&) { return std::sin(t); };
   const auto list =
       events(event(g, crossing::rising), event(g, crossing::falling), event(g), event(g, crossing::rising));
@@ -146,7 +146,7 @@ TEST_CASE("Directions are those of increasing time, also when integrated backwar
     }
 }
 
-TEST_CASE("Events of one step come in the order of time, those of one time in the order of the list") {
+TEST_CASE("events of one step come in the order of time, those of one time in the order of the list") {
   auto solver = in_long_steps();
   const auto at = [](double zero) { return event([=](double t, const scalar&) { return t - zero; }); };
   const auto third = event([](double t, const scalar&) { return 3 * t - 0.6; });
@@ -161,7 +161,7 @@ TEST_CASE("Events of one step come in the order of time, those of one time in th
   CHECK(report.events[1].time == report.events[3].time);
 }
 
-TEST_CASE("Resets of one time are called one after the other") {
+TEST_CASE("resets of one time are called one after the other") {
   auto solver = in_long_steps();
   const auto g = [](double t, const scalar&) { return t - 1.5; };
   const auto add = event(g).reset([](double, scalar& x) { x[0] += 1; });
@@ -177,7 +177,7 @@ TEST_CASE("Resets of one time are called one after the other") {
   CHECK(solver.time() == 4);
 }
 
-TEST_CASE("A reset that takes another function across zero is no event of that one, going on from there may be") {
+TEST_CASE("a reset that takes another function across zero is no event of that one, going on from there may be") {
   auto solver = in_long_steps();
   const auto jump = event([](double t, const scalar&) { return t - 1.5; }).reset([](double, scalar& x) { x[0] = 10; });
   const auto beyond = event([](double, const scalar& x) { return x[0] - 5; });
@@ -189,7 +189,7 @@ TEST_CASE("A reset that takes another function across zero is no event of that o
   CHECK(report.events[1].time == within(2.5, 8 * eps));
 }
 
-TEST_CASE("Zero at the start is no event") {
+TEST_CASE("zero at the start is no event") {
   const auto still = events_of([](double t) { return t; }, 3);
   CHECK(still.empty());
   const auto back = events_of([](double t) { return t * (0.1 - t); }, 3);
@@ -200,7 +200,7 @@ TEST_CASE("Zero at the start is no event") {
   CHECK(is_at(soon[0].time, 1e-9));
 }
 
-TEST_CASE("Zero at the very end is an event, once") {
+TEST_CASE("zero at the very end is an event, once") {
   auto solver = in_long_steps();
   const auto list = events(event([](double t, const scalar&) { return t - 2.5; }));
   CHECK(integrate(solver, 2.5, list).events.at(0).time == 2.5);
@@ -212,7 +212,7 @@ TEST_CASE("Zero at the very end is an event, once") {
   CHECK(integrate(early, 3.0, list).events.size() == 1);
 }
 
-TEST_CASE("A terminal event ends the integration there, and does not come again") {
+TEST_CASE("a terminal event ends the integration there, and does not come again") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(0, 1), {.absolute = 1e-12, .relative = 1e-12});
   const auto unused = event([](double t, const auto&) { return t - 100; });
   const auto list = events(unused, event(position).named("middle").terminal());
@@ -228,7 +228,7 @@ TEST_CASE("A terminal event ends the integration there, and does not come again"
   }
 }
 
-TEST_CASE("Events that do not act leave the steps as they are") {
+TEST_CASE("events that do not act leave the steps as they are") {
   dormand_prince45 plain(oscillator, 0.0, Eigen::Vector2d(1, 0)), watched = plain;
   std::vector<double> steps, seen;
   plain.integrate(30, [&](double t, const auto&) { steps.push_back(t); });
@@ -240,7 +240,7 @@ TEST_CASE("Events that do not act leave the steps as they are") {
   CHECK(plain.statistics().evaluations == watched.statistics().evaluations);
 }
 
-TEST_CASE("A step without events takes eight values of g along it, and one at its end") {
+TEST_CASE("a step without events takes eight values of g along it, and one at its end") {
   long long values = 0;
   auto solver = in_long_steps();
   const auto count = event([&](double t, const scalar&) { return ++values, 200 - t; });

@@ -9,7 +9,7 @@ using namespace kte;
 using namespace kte::test;
 using namespace kte::test::bouncing;
 
-TEST_CASE("Ever faster bounces stop, just before the time at which there are infinitely many") {
+TEST_CASE("ever faster bounces stop, just before the time at which there are infinitely many") {
   for (double e : {0.1, 0.5, 0.9}) {
     dormand_prince45 solver(fall, 0.0, dropped);
     const auto report = integrate(solver, 1e7, events(ground(e)));
@@ -33,7 +33,7 @@ TEST_CASE("Ever faster bounces stop, just before the time at which there are inf
   CHECK(coarse.count == 12);  // flights of 1, 1/2, ... 1/1024 s
 }
 
-TEST_CASE("Infinitely many bounces hand over to rest, from which there is a way back") {
+TEST_CASE("infinitely many bounces hand over to rest, from which there is a way back") {
   bool lies = false;
   double pull = -10;
   const auto f = [&](double, const ball_state& x) { return ball_state(x[1], lies ? 0 : pull); };
@@ -58,7 +58,7 @@ TEST_CASE("Infinitely many bounces hand over to rest, from which there is a way 
   CHECK(solver.state() == ball_state(0, 0));
 }
 
-TEST_CASE("An impact that does not lift off is rest, where events are one-sided, or a stop") {
+TEST_CASE("an impact that does not lift off is rest, where events are one-sided, or a stop") {
   bool lies = false;
   const auto f = [&](double, const ball_state& x) { return ball_state(x[1], lies ? 0 : -10); };
   for (double e : {0.0, 1e-9, 1e-6, 1e-3}) {

@@ -181,7 +181,7 @@ void check_limits() {
 
 }  // namespace
 
-TEST_CASE("Zero at the start is no event, for every solver and tolerance") {
+TEST_CASE("zero at the start is no event, for every solver and tolerance") {
   SECTION("bogacki_shampine23") { check_starts<bogacki_shampine23>(1e-6, true); }
   SECTION("fehlberg45") { check_starts<fehlberg45>(1e-9, true); }
   SECTION("dormand_prince45") { check_starts<dormand_prince45>(1e-9, true); }
@@ -195,7 +195,7 @@ TEST_CASE("Zero at the start is no event, for every solver and tolerance") {
   SECTION("kennedy_carpenter34") { check_starts<kennedy_carpenter34>(1e-7); }
 }
 
-TEST_CASE("After a failure every solver chooses its steps anew, and says why it failed") {
+TEST_CASE("after a failure every solver chooses its steps anew, and says why it failed") {
   SECTION("bogacki_shampine23") { check_repair<bogacki_shampine23>(); }
   SECTION("fehlberg45") { check_repair<fehlberg45>(); }
   SECTION("dormand_prince45") { check_repair<dormand_prince45>(); }
@@ -209,7 +209,7 @@ TEST_CASE("After a failure every solver chooses its steps anew, and says why it 
   SECTION("kennedy_carpenter34") { check_repair<kennedy_carpenter34>(); }
 }
 
-TEST_CASE("Where an event throws, every solver stands before it and finds it again") {
+TEST_CASE("where an event throws, every solver stands before it and finds it again") {
   SECTION("bogacki_shampine23") { check_events_that_throw<bogacki_shampine23>(); }
   SECTION("fehlberg45") { check_events_that_throw<fehlberg45>(); }
   SECTION("dormand_prince45") { check_events_that_throw<dormand_prince45>(); }
@@ -223,7 +223,7 @@ TEST_CASE("Where an event throws, every solver stands before it and finds it aga
   SECTION("kennedy_carpenter34") { check_events_that_throw<kennedy_carpenter34>(); }
 }
 
-TEST_CASE("Every solver keeps its steps within the limits given") {
+TEST_CASE("every solver keeps its steps within the limits given") {
   SECTION("bogacki_shampine23") { check_limits<bogacki_shampine23>(); }
   SECTION("fehlberg45") { check_limits<fehlberg45>(); }
   SECTION("dormand_prince45") { check_limits<dormand_prince45>(); }
@@ -237,7 +237,7 @@ TEST_CASE("Every solver keeps its steps within the limits given") {
   SECTION("kennedy_carpenter34") { check_limits<kennedy_carpenter34>(); }
 }
 
-TEST_CASE("A solution is the dense output of every solver, from its start to its end") {
+TEST_CASE("a solution is the dense output of every solver, from its start to its end") {
   SECTION("bogacki_shampine23") { check_solution<bogacki_shampine23>(); }
   SECTION("fehlberg45") { check_solution<fehlberg45>(); }
   SECTION("dormand_prince45") { check_solution<dormand_prince45>(); }

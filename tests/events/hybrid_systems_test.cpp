@@ -17,7 +17,7 @@ using place = Eigen::Vector2d;
 
 }  // namespace
 
-TEST_CASE("A ball between two walls") {
+TEST_CASE("a ball between two walls", "[both]") {
   const auto straight = [](double, const place& x) { return place(x[1], 0); };
   const auto turn = [](double, place& x) { x[1] = -x[1]; };
   const auto left = event([](double, const place& x) { return x[0] + 1; }).reset(turn);  // both directions, no set-back
@@ -61,7 +61,7 @@ TEST_CASE("Coulomb friction: an oscillator comes to rest after a number of half 
   }
 }
 
-TEST_CASE("A block on a belt sticks and slips") {
+TEST_CASE("a block on a belt sticks and slips") {
   // m = 1 kg, k = 100 N/m, friction 3 N at rest, 2 N sliding, belt v = 0.05 m/s. It sticks until k x = 3 N, then slips
   // about 2 N / k with the amplitude 1 N / k and the speed v, until its speed is v again: w s = 2 pi - 2 atan(A w / v).
   const double v = 0.05, w = 10, amplitude = 0.01;
@@ -89,7 +89,7 @@ TEST_CASE("A block on a belt sticks and slips") {
   }
 }
 
-TEST_CASE("Backlash: a block between two springs with a gap") {
+TEST_CASE("backlash: a block between two springs with a gap") {
   // Free for |x| < 0.1, springs of 100 N/m beyond: half a swing of pi/10 s there, 0.2 m at 2 m/s between.
   const auto f = [](double, const place& x) {
     return place(x[1], x[0] > 0.1 ? -100 * (x[0] - 0.1) : x[0] < -0.1 ? -100 * (x[0] + 0.1) : 0);

@@ -8,7 +8,7 @@ using kte::test::within_relative;
 
 // What throws or stops at an event, and where the solver then stands.
 
-TEST_CASE("Where a function of an event is not a number, or settings make no sense, that is said") {
+TEST_CASE("where a function of an event is not a number, or settings make no sense, that is said") {
   auto solver = in_long_steps();
   const auto good = event([](double t, const scalar&) { return t + 1; });
   const auto bad = event([](double t, const scalar&) { return std::sqrt(2.2 - t); });
@@ -36,7 +36,7 @@ TEST_CASE("Where a function of an event is not a number, or settings make no sen
   CHECK(other.state()[0] == within(3, 8 * eps));
 }
 
-TEST_CASE("Where a function of an event throws, only what has not been handled happens again") {
+TEST_CASE("where a function of an event throws, only what has not been handled happens again") {
   auto solver = in_long_steps();
   std::vector<std::size_t> seen;
   bool broken = true;
@@ -64,7 +64,7 @@ TEST_CASE("Where a function of an event throws, only what has not been handled h
   CHECK(solver.time() == 6);
 }
 
-TEST_CASE("Events go to a function instead of a list, and too many stop") {
+TEST_CASE("events go to a function instead of a list, and too many stop") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   std::size_t seen = 0;
   const auto list =
@@ -79,7 +79,7 @@ TEST_CASE("Events go to a function instead of a list, and too many stop") {
   CHECK(solver.time() == most.events.back().time);
 }
 
-TEST_CASE("An observer stops an integration with events after the event that it sees, or at a sample before it") {
+TEST_CASE("an observer stops an integration with events after the event that it sees, or at a sample before it") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   const auto bounce = events(event(position).named("wall").reset([](double, auto& x) { x[1] = -x[1]; }));
   const auto until = [](double end) { return [end](double t, const auto&) { return t < end; }; };

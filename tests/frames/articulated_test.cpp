@@ -90,7 +90,7 @@ matrix6<wide> sizes_of_way(const R& rotation, const P& p) {
 
 }  // namespace
 
-TEST_CASE("an articulated inertia without joints is that of a body", "[math][articulated]") {
+TEST_CASE("an articulated inertia without joints is that of a body", "[laws]") {
   draw random(41);
   for (int i = 0; i < 100; ++i) {
     const rigid_body<> body{1 + random.number(), random.vector(), random.symmetric()};
@@ -109,7 +109,7 @@ TEST_CASE("an articulated inertia without joints is that of a body", "[math][art
   }
 }
 
-TEST_CASE("the wrench that accelerates an articulated inertia", "[math][articulated]") {
+TEST_CASE("the wrench that accelerates an articulated inertia") {
   draw random(42);
   for (int i = 0; i < 100; ++i) {
     const auto b = draw_numbers(random);
@@ -124,7 +124,7 @@ TEST_CASE("the wrench that accelerates an articulated inertia", "[math][articula
   }
 }
 
-TEST_CASE("a transported articulated inertia", "[math][articulated]") {
+TEST_CASE("a transported articulated inertia") {
   draw random(43);
   for (const double distance : {0.0, 1.0, 1e3}) {
     for (int i = 0; i < 100; ++i) {
@@ -147,7 +147,7 @@ TEST_CASE("a transported articulated inertia", "[math][articulated]") {
   }
 }
 
-TEST_CASE("transported articulated inertias of bodies are those of transported bodies", "[math][articulated]") {
+TEST_CASE("transported articulated inertias of bodies are those of transported bodies") {
   draw random(44);
   for (int i = 0; i < 100; ++i) {
     const rigid_body<> body{1 + random.number(), random.vector(), random.symmetric()};
@@ -176,7 +176,7 @@ constexpr bool stays_in_plane = [] {
 }();
 }  // namespace
 
-TEST_CASE("typed zeros of articulated inertias", "[math][articulated]") {
+TEST_CASE("typed zeros of articulated inertias") {
   // what costs nothing
   STATIC_REQUIRE(std::is_same_v<decltype(no_articulated + in_plane), std::remove_const_t<decltype(in_plane)>>);
   STATIC_REQUIRE(std::is_same_v<decltype(in_plane + no_articulated), std::remove_const_t<decltype(in_plane)>>);
@@ -218,7 +218,7 @@ TEST_CASE("typed zeros of articulated inertias", "[math][articulated]") {
   }
 }
 
-TEST_CASE("an articulated inertia less a dyad", "[math][articulated]") {
+TEST_CASE("an articulated inertia less a dyad") {
   draw random(46);
   for (int i = 0; i < 50; ++i) {
     const auto b = draw_numbers(random);

@@ -30,13 +30,13 @@ void check_inverse(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("a motion and its inverse are a frame at rest", "[frames][inverse]") {
+TEST_CASE("a motion and its inverse are a frame at rest") {
   check_inverse<double, mat3<vec3<>>>(1);
   check_inverse<double, unit_quaternion<>>(2);
   check_inverse<digits50, mat3<vec3<digits50>>>(3);
 }
 
-TEST_CASE("inverse and relative motion by differences", "[frames][inverse]") {
+TEST_CASE("inverse and relative motion by differences") {
   random_numbers draw(4);
   const auto check = [&]<class R>(R) {
     for (int i = 0; i < 10; ++i) {
@@ -53,7 +53,7 @@ TEST_CASE("inverse and relative motion by differences", "[frames][inverse]") {
   check(rotation_2D<digits50>{1, 0});
 }
 
-TEST_CASE("axes of the parent", "[frames][inverse]") {
+TEST_CASE("axes of the parent") {
   random_numbers draw(5);
   for (int i = 0; i < 20; ++i) {
     const curve<digits50, mat3<vec3<digits50>>> c(draw);
@@ -73,7 +73,7 @@ TEST_CASE("axes of the parent", "[frames][inverse]") {
   CHECK(as<double>(w.torque) == vec3{-5.0, 4.0, 6.0});
 }
 
-TEST_CASE("poses carry points", "[frames][pose]") {
+TEST_CASE("poses carry points") {
   random_numbers draw(6);
   const auto distance = [](const vec3<>& a, const vec3<>& b) {
     return test::worse(test::worse(std::abs(a.x - b.x), std::abs(a.y - b.y)), std::abs(a.z - b.z));

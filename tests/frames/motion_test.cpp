@@ -30,13 +30,13 @@ void check_composition_by_differences(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("composition of motions is the derivative of the composition of poses", "[frames][motion]") {
+TEST_CASE("composition of motions is the derivative of the composition of poses", "[both]") {
   check_composition_by_differences<mat3<vec3<digits50>>>(1);
   check_composition_by_differences<unit_quaternion<digits50>>(2);
   check_composition_by_differences<rotation_2D<digits50>>(3);
 }
 
-TEST_CASE("composition is associative", "[frames][motion]") {
+TEST_CASE("composition is associative") {
   random_numbers draw(4);
   const auto check = [&]<class S, class R>(S tolerance, R) {
     for (int i = 0; i < 50; ++i) {
@@ -50,7 +50,7 @@ TEST_CASE("composition is associative", "[frames][motion]") {
   check(digits50(40 * eps50), mat3<vec3<digits50>>{});
 }
 
-TEST_CASE("a frame at rest at the origin is neutral", "[frames][motion]") {
+TEST_CASE("a frame at rest at the origin is neutral") {
   random_numbers draw(5);
   const auto m = random_motion<double>(draw);
   const auto here = at_rest(no_rotation{}, zero3{});
@@ -59,7 +59,7 @@ TEST_CASE("a frame at rest at the origin is neutral", "[frames][motion]") {
   CHECK(numbers_of<double>(compose(here, m)) == numbers_of<double>(m));
 }
 
-TEST_CASE("steady rotation: centripetal and Coriolis accelerations", "[frames][motion]") {
+TEST_CASE("steady rotation: centripetal and Coriolis accelerations") {
   // A turntable of 2 rad/s; on it, at 3 m, a car drives outwards at 5 m/s.
   const motion table{zero3{}, no_rotation{}, zero3{}, vec3{zero, zero, 2.0}, zero3{}, zero3{}};
   const motion car{along_x(3.0), no_rotation{}, along_x(5.0), zero3{}, zero3{}, zero3{}};
@@ -68,7 +68,7 @@ TEST_CASE("steady rotation: centripetal and Coriolis accelerations", "[frames][m
   CHECK(as<double>(m.acceleration) == vec3{-12.0, 20.0, 0.0});  // -w^2 r, 2 w v
 }
 
-TEST_CASE("a wrench is transmitted so that its power is kept", "[frames][motion]") {
+TEST_CASE("a wrench is transmitted so that its power is kept") {
   random_numbers draw(6);
   const auto power = [](const auto& m, const auto& w) {
     return dot(m.velocity, w.force) + dot(m.ang_velocity, w.torque);
@@ -91,7 +91,7 @@ auto dense(const motion<M...>& m) {
 }
 }  // namespace
 
-TEST_CASE("typed motions are exactly the dense ones", "[frames][motion]") {
+TEST_CASE("typed motions are exactly the dense ones") {
   draw d(7);
   const auto v = [&] { return d.exact<vec3<>>(); };
   const auto x = [&] { return d.dyadic(); };
@@ -130,7 +130,7 @@ TEST_CASE("typed motions are exactly the dense ones", "[frames][motion]") {
   }
 }
 
-TEST_CASE("what is skipped stays away, and the rest is the same", "[frames][motion]") {
+TEST_CASE("what is skipped stays away, and the rest is the same") {
   random_numbers draw(8);
   const auto a = random_motion<double>(draw), b = random_motion<double>(draw);
   const auto all = compose(a, b);
@@ -142,7 +142,7 @@ TEST_CASE("what is skipped stays away, and the rest is the same", "[frames][moti
   CHECK(part.ang_acceleration == all.ang_acceleration);
 }
 
-TEST_CASE("a frame in the plane moves as one in space about z", "[frames][frame_2D]") {
+TEST_CASE("a frame in the plane moves as one in space about z") {
   random_numbers draw(9);
   const auto n = [&draw] { return draw(); };
   const auto planar = [&] {

@@ -127,7 +127,7 @@ void check_logarithm(random_numbers& draw, const vec3<S>& w, const S& scale) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigid_motion]", double, many_digits) {
+TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[laws]", double, many_digits) {
   random_numbers draw(1);
   for (const auto& t : angles<TestType>())
     for (int i = 0; i < 5; ++i) check_exponential<TestType>(draw, t * direction<TestType>(draw), TestType(1));
@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("exponentials of rigid motions keep all digits", "[math][rigi
     for (int i = 0; i < 5; ++i) check_exponential<TestType>(draw, TestType(t) * direction<TestType>(draw), TestType(1));
 }
 
-TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "[math][rigid_motion]", double, many_digits) {
+TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "", double, many_digits) {
   random_numbers draw(2);
   for (const auto& t : angles<TestType>())
     for (int i = 0; i < 5; ++i) check_logarithm<TestType>(draw, t * direction<TestType>(draw), TestType(1));
@@ -147,7 +147,7 @@ TEMPLATE_TEST_CASE("logarithms of rigid motions keep all digits", "[math][rigid_
       check_logarithm<TestType>(draw, TestType(t) * direction<TestType>(draw), TestType(scale));
 }
 
-TEMPLATE_TEST_CASE("exponential and logarithm undo each other", "[math][rigid_motion]", double, many_digits) {
+TEMPLATE_TEST_CASE("exponential and logarithm undo each other", "", double, many_digits) {
   using S = TestType;
   random_numbers draw(3);
   for (const auto& t : angles<S>())
@@ -162,7 +162,7 @@ TEMPLATE_TEST_CASE("exponential and logarithm undo each other", "[math][rigid_mo
     }
 }
 
-TEST_CASE("of rotations by more than half a turn the logarithm takes the shorter way", "[math][rigid_motion]") {
+TEST_CASE("of rotations by more than half a turn the logarithm takes the shorter way") {
   random_numbers draw(4);
   const double pi = std::atan2(0.0, -1.0);
   for (const double t : {3.2, 4.0, 5.0, 6.0, 6.28}) {
@@ -181,7 +181,7 @@ TEST_CASE("of rotations by more than half a turn the logarithm takes the shorter
   CHECK(logarithm(x) == logarithm(y));
 }
 
-TEST_CASE("exponentials of shifts and of rotations alone are exact", "[math][rigid_motion]") {
+TEST_CASE("exponentials of shifts and of rotations alone are exact") {
   const auto shift = exponential(vec3{1.0, -2.0, 3e-300}, vec3{0.0, 0.0, 0.0});
   CHECK(shift.position == vec3{1.0, -2.0, 3e-300});
   CHECK(shift.rotation == unit_quaternion<>{});
@@ -193,7 +193,7 @@ TEST_CASE("exponentials of shifts and of rotations alone are exact", "[math][rig
   CHECK(w == vec3{0.0, 0.0, 0.0});
 }
 
-TEST_CASE("a screw: along the axis all of v, across it a circle", "[math][rigid_motion]") {
+TEST_CASE("a screw: along the axis all of v, across it a circle") {
   const double pi = std::atan2(0.0, -1.0);
   // At radius 2, pitch 0.5 a turn, by a quarter of a turn about z: from (0, -2) to (2, 0).
   const auto x = exponential(vec3{pi, 0.0, 0.125}, vec3{0.0, 0.0, pi / 2});
@@ -201,7 +201,7 @@ TEST_CASE("a screw: along the axis all of v, across it a circle", "[math][rigid_
   CHECK(gap(x.rotation, unit_quaternion<>{std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}) <= few<double>);
 }
 
-TEST_CASE("exponential and logarithm keep NaN", "[math][rigid_motion]") {
+TEST_CASE("exponential and logarithm keep NaN") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(std::isnan(exponential(vec3{1.0, 0.0, 0.0}, vec3{0.0, nan, 0.0}).position.x));
   CHECK(std::isnan(exponential(vec3{1.0, 0.0, 0.0}, vec3{0.0, nan, 0.0}).rotation.w));

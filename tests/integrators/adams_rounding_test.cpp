@@ -32,7 +32,7 @@ TEST_CASE("Adams: at the tightest tolerances the error is that of rounding, in m
   CHECK(small >= 2 * runs / 3);  // 0.8, less 2.6 times the 0.052 by which shares of 60 runs vary
 }
 
-TEST_CASE("Rounding is not a jump of f: of three differences the least") {
+TEST_CASE("rounding is not a jump of f: of three differences the least") {
   const auto level = [](const auto& difference) {
     detail::rounding_floor<double> floor;
     return floor.level(
@@ -47,7 +47,7 @@ TEST_CASE("Rounding is not a jump of f: of three differences the least") {
 
 // A cart-pole that a law brings to rest upright: what moves it is the rest of terms that are 1e8 times as large, for
 // relative tolerances alone. At 1e-12 prince_dormand87 took 363,911 evaluations, and at 1e-14 did not end.
-TEST_CASE("Tolerances below the rounding of a law of control cost no steps") {
+TEST_CASE("tolerances below the rounding of a law of control cost no steps") {
   using vector = Eigen::Vector4d;
   const auto cart_pole = [](double, const vector& x) {  // 1 kg, 0.1 kg, 0.5 m; x[1] from hanging
     const double s = std::sin(x[1]), c = std::cos(x[1]), pi = std::acos(-1.0);

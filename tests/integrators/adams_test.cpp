@@ -42,7 +42,8 @@ struct monomial_history {
   const real50& time(int i) const { return times[static_cast<std::size_t>(i)]; }
 };
 
-TEST_CASE("Adams: with any spacing, the formulas are exact for the polynomials of their order, and for no others") {
+TEST_CASE("Adams: with any spacing, the formulas are exact for the polynomials of their order, and for no others",
+          "[laws]") {
   scalar_state<real50> mean(0);
   const real50 rounding = 1e-35;  // of 50 digits, after products of 13 times
   for (int k = 1; k <= 12; ++k)
@@ -317,7 +318,7 @@ TEST_CASE("Adams: failures stop with the last good state") {
   CHECK_THROWS_AS(adams(oscillator, 0.0, state<double>(1, 0), {.absolute = -1.0}), bad_argument);
 }
 
-TEST_CASE("An interval of subnormal length is passed through, or refused after a few tries") {
+TEST_CASE("an interval of subnormal length is passed through, or refused after a few tries") {
   const auto f = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
   for (const double end : {1e-320, 5e-324, -1e-320, 1e-300}) {
     CAPTURE(end);

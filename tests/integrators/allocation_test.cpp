@@ -16,7 +16,7 @@
 
 using namespace kte;
 
-TEST_CASE("Integration of a fixed size and the rows of a table do not allocate") {
+TEST_CASE("integration of a fixed size and the rows of a table do not allocate") {
   const auto f = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -std::sin(x[0])); };
   table_writer out("/dev/null", {"t", "q", "qd"}, table_format::ssv);
   long long rows = 0;

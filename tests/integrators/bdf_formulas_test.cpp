@@ -38,7 +38,7 @@ auto differences_of(const P& p, const rational& t, const rational& h, int k) {
   return d;
 }
 
-TEST_CASE("The formulas of order k are exact for polynomials up to degree k, then wrong by their constant") {
+TEST_CASE("the formulas of order k are exact for polynomials up to degree k, then wrong by their constant", "[laws]") {
   const rational t(7, 5), h(2, 3);
   for (const bdf_formula formula : {ndf, plain}) {
     const bdf_coefficients<rational> c(formula);
@@ -61,7 +61,7 @@ TEST_CASE("The formulas of order k are exact for polynomials up to degree k, the
   }
 }
 
-TEST_CASE("The NDF take longer steps than the BDF for the same error, as published") {
+TEST_CASE("the NDF take longer steps than the BDF for the same error, as published") {
   const bdf_coefficients<double> a(ndf), b(plain);
   const double percent[]{26, 26, 26, 12, 0};
   for (int k = 1; k <= 5; ++k)
@@ -82,7 +82,7 @@ double stability_angle(const bdf_coefficients<double>& c, int k) {
   return least * 180 / pi;
 }
 
-TEST_CASE("The formulas are as stable as published") {
+TEST_CASE("the formulas are as stable as published") {
   const double of_ndf[]{90, 90, 80, 66, 51}, of_bdf[]{90, 90, 86, 73, 51};
   for (int k = 1; k <= 5; ++k) {
     CHECK(stability_angle(bdf_coefficients<double>(ndf), k) == within(of_ndf[k - 1], 1));
@@ -90,7 +90,7 @@ TEST_CASE("The formulas are as stable as published") {
   }
 }
 
-TEST_CASE("Backward differences for another step are those of the same polynomial") {
+TEST_CASE("backward differences for another step are those of the same polynomial") {
   const rational t(3, 7), h(5, 4);
   for (int k = 1; k <= 5; ++k) {
     const auto p = [&](const rational& x) { return rational(power(x, k) - 3 * power(x, k - 1) + x / 2 - 11); };

@@ -18,7 +18,7 @@ struct oscillator {
   vector operator()(double, const vector& x) { return ++calls, vector(Eigen::Vector2d(x[1], -x[0])); }
 };
 
-TEST_CASE("one type of solver serves all right-hand sides of states of dynamic size", "[integrators]") {
+TEST_CASE("one type of solver serves all right-hand sides of states of dynamic size") {
   const vector x0 = Eigen::Vector2d(1, 0);
   kte::dormand_prince45 first(oscillator{}, 0.0, x0);
   kte::dormand_prince45 second([](double, const auto& x) { return (-x).eval(); }, 0.0, x0);
@@ -28,7 +28,7 @@ TEST_CASE("one type of solver serves all right-hand sides of states of dynamic s
   CHECK(first.state() == second.state());
 }
 
-TEST_CASE("a solver moves by its right-hand side as if it knew its type", "[integrators]") {
+TEST_CASE("a solver moves by its right-hand side as if it knew its type") {
   const vector x0 = Eigen::Vector2d(1, 0);
   kte::dormand_prince45 erased(oscillator{}, 0.0, x0);
   kte::dormand_prince45<oscillator, vector> known(oscillator{}, 0.0, x0);
@@ -39,7 +39,7 @@ TEST_CASE("a solver moves by its right-hand side as if it knew its type", "[inte
   CHECK(erased.statistics().evaluations == known.statistics().evaluations);
 }
 
-TEST_CASE("a copy of a solver has a right-hand side of its own, unless that is shared", "[integrators]") {
+TEST_CASE("a copy of a solver has a right-hand side of its own, unless that is shared") {
   const vector x0 = Eigen::Vector2d(1, 0);
   oscillator shared;
   kte::runge_kutta4 by_reference(std::ref(shared), 0.0, x0, 0.1);
@@ -53,7 +53,7 @@ TEST_CASE("a copy of a solver has a right-hand side of its own, unless that is s
   CHECK(by_value.state() == other.state());
 }
 
-TEST_CASE("what a right-hand side throws comes through", "[integrators]") {
+TEST_CASE("what a right-hand side throws comes through") {
   kte::dormand_prince45 solver(
       [](double t, const vector& x) {
         if (t > 0.5) throw std::runtime_error("no further");
@@ -63,7 +63,7 @@ TEST_CASE("what a right-hand side throws comes through", "[integrators]") {
   CHECK_THROWS_AS(solver.integrate(1.0), std::runtime_error);
 }
 
-TEST_CASE("a runtime chain with rotations moves on the group behind virtual functions", "[integrators]") {
+TEST_CASE("a runtime chain with rotations moves on the group behind virtual functions") {
   kte::kte_map_chain top;
   top.gravity(kte::along_z(-9.81)) << kte::spherical_joint_3D("turn", "base", "body")
                                    << kte::inertia_3D("body", kte::rigid_body{1.0, kte::along_z(0.1),

@@ -56,13 +56,13 @@ std::pair<double, double> wandering(Solver solver) {
 
 }  // namespace
 
-TEST_CASE("Geometric methods have their orders, also between steps") {
+TEST_CASE("geometric methods have their orders, also between steps") {
   SECTION("semi-implicit Euler") { check_order<semi_implicit_euler>(1); }
   SECTION("Stormer and Verlet") { check_order<stormer_verlet>(2); }
   SECTION("implicit midpoint") { check_order<implicit_midpoint>(2); }
 }
 
-TEST_CASE("Geometric methods let energy oscillate and not drift, unlike Kutta's", "[long]") {
+TEST_CASE("geometric methods let energy oscillate and not drift, unlike Kutta's", "[long]") {
   const Eigen::Vector2d start(2, 0);
   const auto system = second_order(gravity);
   const double h = 0.05;
@@ -78,7 +78,7 @@ TEST_CASE("Geometric methods let energy oscillate and not drift, unlike Kutta's"
   CHECK(kutta.second > 1.9 * kutta.first);
 }
 
-TEST_CASE("A system without velocities costs Stormer and Verlet one evaluation a step") {
+TEST_CASE("a system without velocities costs Stormer and Verlet one evaluation a step") {
   stormer_verlet once(second_order(gravity), 0.0, Eigen::Vector2d(1, 0), 0.125);
   stormer_verlet solved(pendulum, 0.0, Eigen::Vector2d(1, 0), 0.125);
   once.integrate(8), solved.integrate(8);
@@ -87,7 +87,7 @@ TEST_CASE("A system without velocities costs Stormer and Verlet one evaluation a
   CHECK(once.state() == solved.state());
 }
 
-TEST_CASE("Symmetric methods go back to where they came from") {
+TEST_CASE("symmetric methods go back to where they came from") {
   const auto there_and_back = [](auto solver) {
     solver.integrate(20);
     solver.integrate(0);
@@ -98,7 +98,7 @@ TEST_CASE("Symmetric methods go back to where they came from") {
   CHECK(there_and_back(implicit_midpoint(pendulum, 0.0, Eigen::Vector2d(2, 0), 0.05)) < 800 * 4 * 2.2e-16);
 }
 
-TEST_CASE("The midpoint rule keeps quadratic invariants of vectors") {
+TEST_CASE("the midpoint rule keeps quadratic invariants of vectors") {
   // A free body: I1 w1' = (I2 - I3) w2 w3, ...: energy and the norm of the momentum.
   const auto body = [](double, const Eigen::Vector3d& w) {
     return Eigen::Vector3d(-w[1] * w[2], w[2] * w[0], -w[0] * w[1] / 3);
@@ -113,7 +113,7 @@ TEST_CASE("The midpoint rule keeps quadratic invariants of vectors") {
   CHECK(momentum_of(solver.state()) == within_relative(l, 1e-13));
 }
 
-TEST_CASE("Geometric methods say what is wrong") {
+TEST_CASE("geometric methods say what is wrong") {
   const auto stiff = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -1e6 * x[0] - 1e4 * x[1]); };
   implicit_midpoint solver(stiff, 0.0, Eigen::Vector2d(1, 0), 0.01);
   CHECK_THROWS_WITH(solver.integrate(1), contains_text("stopped at t = 0: the iteration of a step of 0.01 does not "
@@ -127,7 +127,7 @@ TEST_CASE("Geometric methods say what is wrong") {
   CHECK(nowhere.state() == Eigen::Vector2d(1, 0));
 }
 
-TEST_CASE("An iteration whose right-hand side is no number does not blame the step") {
+TEST_CASE("an iteration whose right-hand side is no number does not blame the step") {
   const auto ends = [](double t, const Eigen::Vector2d& x) {
     return Eigen::Vector2d(x[1], t < 0.5 ? -x[0] : std::nan(""));
   };

@@ -99,7 +99,7 @@ void check_esdirk() {
 
 }  // namespace
 
-TEST_CASE("Rosenbrock methods have their orders, at the ends of steps and between them, and are L-stable") {
+TEST_CASE("Rosenbrock methods have their orders, at the ends of steps and between them, and are L-stable", "[laws]") {
   SECTION("Shampine and Reichelt 2(3)") { check_rosenbrock<rosenbrock23_coefficients>(); }
   SECTION("RODAS 4(3)") { check_rosenbrock<rodas_coefficients>(); }
 }

@@ -15,7 +15,7 @@ constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen:
 constexpr auto square = [](double, const scalar_state& x) { return scalar_state(x[0] * x[0]); };
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
-TEST_CASE("A blow-up in finite time stops with the last good state") {
+TEST_CASE("a blow-up in finite time stops with the last good state") {
   dormand_prince45 solver(square, 0.0, scalar_state(1.0));
   CHECK_THROWS_WITH(solver.integrate(2), contains_text("stopped at t = ") && contains_text("lost in the rounding"));
   CHECK(solver.time() == within(1.0, 1e-4));  // x = 1e6 at 1e-6 before it
@@ -25,7 +25,7 @@ TEST_CASE("A blow-up in finite time stops with the last good state") {
   CHECK_THROWS_AS(solver.integrate(2), integration_failure);
 }
 
-TEST_CASE("A right-hand side that is not a number stops the integration before it") {
+TEST_CASE("a right-hand side that is not a number stops the integration before it") {
   const auto f = [](double t, const scalar_state&) { return scalar_state(t < 0.5 ? 1.0 : nan); };
   dormand_prince45 solver(f, 0.0, scalar_state(0.0));
   CHECK_THROWS_WITH(solver.integrate(1), contains_text("t = 0.49999") && contains_text("not a finite number"));
@@ -39,7 +39,7 @@ TEST_CASE("A right-hand side that is not a number stops the integration before i
   CHECK_THROWS_WITH(from_zero.integrate(1), contains_text("t = 0:") && contains_text("not a finite number"));
 }
 
-TEST_CASE("Too many steps") {
+TEST_CASE("too many steps") {
   const auto stiff = [](double t, const scalar_state& x) { return scalar_state(-1e6 * (x[0] - std::cos(t))); };
   dormand_prince45 solver(stiff, 0.0, scalar_state(0.0), {.max_steps = 1000});
   CHECK_THROWS_WITH(solver.integrate(10), contains_text("max_steps = 1000"));
@@ -48,7 +48,7 @@ TEST_CASE("Too many steps") {
   CHECK(solver.state()[0] == within(std::cos(solver.time()), 1e-5));  // x - cos t decays at once; tolerance 1e-6
 }
 
-TEST_CASE("One of the tolerances may be 0") {
+TEST_CASE("one of the tolerances may be 0") {
   const Eigen::Vector2d x(1, 0);  // a component that is 0 at the start
   const auto error = [&](const tolerances<double>& tol) {
     dormand_prince45 solver(oscillator, 0.0, x, tol);
@@ -67,7 +67,7 @@ TEST_CASE("One of the tolerances may be 0") {
   CHECK(solver.state()[1] == 0);
 }
 
-TEST_CASE("Tolerances that arithmetic cannot reach are refused, when they are") {
+TEST_CASE("tolerances that arithmetic cannot reach are refused, when they are") {
   const Eigen::Vector2d x(1, 0);
   for (double tiny : {1e-20, 1e-300}) {
     CHECK_THROWS_WITH(dormand_prince45(oscillator, 0.0, x, {.absolute = 0, .relative = tiny}),
@@ -89,7 +89,7 @@ TEST_CASE("Tolerances that arithmetic cannot reach are refused, when they are") 
   CHECK(small.state()[0] == within(1e-10 * std::cos(1.0), 1e-18));
 }
 
-TEST_CASE("After a rejection the step does not grow at once") {
+TEST_CASE("after a rejection the step does not grow at once") {
   detail::step_controller<double> control(5);
   CHECK(control.accepted(1e-8, true) == 1);
   CHECK(control.accepted(1e-8, false) > 5);
@@ -115,7 +115,7 @@ TEST_CASE("After a rejection the step does not grow at once") {
   CHECK(seen > 0);
 }
 
-TEST_CASE("A failure is data, too") {
+TEST_CASE("a failure is data, too") {
   const auto second_ends = [](double t, const Eigen::Vector2d&) { return Eigen::Vector2d(1, t < 0.5 ? 1.0 : nan); };
   dormand_prince45 solver(second_ends, 0.0, Eigen::Vector2d(0, 0));
   const auto failure = [](auto& s) {
@@ -137,7 +137,7 @@ TEST_CASE("A failure is data, too") {
   CHECK(failure(blow_up).reason == failure_reason::step_too_short);
 }
 
-TEST_CASE("Bad settings are rejected with their value") {
+TEST_CASE("bad settings are rejected with their value") {
   const Eigen::Vector2d x(1, 0);
   for (double bad : {-1e-6, nan, inf}) {
     CHECK_THROWS_AS(dormand_prince45(oscillator, 0.0, x, {.absolute = bad}), bad_argument);

@@ -20,7 +20,7 @@ using scalar_state = Eigen::Matrix<double, 1, 1>;
 constexpr auto oscillator = [](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], -x[0]); };
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST_CASE("Integrators land exactly on the end, with no tiny last step") {
+TEST_CASE("integrators land exactly on the end, with no tiny last step", "[both]") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   for (int i = 1; i <= 500; ++i) {
     std::vector<double> times;
@@ -35,7 +35,7 @@ TEST_CASE("Integrators land exactly on the end, with no tiny last step") {
   CHECK(solver.time() == std::nextafter(3 + 500 * 0.0137, 100.0));
 }
 
-TEST_CASE("Integrators go back to where they came from") {
+TEST_CASE("integrators go back to where they came from") {
   dormand_prince45 solver(oscillator, 5.0, Eigen::Vector2d(1, 0), {.absolute = 1e-11, .relative = 1e-11});
   solver.integrate(-5);
   CHECK(solver.time() == -5);
@@ -51,7 +51,7 @@ TEST_CASE("Integrators go back to where they came from") {
   CHECK(times == std::vector<double>{5, 5 - 0.2, 5 - 2 * 0.2, 4.5});
 }
 
-TEST_CASE("Samples are counted, not summed, and end exactly") {
+TEST_CASE("samples are counted, not summed, and end exactly") {
   std::vector<double> times;
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0), {.absolute = 1e-9, .relative = 1e-9});
   solver.integrate(20, every(0.001), [&](double t, const auto& x) {
@@ -65,7 +65,7 @@ TEST_CASE("Samples are counted, not summed, and end exactly") {
   CHECK(solver.statistics().steps < 1000);
 }
 
-TEST_CASE("A grid of times ends where it is told, without a rest of rounding errors") {
+TEST_CASE("a grid of times ends where it is told, without a rest of rounding errors") {
   const auto intervals = [](double start, double end, double spacing) {
     const time_grid<double> grid(start, end, spacing, "step");
     CHECK(grid[0] == start);
@@ -83,7 +83,7 @@ TEST_CASE("A grid of times ends where it is told, without a rest of rounding err
   CHECK(intervals(1e6, 1e6 + 1e-8, 5e-9) == 2);
 }
 
-TEST_CASE("A solution goes backward as well, but does not turn back") {
+TEST_CASE("a solution goes backward as well, but does not turn back") {
   const Eigen::Vector2d start(1, 0), other(0, 1);
   constexpr double first = 1 / 64.0;
   dormand_prince45 solver(oscillator, 0.0, start, {.absolute = 1e-9, .relative = 1e-9, .initial_step = first});
@@ -108,7 +108,7 @@ TEST_CASE("A solution goes backward as well, but does not turn back") {
   CHECK(x(-5) == other);
 }
 
-TEST_CASE("Samples leave the steps as they are") {
+TEST_CASE("samples leave the steps as they are") {
   dormand_prince45 plain(oscillator, 0.0, Eigen::Vector2d(1, 0)), sampled = plain;
   plain.integrate(10);
   sampled.integrate(10, every(0.01), [](double, const auto&) {});
@@ -116,7 +116,7 @@ TEST_CASE("Samples leave the steps as they are") {
   CHECK(plain.statistics().evaluations == sampled.statistics().evaluations);
 }
 
-TEST_CASE("Samples at the times of a list, in either direction") {
+TEST_CASE("samples at the times of a list, in either direction") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0), {.absolute = 1e-9, .relative = 1e-9}), plain = solver;
   std::vector<double> seen;
   const auto check = [&](double t, const auto& x) {
@@ -138,7 +138,7 @@ TEST_CASE("Samples at the times of a list, in either direction") {
   CHECK(solver.time() == 1);
 }
 
-TEST_CASE("Steps end where they are told, also where the right-hand side jumps there") {
+TEST_CASE("steps end where they are told, also where the right-hand side jumps there") {
   double push = 1;  // to 0.7, then -1: each part is exact
   const auto thrust = [&](double, const Eigen::Vector2d& x) { return Eigen::Vector2d(x[1], push); };
   dormand_prince45 solver(thrust, 0.0, Eigen::Vector2d(0, 0));
@@ -155,7 +155,7 @@ TEST_CASE("Steps end where they are told, also where the right-hand side jumps t
   CHECK_THROWS_WITH(solver.integrate(3, through{1.5}), contains_text("stop time 0 is 1.5, not between 2 and 3"));
 }
 
-TEST_CASE("An observer may stop the integration, where it says so") {
+TEST_CASE("an observer may stop the integration, where it says so") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   const auto down_to = [](double least) {
     return [least](double, const auto& x) { return x[0] > least ? go_on : stop; };
@@ -170,7 +170,7 @@ TEST_CASE("An observer may stop the integration, where it says so") {
   CHECK(kte::integrate(solver, 1.5, every(0.01), down_to(-1)) == stop_reason::end_time);
 }
 
-TEST_CASE("The dense output is continuous, with its slope, at the ends of steps") {
+TEST_CASE("the dense output is continuous, with its slope, at the ends of steps") {
   dormand_prince45 solver(oscillator, 0.0, Eigen::Vector2d(1, 0));
   CHECK(solver.interpolate(0) == Eigen::Vector2d(1, 0));
   double before = 0;
@@ -189,7 +189,7 @@ TEST_CASE("The dense output is continuous, with its slope, at the ends of steps"
   CHECK_THROWS_AS(solver.interpolate(nan), bad_argument);
 }
 
-TEST_CASE("The right-hand side may change between calls, and the state by restart") {
+TEST_CASE("the right-hand side may change between calls, and the state by restart") {
   double input = 1;
   dormand_prince45 solver([&](double, const scalar_state&) { return scalar_state(input); }, 0.0, scalar_state(0.0));
   solver.integrate(1);
@@ -203,7 +203,7 @@ TEST_CASE("The right-hand side may change between calls, and the state by restar
   CHECK(solver.state()[0] == within(7.0, 1e-14));  // exact, but for roundings of 4e-16 in less than 20 steps
 }
 
-TEST_CASE("Large times, and nothing to do") {
+TEST_CASE("large times, and nothing to do") {
   dormand_prince45 late(oscillator, 1e12, Eigen::Vector2d(1, 0));
   late.integrate(1e12 + 1);
   CHECK(late.state()[0] == within(std::cos(1.0), 1e-3));
@@ -218,7 +218,7 @@ TEST_CASE("Large times, and nothing to do") {
   CHECK(rest.statistics().steps < 30);
 }
 
-TEST_CASE("Dynamic states, and sizes that do not fit") {
+TEST_CASE("dynamic states, and sizes that do not fit") {
   const auto f = [](double, const Eigen::VectorXd& x) -> Eigen::VectorXd { return -x; };
   dormand_prince45 solver(f, 0.0, Eigen::VectorXd::Ones(5), {.absolute = 1e-9, .relative = 1e-9});
   solver.integrate(1);
@@ -232,7 +232,7 @@ TEST_CASE("Dynamic states, and sizes that do not fit") {
 
 }  // namespace
 
-TEST_CASE("States of dual numbers carry derivatives through steps, and messages have their values") {
+TEST_CASE("states of dual numbers carry derivatives through steps, and messages have their values") {
   using number = dual<double, 1>;
   using state = Eigen::Matrix<number, 1, 1>;
   const number rate = seeded<1>(-2.0, 0);  // x = exp(rate t), dx/drate = t exp(rate t)

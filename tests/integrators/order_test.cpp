@@ -58,7 +58,7 @@ void check_steps(int order_of_error) {
 
 }  // namespace
 
-TEST_CASE("orders of methods with fixed steps, as slopes") {
+TEST_CASE("orders of methods with fixed steps, as slopes", "[laws]") {
   SECTION("Euler") { check<euler>(1, 1); }
   SECTION("midpoint") { check<midpoint>(2, 2); }
   SECTION("Kutta, order 4") { check<runge_kutta4>(4, 3); }

@@ -13,7 +13,7 @@ using namespace kte::test;
 
 namespace {
 
-TEST_CASE("Prince-Dormand: the global error is of order 8") {
+TEST_CASE("Prince-Dormand: the global error is of order 8", "[laws]") {
   const auto error = [](int n) {  // of the energy, which has no zeros
     auto solver = one_step_solver<prince_dormand87>(pendulum, horizontal<real50>());
     const auto before = solver.statistics().steps;

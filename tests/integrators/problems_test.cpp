@@ -45,7 +45,7 @@ double error_of(double drift = 0) {
 
 }  // namespace
 
-TEST_CASE("Plain problems reach their references with the order 5 that the library has", "[long]") {
+TEST_CASE("plain problems reach their references with the order 5 that the library has", "[long][laws]") {
   CHECK(error_of<pleiades<>>(1e-8) < 1e-9);           // [2400, 3e3, 1.6e-10]
   CHECK(error_of<kapitza<>>() < 2e-10);               // [8e4, 2e1, 3.5e-11]
   CHECK(error_of<elastic_pendulum<>>(2e-9) < 3e-10);  // [5700, 2e2, 5.6e-11]
@@ -54,14 +54,14 @@ TEST_CASE("Plain problems reach their references with the order 5 that the libra
   CHECK(error_of<hires<>>() < 1e-12);                 // [1.3e4, 6e1, 2.6e-13]: G at the start, then errors decay
 }
 
-TEST_CASE("The same in more digits", "[long]") {
+TEST_CASE("the same in more digits", "[long]") {
   const pleiades<long double> f;
   dormand_prince45 solver(f, 0.0L, f.start(), {.absolute = 1e-15L, .relative = 1e-15L});
   solver.integrate(f.t_end);
   CHECK(largest_error(solver.state(), f.reference) < 1e-12L);  // a thousandth
 }
 
-TEST_CASE("Constants of the motion have the values that are known") {
+TEST_CASE("constants of the motion have the values that are known") {
   CHECK(std::fabs(elastic_pendulum<long double>{}.energy(elastic_pendulum<long double>::start()) - 2) < 1e-18L);
   CHECK(euler_top<>{}.energy(euler_top<>::start()) == within_relative(0.647125279313836427131, 1e-15));
   const long double balance = andrews<long double>{}.energy(andrews<long double>::start());
@@ -74,7 +74,7 @@ TEST_CASE("Constants of the motion have the values that are known") {
   CHECK((euler_top<>::momentum(top.state()) - euler_top<>::momentum(euler_top<>::start())).norm() < 5e-10);
 }
 
-TEST_CASE("Errors and digits of a solution") {
+TEST_CASE("errors and digits of a solution") {
   const double x[]{1.0, 2.002, -3.0};
   const long double r[]{1.0L, 2.0L, -3.03L};
   CHECK(static_cast<double>(largest_error(x, r)) == within_relative(0.03, 2.3e-16));

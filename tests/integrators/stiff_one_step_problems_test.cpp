@@ -61,7 +61,7 @@ void check_differences() {
 
 }  // namespace
 
-TEST_CASE("one-step methods for stiff systems: van der Pol's oscillator, mu = 1000, and HIRES") {
+TEST_CASE("one-step methods for stiff systems: van der Pol's oscillator, mu = 1000, and HIRES", "[laws]") {
   SECTION("rosenbrock23") {
     check_all<rosenbrock23>({{1e-6, 3.59, 5471}, {1e-8, 5.3, 31600}}, {{1e-6, 2.82, 667}, {1e-9, 5.36, 7844}});
   }

@@ -158,7 +158,7 @@ void check_dynamic() {
 
 }  // namespace
 
-TEST_CASE("one-step methods for stiff systems: forward, backward, again, and between steps") {
+TEST_CASE("one-step methods for stiff systems: forward, backward, again, and between steps", "[laws]") {
   SECTION("rosenbrock23") { check_use<rosenbrock23>(); }
   SECTION("RODAS") { check_use<rodas>(); }
   SECTION("TR-BDF2") { check_use<tr_bdf2>(); }
@@ -206,7 +206,7 @@ TEST_CASE("one-step methods for stiff systems: types follow from arguments") {
   CHECK(c.state()[0] == within(2 * std::cos(1.0), 1e-3));
 }
 
-TEST_CASE("Intervals of subnormal length, or of one rounding, are passed through") {
+TEST_CASE("intervals of subnormal length, or of one rounding, are passed through") {
   const double eps = std::numeric_limits<double>::epsilon();
   const std::vector<std::pair<double, double>> intervals{{0, 1e-320}, {0, 5e-324},      {1e-320, 3e-320},
                                                          {0, 1e-310}, {5e-324, 1e-300}, {1, 1 + eps}};

@@ -38,7 +38,7 @@ std::string text_of(const std::string& t) { return "\3" + std::string(1, static_
 
 }  // namespace
 
-TEST_CASE("archives by hand: roots in any order, what may be left out") {
+TEST_CASE("archives by hand: roots in any order, what may be left out", "[both]") {
   const auto a = read(json_roots(R"({"mass_matrix_calc":{"chain":"arm"},"name":"m"},)"
                                  R"({"name":"arm","chain":{"elements":[],"limits":[{"upper":[1.5],"coordinate":"q"}],)"
                                  R"("gravity":[0,0,-9.81],"tools":["hand"],"inputs":[{"name":"u","value":2}]}},)"

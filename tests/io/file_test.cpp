@@ -21,7 +21,7 @@ std::string text_of(const fs::path& path) { return kte::detail::read_file(path);
 
 }  // namespace
 
-TEST_CASE("A file is replaced as a whole, and keeps its permissions") {
+TEST_CASE("a file is replaced as a whole, and keeps its permissions", "[both]") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
   replace_file(path, "old");
@@ -34,7 +34,7 @@ TEST_CASE("A file is replaced as a whole, and keeps its permissions") {
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("Links stay links") {
+TEST_CASE("links stay links") {
   const scratch_folder folder;
   const auto link = folder.path / "link.json", second = folder.path / "second.json",
              target = folder.path / "target.json";
@@ -62,7 +62,7 @@ TEST_CASE("Links stay links") {
   CHECK(message(loop) == "kte: cannot write '" + loop.string() + "': Too many levels of symbolic links");
 }
 
-TEST_CASE("After a failure nothing is left behind") {
+TEST_CASE("after a failure nothing is left behind") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
   fs::create_directory(path);
@@ -79,7 +79,7 @@ TEST_CASE("After a failure nothing is left behind") {
 }
 
 #if __has_include(<sys/resource.h>)
-TEST_CASE("A full disk is said by name, and nothing has changed") {
+TEST_CASE("a full disk is said by name, and nothing has changed") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
   replace_file(path, "old");
@@ -101,7 +101,7 @@ TEST_CASE("A full disk is said by name, and nothing has changed") {
 }
 #endif
 
-TEST_CASE("What is written beside a file is new, and for its owner alone where the file may be") {
+TEST_CASE("what is written beside a file is new, and for its owner alone where the file may be") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json", victim = folder.path / "victim";
   std::ofstream(victim) << "precious";
@@ -129,7 +129,7 @@ TEST_CASE("What is written beside a file is new, and for its owner alone where t
   CHECK(text_of(longest) == "of the longest name");
 }
 
-TEST_CASE("Of a file with more bytes than are allowed there are more than these, else all") {
+TEST_CASE("of a file with more bytes than are allowed there are more than these, else all") {
   const scratch_folder folder;
   const auto path = folder.path / "model.json";
   for (const std::size_t size : {1, 1 << 14, (1 << 14) + 1, 3 << 14}) {  // as it is read in parts of 2^14 bytes

@@ -72,7 +72,7 @@ struct mcap_file {
 const std::string magic = "\x89MCAP0\r\n";
 using name_list = std::vector<std::string>;
 
-TEST_CASE("A file of MCAP has the records of its specification") {
+TEST_CASE("a file of MCAP has the records of its specification", "[both]") {
   scratch file(".mcap");
   table_writer out(file.path, {"t", "q", "tip/position/x"});
   out.row(0.0, 1, -1e-17);
@@ -106,7 +106,7 @@ TEST_CASE("A file of MCAP has the records of its specification") {
   CHECK(fields(7, 2, "884") == name_list{"0", "0", "0"});  // no summary
 }
 
-TEST_CASE("Times of a message are whole nanoseconds, or an error that leaves the table as it was") {
+TEST_CASE("times of a message are whole nanoseconds, or an error that leaves the table as it was") {
   scratch file(".mcap");
   table_writer out(file.path, {"t"});
   out.row(1e-9);
@@ -141,7 +141,7 @@ std::string message(int id, const std::string& json) {
   return record(5, little(static_cast<std::uint64_t>(id), 2) + std::string(20, '\0') + json);
 }
 
-TEST_CASE("Other records, channels and a missing end do not matter") {
+TEST_CASE("other records, channels and a missing end do not matter") {
   const std::string bytes = magic + record(1, text("") + text("other")) + record(12, text("metadata") + text("")) +
                             channel(5, "robot", "arm") + message(5, "{}") + channel(7, "columns", "t q") +
                             message(7, R"({"t":0,"q":-1E2})") + message(5, "?") + record(200, "private") +
@@ -160,7 +160,7 @@ TEST_CASE("Other records, channels and a missing end do not matter") {
   check();
 }
 
-TEST_CASE("A forged or cut file is reported by offset and column, and needs no memory that it does not have") {
+TEST_CASE("a forged or cut file is reported by offset and column, and needs no memory that it does not have") {
   const auto error = [](const std::string& bytes) {
     scratch file(".mcap", bytes);
     return test::message_about<bad_file>(file, [&] { read_table(file.path); });

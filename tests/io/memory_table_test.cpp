@@ -24,7 +24,7 @@ void fill(Table& out) {
   out.close();
 }
 
-TEST_CASE("A table in memory is what the same rows give in a file of any format") {
+TEST_CASE("a table in memory is what the same rows give in a file of any format") {
   const std::vector<std::string> names{"t", "a", "b/x", "c"};
   memory_table in_memory(names);
   fill(in_memory);
@@ -43,14 +43,14 @@ TEST_CASE("A table in memory is what the same rows give in a file of any format"
   }
 }
 
-TEST_CASE("Rows take numbers and vectors of any scalar type") {
+TEST_CASE("rows take numbers and vectors of any scalar type") {
   using many_digits = kte::test::digits50;
   memory_table out({"a", "b", "c", "d"});
   out.row(many_digits(1) / 3, 0.5L, Eigen::Vector2f(0.25f, -2));
   CHECK(out.contents().columns == std::vector<std::vector<double>>{{1.0 / 3}, {0.5}, {0.25}, {-2}});
 }
 
-TEST_CASE("A table in memory rejects what files reject") {
+TEST_CASE("a table in memory rejects what files reject") {
   using test::message_of;
   CHECK(message_of<bad_argument>([] { memory_table({}); }) == "kte: a table needs a column");
   CHECK(message_of<bad_argument>([] { memory_table({"a,b"}); }) == "kte: the column name 'a,b' has a comma");

@@ -26,7 +26,7 @@ std::array<kte::model_record, 2> two_models() {
 
 }  // namespace
 
-TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long]") {
+TEST_CASE("whenever a program is killed that saves a model, there is the old file or the new one", "[long][both]") {
   const auto models = two_models();
   std::mt19937 engine(1);
   for (const char* extension : {".json", ".xml", ".kte"}) {

@@ -30,7 +30,7 @@ std::string npy(const std::string& dictionary, const std::string& data = "") {
   return "\x93NUMPY" + std::string("\x01\x00", 2) + little(dictionary.size(), 2) + dictionary + data;
 }
 
-TEST_CASE("A file of NumPy is a padded dictionary and the bytes of the numbers") {
+TEST_CASE("a file of NumPy is a padded dictionary and the bytes of the numbers", "[both]") {
   scratch file(".npy");
   table_writer out(file.path, {"t", "tip/position/x"});
   out.row(0.5, -1.25);
@@ -46,7 +46,7 @@ TEST_CASE("A file of NumPy is a padded dictionary and the bytes of the numbers")
   CHECK(bytes.substr(0, front) == npy(dictionary + std::string(front - 11 - dictionary.size(), ' ') + "\n"));
 }
 
-TEST_CASE("The number of rows is written over at each flush, and only there") {
+TEST_CASE("the number of rows is written over at each flush, and only there") {
   scratch file(".npy");
   table_writer out(file.path, {"t"});
   out.flush();
@@ -62,7 +62,7 @@ TEST_CASE("The number of rows is written over at each flush, and only there") {
   CHECK(after[before.size() - 1] == '\n');
 }
 
-TEST_CASE("Headers that are long or not ASCII are of version 3.0") {
+TEST_CASE("headers that are long or not ASCII are of version 3.0") {
   const auto version_of = [](const names& n) {
     scratch file(".npy");
     table_writer out(file.path, n);
@@ -85,19 +85,19 @@ TEST_CASE("Headers that are long or not ASCII are of version 3.0") {
   for (std::size_t n = 65300; n < 65600; n += 7) version_of({"t", std::string(n, 'x')});
 }
 
-TEST_CASE("Rows that the header does not count are not read") {
+TEST_CASE("rows that the header does not count are not read") {
   const std::string one = "{'descr': [('t', '<f8')], 'fortran_order': False, 'shape': (1,), }\n";
   scratch file(".npy", npy(one, doubles({7, 8}) + "cut"));
   CHECK(read_table(file.path)["t"] == std::vector<double>{7});
 }
 
-TEST_CASE("Headers of version 2.0 say their length by four bytes") {
+TEST_CASE("headers of version 2.0 say their length by four bytes") {
   const std::string header = "{'descr': [('t', '<f8')], 'fortran_order': False, 'shape': (1,), }\n";
   scratch file(".npy", "\x93NUMPY" + std::string("\x02\x00", 2) + little(header.size(), 4) + header + doubles({7}));
   CHECK(read_table(file.path)["t"] == std::vector<double>{7});
 }
 
-TEST_CASE("Headers are padded to the next multiple of 64 bytes, not to the one after") {
+TEST_CASE("headers are padded to the next multiple of 64 bytes, not to the one after") {
   for (std::size_t n = 1; n <= 64; ++n) {
     const std::string name(n, 'x'), text = "{'descr': [('" + name + "', '<f8')], 'fortran_order': False, 'shape': (";
     scratch file(".npy");
@@ -106,7 +106,7 @@ TEST_CASE("Headers are padded to the next multiple of 64 bytes, not to the one a
   }
 }
 
-TEST_CASE("Blanks in a header do not matter") {
+TEST_CASE("blanks in a header do not matter") {
   scratch file(".npy", npy("{ 'descr' : [ ( 't' , '<f8' ) , ('q', '<f8'), ] , 'fortran_order' : False,\n"
                            "'shape':( 1, ) }",
                            doubles({7, 8})));
@@ -115,7 +115,7 @@ TEST_CASE("Blanks in a header do not matter") {
   CHECK(t["q"] == std::vector<double>{8});
 }
 
-TEST_CASE("A forged or cut file is reported by offset, and needs no memory that it does not have") {
+TEST_CASE("a forged or cut file is reported by offset, and needs no memory that it does not have") {
   const auto message = [](const std::string& bytes) {
     scratch file(".npy", bytes);
     return test::message_about<bad_file>(file, [&] { read_table(file.path); });

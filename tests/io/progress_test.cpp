@@ -34,7 +34,7 @@ struct record {
 };
 using hand_progress = progress<record, hand_clock>;
 
-TEST_CASE("Progress is told once an interval and at the end") {
+TEST_CASE("progress is told once an interval and at the end", "[both]") {
   std::vector<call> calls;
   hand_progress report(2.0, 12.0, record{&calls}, std::chrono::milliseconds(500));
   const auto step = [&](double seconds, double t) {
@@ -59,7 +59,7 @@ TEST_CASE("Progress is told once an interval and at the end") {
   CHECK(step(100, 12) == 3);  // nothing after it
 }
 
-TEST_CASE("Progress stays within 0 and 1, and knows no rest at 0") {
+TEST_CASE("progress stays within 0 and 1, and knows no rest at 0") {
   std::vector<call> calls;
   hand_progress report(2.0, 12.0, record{&calls}, std::chrono::seconds(0));
   const auto infinite = std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ TEST_CASE("Progress stays within 0 and 1, and knows no rest at 0") {
   CHECK(calls.size() == 4);
 }
 
-TEST_CASE("Time may run backward, or not at all") {
+TEST_CASE("time may run backward, or not at all") {
   std::vector<call> calls;
   hand_progress back(1.0, -1.0, record{&calls}, std::chrono::seconds(0));
   hand_clock::pass(3);
@@ -85,7 +85,7 @@ TEST_CASE("Time may run backward, or not at all") {
   CHECK(calls.back().fraction == 1);
 }
 
-TEST_CASE("Progress needs finite times and an interval that is not negative") {
+TEST_CASE("progress needs finite times and an interval that is not negative") {
   std::vector<call> calls;
   const double infinite = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(hand_progress(infinite, 1, record{&calls}), contains_text("start time must be finite"));
@@ -119,7 +119,7 @@ std::string line_of(const std::string& text) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-TEST_CASE("A bar is drawn over and over on one line") {
+TEST_CASE("a bar is drawn over and over on one line") {
   const auto after = [](const std::vector<call>& calls) { return line_of(drawn(progress_bar::draw::always, calls)); };
   const std::string half = std::string(20, '#') + std::string(20, ' ');
   const double infinite = std::numeric_limits<double>::infinity();
@@ -135,7 +135,7 @@ TEST_CASE("A bar is drawn over and over on one line") {
   CHECK(all.back() == '\n');
 }
 
-TEST_CASE("A bar is silent where there is no terminal") {
+TEST_CASE("a bar is silent where there is no terminal") {
   CHECK(drawn(progress_bar::draw::on_terminals, {{0.5, 1, 1}, {1, 2, 0}}).empty());
 }
 

@@ -78,7 +78,7 @@ table row_of(const Chain& c, const State& s, const name_list& names) {
 }
 name_list columns_of(const name_list& names) { return row_of(zoo, make_state(zoo), names).names; }
 
-TEST_CASE("Columns are named after what they hold, vectors by components") {
+TEST_CASE("columns are named after what they hold, vectors by components") {
   CHECK(columns_of({"arm/q"}) == name_list{"t", "arm/q"});
   CHECK(columns_of({"arm/q/v", "arm/q/a", "arm/q/f"}) == name_list{"t", "arm/q/v", "arm/q/a", "arm/q/f"});
   CHECK(columns_of({"motor", "wall"}) == name_list{"t", "motor", "wall"});
@@ -95,7 +95,7 @@ TEST_CASE("Columns are named after what they hold, vectors by components") {
   CHECK(columns_of({"trunk/ang_acceleration/y"}) == name_list{"t", "trunk/ang_acceleration/y"});
 }
 
-TEST_CASE("Every quantity is the number of the state that it is named after") {
+TEST_CASE("every quantity is the number of the state that it is named after") {
   auto s = make_state(zoo);
   scatter(s);
   const auto numbers = [&](const std::string& name) {
@@ -152,7 +152,7 @@ TEST_CASE("Every quantity is the number of the state that it is named after") {
   CHECK(numbers("puck/angle") == list{s[puck].angle});
 }
 
-TEST_CASE("Without names all coordinates, inputs and places of frames are recorded, the same for both kinds of chain") {
+TEST_CASE("without names all coordinates, inputs and places of frames are recorded, the same for both kinds of chain") {
   auto s = make_state(zoo);
   scatter(s);
   const auto runtime = models::element_by_element(zoo);
@@ -178,7 +178,7 @@ TEST_CASE("Without names all coordinates, inputs and places of frames are record
   CHECK(names.back() == "arm/tip/rotation/z");
 }
 
-TEST_CASE("A pendulum that moves is recorded as it is at each row") {
+TEST_CASE("a pendulum that moves is recorded as it is at each row") {
   scratch file(".csv");
   auto s = make_state(models::pendulum);
   recorder rec(file.path, models::pendulum, {"q", "q/v", "tip/position", "tip/angle"});
@@ -202,7 +202,7 @@ TEST_CASE("A pendulum that moves is recorded as it is at each row") {
   }
 }
 
-TEST_CASE("States of other scalars are recorded as doubles, in the format that is asked for") {
+TEST_CASE("states of other scalars are recorded as doubles, in the format that is asked for") {
   scratch file(".dat");
   auto s = make_state<float>(models::pendulum);
   s[models::q].q = 0.1f;
@@ -212,7 +212,7 @@ TEST_CASE("States of other scalars are recorded as doubles, in the format that i
   CHECK(read_table(file.path, table_format::tsv)["q"] == std::vector<double>{double{0.1f}});
 }
 
-TEST_CASE("Unknown names are errors that say what there is") {
+TEST_CASE("unknown names are errors that say what there is") {
   scratch file(".csv", "untouched");
   const auto message = [&](const name_list& names) {
     return test::message_of<unknown_name>([&] { recorder(file.path, models::pendulum, names); });
@@ -238,7 +238,7 @@ TEST_CASE("Unknown names are errors that say what there is") {
   CHECK(file.text() == "untouched");
 }
 
-TEST_CASE("Where names of things begin alike, the longest counts") {
+TEST_CASE("where names of things begin alike, the longest counts") {
   kte_map_chain c;
   c << revolute_joint_3D("arm/position", "base", "arm", axis::z) << inertia_3D("arm", point_mass(1.0));
   CHECK(row_of(c, c.make_state(), {"arm/position"}).names == name_list{"t", "arm/position"});
@@ -246,7 +246,7 @@ TEST_CASE("Where names of things begin alike, the longest counts") {
   CHECK_THROWS_WITH(recorder(c, {"arm/position/x"}), contains_text("the coordinate 'arm/position' has"));
 }
 
-TEST_CASE("A state of another runtime chain is rejected") {
+TEST_CASE("a state of another runtime chain is rejected") {
   auto c = models::element_by_element(models::pendulum);
   recorder rec(c, {"q"});
   const auto s = c.make_state();

@@ -12,7 +12,7 @@ using kte::test::scratch;
 
 namespace {
 
-TEST_CASE("Rows of tables and of recorders do not allocate, nor do their flushes") {
+TEST_CASE("rows of tables and of recorders do not allocate, nor do their flushes", "[both]") {
   const std::vector<double> x(40, 1.0 / 3);
   std::vector<std::string> names{"t"};
   for (std::size_t i = 0; i < x.size(); ++i) names.push_back("x/" + std::to_string(i));
@@ -37,7 +37,7 @@ TEST_CASE("Rows of tables and of recorders do not allocate, nor do their flushes
         }) == 0);
 }
 
-TEST_CASE("A row for which there is no memory is not there, also not half of it") {
+TEST_CASE("a row for which there is no memory is not there, also not half of it") {
   std::vector<std::string> names{"t"};
   for (int i = 0; i < 20000; ++i) names.push_back("x" + std::to_string(i));
   const std::vector<double> x(20000, 1.0 / 3), short_as_text(20000, 0.0);

@@ -16,7 +16,7 @@ std::string message(const std::string& content, const char* extension = ".txt") 
   return test::message_about<bad_file>(file, [&] { read_table(file.path); });
 }
 
-TEST_CASE("A bad text is reported by line and column") {
+TEST_CASE("a bad text is reported by line and column", "[both]") {
   CHECK(message("a b\n").empty());
   CHECK(message("a\tb\r\n 1   2 \r\n").empty());
   CHECK(message("") == "line 1: no column names");
@@ -32,7 +32,7 @@ TEST_CASE("A bad text is reported by line and column") {
   CHECK(message("a b\n1 2\n3 4.") == "line 3: no line end, the file is cut off");
 }
 
-TEST_CASE("Commas and tabs separate cells one by one, with blanks around them") {
+TEST_CASE("commas and tabs separate cells one by one, with blanks around them") {
   const auto cells = [](const char* extension, const std::string& content) {
     scratch file(extension, content);
     return read_table(file.path);
@@ -53,7 +53,7 @@ TEST_CASE("Commas and tabs separate cells one by one, with blanks around them") 
   CHECK(message("a\tb\n1,2\n", ".tsv") == "line 2, column 1: '1,2' is not a number");
 }
 
-TEST_CASE("Cells may be in quotes, and a byte order mark may come first") {
+TEST_CASE("cells may be in quotes, and a byte order mark may come first") {
   const auto read = [](const char* extension, const std::string& content) {
     scratch file(extension, content);
     return read_table(file.path);

@@ -15,7 +15,7 @@ using kte::test::scratch;
 
 namespace {
 
-TEST_CASE("A text is a line of names and lines of numbers") {
+TEST_CASE("a text is a line of names and lines of numbers", "[both]") {
   const auto text = [](const char* extension) {
     scratch file(extension);
     table_writer out(file.path, {"t", "q", "tip/x", "n", "f"});
@@ -45,7 +45,7 @@ TEST_CASE("A text is a line of names and lines of numbers") {
   CHECK(text(".tsv") == with('\t'));
 }
 
-TEST_CASE("No number looks like an integer and the first row has no exponent, as PlotJuggler guesses types by it") {
+TEST_CASE("no number looks like an integer and the first row has no exponent, as PlotJuggler guesses types by it") {
   using limits = std::numeric_limits<double>;
   scratch file(".csv");
   table_writer out(file.path, {"a", "b", "c", "d"});
@@ -65,7 +65,7 @@ TEST_CASE("No number looks like an integer and the first row has no exponent, as
   CHECK(file.text().find('e') == std::string::npos);
 }
 
-TEST_CASE("In every format numbers are read back bit for bit") {
+TEST_CASE("in every format numbers are read back bit for bit") {
   using limits = std::numeric_limits<double>;
   std::vector<double> values = {
       0.0,      -0.0, limits::max(), limits::min(), -limits::denorm_min(), limits::infinity(), -limits::infinity(),
@@ -96,7 +96,7 @@ TEST_CASE("In every format numbers are read back bit for bit") {
   }
 }
 
-TEST_CASE("Tables without rows keep their names, and the destructor writes what is left") {
+TEST_CASE("tables without rows keep their names, and the destructor writes what is left") {
   for (const auto& extension : test::table_extensions) {
     CAPTURE(extension);
     scratch file(extension);
@@ -109,7 +109,7 @@ TEST_CASE("Tables without rows keep their names, and the destructor writes what 
   }
 }
 
-TEST_CASE("Rows flush by themselves every so many, and where the buffer is full") {
+TEST_CASE("rows flush by themselves every so many, and where the buffer is full") {
   for (const auto& extension : test::table_extensions) {
     CAPTURE(extension);
     scratch file(extension);
@@ -134,7 +134,7 @@ TEST_CASE("Rows flush by themselves every so many, and where the buffer is full"
   }
 }
 
-TEST_CASE("Bad names and rows of the wrong size are rejected") {
+TEST_CASE("bad names and rows of the wrong size are rejected") {
   scratch file(".txt", "untouched");
   using names = std::vector<std::string>;
   const auto message = [&file](const names& n) {
@@ -161,7 +161,7 @@ TEST_CASE("Bad names and rows of the wrong size are rejected") {
   CHECK(file.text() == "a b\n1.0 2.0\n");
 }
 
-TEST_CASE("The extension chooses the format, and an unknown one is an error that lists the known ones") {
+TEST_CASE("the extension chooses the format, and an unknown one is an error that lists the known ones") {
   scratch file(".dat", "untouched");
   const std::string message = "kte: the name '" + file.path.string() +
                               "' has no extension of a table: .ssv .txt .csv .tsv .npy .mcap (or give a table_format)";
@@ -175,14 +175,14 @@ TEST_CASE("The extension chooses the format, and an unknown one is an error that
   CHECK(read_table(file.path, table_format::csv)["b"] == std::vector<double>{2});
 }
 
-TEST_CASE("Files that cannot be opened are errors") {
+TEST_CASE("files that cannot be opened are errors") {
   CHECK_THROWS_WITH(table_writer("/no/such/folder/x.txt", {"a"}),
                     contains_text("cannot open '/no/such/folder/x.txt': No such file"));
   CHECK_THROWS_WITH(read_table("/no/such/file.csv"), contains_text("cannot open '/no/such/file.csv': No such file"));
   CHECK_THROWS_WITH(read_table("/tmp", table_format::npy), contains_text("cannot read '/tmp': Is a directory"));
 }
 
-TEST_CASE("In every format a full disk is an error") {
+TEST_CASE("in every format a full disk is an error") {
   if (!std::filesystem::exists("/dev/full")) return;
   const auto full = contains_text("cannot write '/dev/full': No space left on device");
   for (const auto& extension : test::table_extensions) {

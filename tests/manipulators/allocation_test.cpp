@@ -8,7 +8,7 @@
 
 using namespace kte;
 
-TEST_CASE("Rates and poses of static arms take no memory from the heap") {
+TEST_CASE("rates and poses of static arms take no memory from the heap") {
   constexpr auto arm = three_r_three_r();
   const joint_vector<double, 6> q{{0.1, 0.4, 0.3, 0.2, 0.6, 0.1}}, still = joint_vector<double, 6>::Zero();
   const Eigen::Matrix<double, 6, 1> twist{{0.1, 0.2, 3, 0.1, 0.2, 0.3}};
@@ -26,7 +26,7 @@ TEST_CASE("Rates and poses of static arms take no memory from the heap") {
   CHECK(reached);
 }
 
-TEST_CASE("Closed forms of static arms take no memory from the heap") {
+TEST_CASE("closed forms of static arms take no memory from the heap") {
   constexpr auto arm = three_r_three_r();
   static_assert(arm.family() == arm_family::spherical_wrist);  // found while compiling
   const joint_vector<double, 6> q{{0.1, 0.4, 0.3, 0.2, 0.6, 0.1}};

@@ -9,7 +9,7 @@ using test::says;
 
 // Which closed form an arm has: fewer axes or more, none, families that agree, and branches.
 
-TEST_CASE("planar arms and SCARA") {
+TEST_CASE("planar arms and SCARA", "[laws]") {
   const manipulator planar(planar_3R(), "tool"), four(scara(), "tool");
   CHECK(planar.family() == arm_family::planar_3R);
   CHECK(four.family() == arm_family::scara);
@@ -50,9 +50,9 @@ TEST_CASE("arms without a closed form say what their axes miss") {
 }
 
 TEST_CASE("seven axes without an arm angle: the first or last joint is held") {
-  const std::vector<named_arm> all{{"Panda", manipulator(panda(), "tool"), arm_family::offset_7R, 6},
-                                   {"ERA", manipulator(era(), "tool"), arm_family::offset_7R, 7},
-                                   {"SSRMS", manipulator(ssrms(), "tool"), arm_family::offset_7R, 6}};
+  const std::vector<named_arm> all{{"Panda", manipulator(arms::panda(), "tool"), arm_family::offset_7R, 6},
+                                   {"ERA", manipulator(arms::era(), "tool"), arm_family::offset_7R, 7},
+                                   {"SSRMS", manipulator(arms::ssrms(), "tool"), arm_family::offset_7R, 6}};
   for (const auto& a : all) {
     INFO(a.name);
     CHECK(a.arm.family() == a.family);

@@ -68,7 +68,7 @@ double by_enumeration(const problem& p) {
 }
 }  // namespace
 
-TEST_CASE("The minimum in a box is the least of all choices of bounds") {
+TEST_CASE("the minimum in a box is the least of all choices of bounds") {
   random_numbers random(1);
   double worst = 0;
   for (int i = 0; i < 150; ++i) {
@@ -81,7 +81,7 @@ TEST_CASE("The minimum in a box is the least of all choices of bounds") {
   CHECK(worst < 2e-14);
 }
 
-TEST_CASE("Conditions of an optimum hold to rounding, of good and of singular functions") {
+TEST_CASE("conditions of an optimum hold to rounding, of good and of singular functions") {
   random_numbers random(2);
   int most = 0;
   for (int i = 0; i < 600; ++i) {
@@ -103,7 +103,7 @@ TEST_CASE("Conditions of an optimum hold to rounding, of good and of singular fu
   CHECK(most < 60);
 }
 
-TEST_CASE("Boxes of a point, without bounds, and functions without curvature") {
+TEST_CASE("boxes of a point, without bounds, and functions without curvature") {
   using two = joint_vector<double, 2>;
   const double none = std::numeric_limits<double>::infinity();
   const joint_matrix<double, 2> h{{2.0, 1.0}, {1.0, 2.0}};

@@ -86,7 +86,7 @@ TEST_CASE("clik attains singular poses: stretched, folded, with aligned wrists")
   }
 }
 
-TEST_CASE("What is out of reach is missed by its distance, and said") {
+TEST_CASE("what is out of reach is missed by its distance, and said") {
   const auto arm = three_r();
   using three = joint_vector<double, 3>;
   for (const double beyond : {1e-6, 1e-3, 0.1, 3.0, 20.0}) {
@@ -106,7 +106,7 @@ TEST_CASE("What is out of reach is missed by its distance, and said") {
   }
 }
 
-TEST_CASE("Soft goals have the freedom that hard ones leave") {
+TEST_CASE("soft goals have the freedom that hard ones leave") {
   random_numbers random(4);
   for (int i = 0; i < 5; ++i) {
     const seven from = random_posture(random), rest = 0.3 * random_posture(random);
@@ -135,7 +135,7 @@ TEST_CASE("Soft goals have the freedom that hard ones leave") {
   }
 }
 
-TEST_CASE("Goals of each kind") {
+TEST_CASE("goals of each kind") {
   random_numbers random(5);
   const seven from(0.1, 0.4, 0.2, 1, 0.3, 0.5, 0.2);
   const vec3<> point{0.5, -0.3, 0.6};
@@ -176,7 +176,7 @@ TEST_CASE("Goals of each kind") {
   CHECK(ordered.status == clik_status::reached);
 }
 
-TEST_CASE("Runtime arms, arms in the plane, free bodies") {
+TEST_CASE("runtime arms, arms in the plane, free bodies") {
   const auto arm = runtime_three();
   const std::vector q{0.3, 0.5, 0.2};
   const auto wanted = arm.getDependentPoses(q)[0];
@@ -212,7 +212,7 @@ TEST_CASE("clik in float") {
   CHECK(p.y == within(wanted.position.y, 4e-6));
 }
 
-TEST_CASE("What makes no sense is refused") {
+TEST_CASE("what makes no sense is refused") {
   const seven q = seven::Zero();
   const double nan = std::nan("");
   CHECK_THROWS_AS(reach_position(tool, vec3{nan, 0.0, 0.0}), bad_argument);
@@ -232,7 +232,7 @@ TEST_CASE("What makes no sense is refused") {
   CHECK_THROWS_AS(clik(kuka, away_from_limits(), q, {.length = INFINITY}), bad_argument);
 }
 
-TEST_CASE("An arm as calibrated, whose axes almost meet: from the answers of the arm as drawn") {
+TEST_CASE("an arm as calibrated, whose axes almost meet: from the answers of the arm as drawn") {
   const manipulator nominal(arms::plain_3R3R(), "tool");
   const auto off = [](double x, double y) { return vec3<>{x, y, .5}; };
   const manipulator real(arms::chain(arms::none, {{arms::e_z, {1e-4, 0, 1}},

@@ -67,13 +67,13 @@ void check_singular(const model& arm, double tolerance) {
 }
 }  // namespace
 
-TEST_CASE("wherever the determinant is zero answers are exact to rounding") {
-  for (const auto& c : {plain_3R3R(), irb2400(), ur5(), era()}) check_singular(model(c, "tool"), 1e-14);
+TEST_CASE("wherever the determinant is zero answers are exact to rounding", "[laws]") {
+  for (const auto& c : {plain_3R3R(), irb2400(), ur5(), arms::era()}) check_singular(model(c, "tool"), 1e-14);
 }
 
 // Axis 6 is known to be along the parallel axes to 24 ulp; within four times that a turn about it may miss.
 TEST_CASE("there equations of degree four have answers too, as exact") {
-  for (const auto& c : {bent(), ur5_with_offset(), panda(), ssrms()})
+  for (const auto& c : {bent(), ur5_with_offset(), arms::panda(), arms::ssrms()})
     check_singular(model(c, "tool"), 100 * std::numeric_limits<double>::epsilon());
 }
 
@@ -82,9 +82,9 @@ TEST_CASE("a stretched elbow, axes along parallel ones: answers of equations of 
     model arm;
     int joint;
     double at;
-  } const all[]{{model(panda(), "tool"), 3, 0},
-                {model(ssrms(), "tool"), 1, 0},
-                {model(ssrms(), "tool"), 1, M_PI},
+  } const all[]{{model(arms::panda(), "tool"), 3, 0},
+                {model(arms::ssrms(), "tool"), 1, 0},
+                {model(arms::ssrms(), "tool"), 1, M_PI},
                 {model(ur5_with_offset(), "tool"), 4, M_PI}};
   for (const auto& a : all) {
     random_numbers random(32);
@@ -279,7 +279,7 @@ TEST_CASE("axes that almost lie as formulas have them, within a tolerance") {
 TEST_CASE("derivatives of the answers of every family are those of the Jacobian") {
   using number = dual<double, 1>;
   const vec3<> u{0.2, -0.4, 0.7}, w{-0.5, 0.3, 0.1};
-  for (const auto& c : {plain_3R3R(), ur5(), bent(), ur5_with_offset(), iiwa14(), panda(), era()}) {
+  for (const auto& c : {plain_3R3R(), ur5(), bent(), ur5_with_offset(), iiwa14(), arms::panda(), arms::era()}) {
     const model arm(c, "tool");
     numbers q(7);
     q << 0.3, 0.4, -0.7, 0.9, 0.6, 0.5, 0.2;

@@ -43,7 +43,7 @@ auto largest(const Motion& m, double jumps) {
 }
 }  // namespace
 
-TEST_CASE("A trapezoidal motion is as fast as its limits let it, and ends at its end") {
+TEST_CASE("a trapezoidal motion is as fast as its limits let it, and ends at its end") {
   const three from(0, 0.5, -1), to(1.5, -0.5, -0.8);
   const auto m = trapezoidal_motion(arm, from, to);
   CHECK((m(0).q - from).norm() == 0);
@@ -63,7 +63,7 @@ TEST_CASE("A trapezoidal motion is as fast as its limits let it, and ends at its
   CHECK(near(near.duration() / 2).v[1] == within(std::sqrt(0.1), 1e-15));
 }
 
-TEST_CASE("A quintic motion keeps limits of jerk too") {
+TEST_CASE("a quintic motion keeps limits of jerk too") {
   const three from(0, 0.5, -1), to(1.5, -0.5, -0.8);
   const auto m = quintic_motion(arm, from, to);
   CHECK(m.duration() == within(1.875 * 1.5, 1e-15));  // the rate of the first
@@ -80,7 +80,7 @@ TEST_CASE("A quintic motion keeps limits of jerk too") {
   CHECK(unit((3 - std::sqrt(3.0)) / 6).s_ddot == within(10 / std::sqrt(3.0), 1e-14));
 }
 
-TEST_CASE("Poses move along constant rates, tools along straight lines") {
+TEST_CASE("poses move along constant rates, tools along straight lines") {
   const auto body = free_floater();
   const auto start = neutral_configuration(body);
   joint_vector<double, 6> d;
@@ -105,7 +105,7 @@ TEST_CASE("Poses move along constant rates, tools along straight lines") {
   CHECK(pose_error(straight_line(from, rolled)(1.0), rolled).norm() < 1e-15);
 }
 
-TEST_CASE("Motions that make no sense are refused") {
+TEST_CASE("motions that make no sense are refused") {
   const three from(0, 0.5, -1);
   CHECK_THROWS_MATCHES(trapezoidal_motion(arm, from, three(0, 2.5, 0)), bad_argument,
                        says("to is beyond the limits of coordinate 'q2'"));
@@ -134,7 +134,7 @@ TEST_CASE("Motions that make no sense are refused") {
   CHECK_THROWS_MATCHES(trapezoidal_profile<double>({1e-320, 1}), bad_argument, says("infinitely long"));
 }
 
-TEST_CASE("Lines between poses that are not finite are refused") {
+TEST_CASE("lines between poses that are not finite are refused") {
   const auto at = [](double x, double y) { return pose{rotation_about(axis::z, 0.2), vec3{x, y, 0.0}}; };
   for (const double bad : {double(NAN), double(INFINITY)}) {
     CHECK_THROWS_AS(pose_error(at(bad, 1), at(0, 1)), bad_argument);

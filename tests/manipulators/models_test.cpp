@@ -90,7 +90,7 @@ void check_between(const Limits& limits, std::size_t i, double lower, double upp
 }
 }  // namespace
 
-TEST_CASE("iiwa14: its table, the maker's description, its limits") {
+TEST_CASE("iiwa14: its table, the maker's description, its limits", "[laws]") {
   check(iiwa14_chain(), [](const auto& q) {
     return classic(0, -quarter, 0.36, q[0]) * classic(0, quarter, 0, q[1]) * classic(0, quarter, 0.42, q[2]) *
            classic(0, -quarter, 0, q[3]) * classic(0, -quarter, 0.4, q[4]) * classic(0, quarter, 0, q[5]) *
@@ -140,7 +140,7 @@ TEST_CASE("Panda: the maker's parameters, its limits") {
   CHECK(total_mass(record_of(panda_chain())) == within(16.062132, 1e-12));
 }
 
-TEST_CASE("Arms of the catalogue") {
+TEST_CASE("arms of the catalogue") {
   check(three_r_chain(1, 0.8, 0.3, 0.1, 0.2, 0.4),
         [](const auto& q) { return z(q[0]) * by(1, 0, 0.1) * z(q[1]) * by(0.8, 0, 0.2) * z(q[2]) * by(0.3, 0, 0.4); });
   check(three_r_2D_chain(1, 0.8, 0.3),
@@ -165,7 +165,7 @@ TEST_CASE("Arms of the catalogue") {
   check_between(opw_limits(), 2, half / 6, 155 * half / 180);
 }
 
-TEST_CASE("Arms of space stations") {
+TEST_CASE("arms of space stations") {
   check(era_chain(), [](const auto& q) {
     return z(q[0]) * by(0, 0, 1.228) * y(q[1]) * by(0, 0, 0.34) * x(q[2]) * by(0, 0, 4.072) * x(q[3]) *
            by(0, 0, 4.072) * x(q[4]) * by(0, 0, 0.34) * y(q[5]) * by(0, 0, 1.228) * z(q[6]);
@@ -180,7 +180,7 @@ TEST_CASE("Arms of space stations") {
   check_between(ssrms_limits(), 6, -1.5 * half, 1.5 * half);
 }
 
-TEST_CASE("Bodies that move freely, with tools") {
+TEST_CASE("bodies that move freely, with tools") {
   const auto c = models::registered(record_of(uav_chain(vec3{0.1, 0.2, 0.3}, quarter_turn_x)));
   auto s = c.make_state();
   const std::array<double, 7> q{1, 2, 3, 0.5, 0.5, 0.5, 0.5};  // x to y, y to z, z to x

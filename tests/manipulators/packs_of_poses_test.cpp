@@ -71,8 +71,8 @@ void compare(const char* name, const Arm& arm, std::size_t stops, const Request&
 }
 }  // namespace
 
-TEST_CASE(
-    "packs of poses: the answers of each lane are those of its pose alone, singular or beyond reach as they are") {
+TEST_CASE("packs of poses: the answers of each lane are those of its pose alone, singular or beyond reach as they are",
+          "[laws]") {
   compare("3R3R", three_r_three_r(), 4);
   compare("UR5", ur(), 4);
   compare("iiwa14", iiwa14(), 5, arm_angle(0.3));

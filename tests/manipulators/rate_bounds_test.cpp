@@ -18,7 +18,7 @@ double way(double v, double a, double dt) {
 }
 }  // namespace
 
-TEST_CASE("The stopping rate is the largest that stops in time, exactly in discrete time") {
+TEST_CASE("the stopping rate is the largest that stops in time, exactly in discrete time") {
   random_numbers random(1);
   for (int i = 0; i < 2000; ++i) {
     const double a = std::exp(random(3)), dt = std::exp(random(3) - 3), d = std::exp(random(6) - 3);
@@ -36,7 +36,7 @@ TEST_CASE("The stopping rate is the largest that stops in time, exactly in discr
   CHECK(stopping_rate(1e12, 1e-320, 1e-3) > 0);
 }
 
-TEST_CASE("Whatever is wanted of a joint, its limits are kept to rounding and the bounds are never empty") {
+TEST_CASE("whatever is wanted of a joint, its limits are kept to rounding and the bounds are never empty") {
   random_numbers random(2);
   const double lower = -2.0, upper = 1.7, rate = 2.5, dt = 0.01;
   for (const double a : {0.8, 5.0, 40.0, 1000.0, none}) {
@@ -54,7 +54,7 @@ TEST_CASE("Whatever is wanted of a joint, its limits are kept to rounding and th
   }
 }
 
-TEST_CASE("Outside its limits, or too fast, a joint recovers with the acceleration it has") {
+TEST_CASE("outside its limits, or too fast, a joint recovers with the acceleration it has") {
   const double upper = 1.0, a = 4.0, dt = 0.01;
   for (const bool outside : {true, false}) {
     double q = outside ? 1.5 : 0.9, v = outside ? 0.7 : 3.0;
@@ -97,7 +97,7 @@ TEST_CASE("Outside its limits, or too fast, a joint recovers with the accelerati
   CHECK(rate_bounds(1 - 8 * eps, 0.0, -1.0, 1.0, 2.0, 4.0, 0.01).upper > 0);
 }
 
-TEST_CASE("Bounds of rates of numbers that are none are refused") {
+TEST_CASE("bounds of rates of numbers that are none are refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   using test::says;
   for (const double bad : {nan, none}) {

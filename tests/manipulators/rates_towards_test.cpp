@@ -49,7 +49,7 @@ twist random_twist(Random& random, double size) {
 }
 }  // namespace
 
-TEST_CASE("Without limits in the way, rates give the wanted twist as well as least squares") {
+TEST_CASE("without limits in the way, rates give the wanted twist as well as least squares") {
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), v(0.1, -0.2, 0.15);
   const manipulator free_arm(three, tip);
   const twist wanted = arm.getJacobianMatrix(q) * v;
@@ -66,7 +66,7 @@ TEST_CASE("Without limits in the way, rates give the wanted twist as well as lea
   CHECK(missed.angular == within(1, 1e-4));
 }
 
-TEST_CASE("Limits are kept whatever twist is wanted, and the arm moves as well as they let it") {
+TEST_CASE("limits are kept whatever twist is wanted, and the arm moves as well as they let it") {
   random_numbers random(1);
   three_rates q(0, 0, 0.5), v = three_rates::Zero();
   const double dt = 0.01;
@@ -93,7 +93,7 @@ TEST_CASE("Limits are kept whatever twist is wanted, and the arm moves as well a
   CHECK(at_bounds > 1000);
 }
 
-TEST_CASE("Started outside its limits an arm comes back, and says so") {
+TEST_CASE("started outside its limits an arm comes back, and says so") {
   three_rates q(1.3, 0, 2.5), v(1, 0, 0);
   const twist wanted = twist::Constant(0.3);
   int steps = 0;
@@ -107,7 +107,7 @@ TEST_CASE("Started outside its limits an arm comes back, and says so") {
   CHECK(q[2] <= 2);
 }
 
-TEST_CASE("What the tools leave is done as wanted") {
+TEST_CASE("what the tools leave is done as wanted") {
   const manipulator free_arm(three, tip);
   const three_rates q(0.3, 0.4, 0.7), none = three_rates::Zero(), posture(0, 0.5, 0);
   // Of a tool that is to stand still nothing is left here: three joints. Along y alone two of them do not matter.
@@ -125,7 +125,7 @@ TEST_CASE("What the tools leave is done as wanted") {
   CHECK(r.linear < 1e-12);
 }
 
-TEST_CASE("Runtime arms have the rates of static ones; poses have limits of rates") {
+TEST_CASE("runtime arms have the rates of static ones; poses have limits of rates") {
   kte_map_chain c;
   c << revolute_joint_3D("q1", "ground", "upper") << revolute_joint_3D("q2", "upper", "lower", axis::y).at(along_x(0.5))
     << revolute_joint_3D("q3", "lower", "hand", axis::y).at(along_x(0.4)) << rigid_link_3D("hand", "tip", along_x(0.3));
@@ -153,7 +153,7 @@ TEST_CASE("Runtime arms have the rates of static ones; poses have limits of rate
                        says("coordinate 'pose', number 2 of v"));
 }
 
-TEST_CASE("Accelerations of tools, and joints that give them within limits") {
+TEST_CASE("accelerations of tools, and joints that give them within limits") {
   kte_map_chain c;
   c << revolute_joint_3D("q1", "ground", "upper") << revolute_joint_3D("q2", "upper", "lower", axis::y).at(along_x(0.5))
     << revolute_joint_3D("q3", "lower", "hand", axis::y).at(along_x(0.4)) << rigid_link_3D("hand", "tip", along_x(0.3));
@@ -204,7 +204,7 @@ TEST_CASE("Accelerations of tools, and joints that give them within limits") {
   CHECK(at_bounds > 100);
 }
 
-TEST_CASE("Arguments that are none are refused") {
+TEST_CASE("arguments that are none are refused") {
   const three_rates q(0.3, 0.4, 0.7), v = three_rates::Zero();
   twist t = twist::Zero();
   CHECK_THROWS_MATCHES(rates_towards(arm, q, v, t, 0.0), bad_argument, says("dt > 0"));

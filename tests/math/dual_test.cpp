@@ -92,7 +92,7 @@ void check_function(const char* name, const F& f, std::initializer_list<double> 
 
 }  // namespace
 
-TEST_CASE("functions of one dual number against 50 digits", "[math][dual]") {
+TEST_CASE("functions of one dual number against 50 digits", "[laws]") {
   KTE_CHECK_FUNCTION(sqrt, {0.3, 2.0, 1e10});
   KTE_CHECK_FUNCTION(sin, {0.3, -1.0, 2.5});
   KTE_CHECK_FUNCTION(cos, {0.3, -1.0, 2.5});
@@ -105,7 +105,7 @@ TEST_CASE("functions of one dual number against 50 digits", "[math][dual]") {
   KTE_CHECK_FUNCTION(log, {0.3, 0.9, 1e5});
 }
 
-TEST_CASE("expressions in one dual number against 50 digits", "[math][dual]") {
+TEST_CASE("expressions in one dual number against 50 digits") {
   using std::atan2, std::hypot, std::pow;
   const auto check = [](const char* name, const auto& f, std::initializer_list<double> points, double ulps = 4) {
     check_function(
@@ -129,7 +129,7 @@ TEST_CASE("expressions in one dual number against 50 digits", "[math][dual]") {
       {0.4, 0.9}, 10);
 }
 
-TEST_CASE("functions of two dual numbers by their gradients", "[math][dual]") {
+TEST_CASE("functions of two dual numbers by their gradients") {
   using std::atan2, std::hypot, std::pow;
   const double a = 0.8, b = -0.6, p = 1.7;
   const auto x = seeded<2>(a, 0), y = seeded<2>(b, 1);
@@ -157,7 +157,7 @@ TEST_CASE("functions of two dual numbers by their gradients", "[math][dual]") {
   CHECK((pow(origin, seeded<2>(0.0, 1)).derivative[0] == 0 && pow(origin, seeded<2>(0.0, 1)).derivative[1] == 0));
 }
 
-TEST_CASE("arithmetic for every number of derivatives", "[math][dual]") {
+TEST_CASE("arithmetic for every number of derivatives") {
   // Dyadic numbers, so that sums and products are exact and == is the right comparison.
   const auto check = []<class T, int N>(dual<T, N>) {
     kte::test::draw draw(7);
@@ -202,7 +202,7 @@ TEST_CASE("arithmetic for every number of derivatives", "[math][dual]") {
   (std::make_integer_sequence<int, 17>{});
 }
 
-TEST_CASE("comparisons, min, max, abs and what is finite look at the value", "[math][dual]") {
+TEST_CASE("comparisons, min, max, abs and what is finite look at the value") {
   const D a = seeded<3>(1.0, 0), b = seeded<3>(2.0, 1), also_a = seeded<3>(1.0, 2);
   CHECK((a < b && b > a && a <= also_a && a >= also_a && a == also_a && a != b && !(a < also_a)));
   CHECK((a < 2 && 2.0 > a && a == 1 && 1.0 == a && a != 3.0f && a <= 1 && 0 < a));
@@ -215,7 +215,7 @@ TEST_CASE("comparisons, min, max, abs and what is finite look at the value", "[m
   CHECK((isfinite(a) && !isfinite(a * inf) && isinf(a * inf) && isnan(a * std::nan("")) && !isnan(a)));
 }
 
-TEST_CASE("constants have no derivatives", "[math][dual]") {
+TEST_CASE("constants have no derivatives") {
   using std::exp, std::sin, std::sqrt;
   for (const D& x : {D(2.0), D(3), D(1.5f), sin(D(1)), sqrt(D(2)), exp(D(1)) * D(4) / 3 - D(1)})
     for (const double dx : x.derivative) CHECK(dx == 0);
@@ -223,7 +223,7 @@ TEST_CASE("constants have no derivatives", "[math][dual]") {
   CHECK_THROWS_AS(seeded<3>(1.0, -1), kte::bad_argument);
 }
 
-TEST_CASE("sine and cosine of a dual number at once", "[math][dual]") {
+TEST_CASE("sine and cosine of a dual number at once") {
   const auto check = [](const auto& x) {
     auto s = x, c = x;
     sincos(x, s, c);
@@ -238,7 +238,7 @@ TEST_CASE("sine and cosine of a dual number at once", "[math][dual]") {
   check(dual<D, 2>(seeded<3>(0.7, 0)) + seeded<2>(D(0), 0));
 }
 
-TEST_CASE("numeric_limits of dual numbers are those of their scalar", "[math][dual]") {
+TEST_CASE("numeric_limits of dual numbers are those of their scalar") {
   using limits = std::numeric_limits<D>;
   using nested = std::numeric_limits<dual<dual<big, 1>, 2>>;
   static_assert(limits::is_specialized && limits::digits == 53 && !limits::is_integer && nested::is_specialized);
@@ -249,7 +249,7 @@ TEST_CASE("numeric_limits of dual numbers are those of their scalar", "[math][du
   CHECK(nested::epsilon() == std::numeric_limits<big>::epsilon());
 }
 
-TEST_CASE("matrices of doubles times matrices of dual numbers", "[math][dual]") {
+TEST_CASE("matrices of doubles times matrices of dual numbers") {
   kte::test::draw draw(11);
   const auto check = [&](auto A, auto B, Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i)
@@ -283,7 +283,7 @@ TEST_CASE("matrices of doubles times matrices of dual numbers", "[math][dual]") 
   check(Eigen::MatrixXd(30, 30), Eigen::Matrix<D, -1, -1>(30, 30), 30);
 }
 
-TEST_CASE("Jacobian of a vector", "[math][dual]") {
+TEST_CASE("Jacobian of a vector") {
   const D a = seeded<3>(2.0, 0), b = seeded<3>(3.0, 1), c = seeded<3>(5.0, 2);
   const Eigen::Vector2d ones(1, 1);
   const Eigen::Matrix<D, 2, 1> x(a * b, c * c * a);
@@ -296,7 +296,7 @@ TEST_CASE("Jacobian of a vector", "[math][dual]") {
   CHECK(x.norm().value == std::sqrt(36.0 + 2500.0));
 }
 
-TEST_CASE("derivatives of the pendulum's inverse dynamics", "[math][dual]") {
+TEST_CASE("derivatives of the pendulum's inverse dynamics") {
   // m = 1 kg at l = 0.5 m under gravity g along -y: tau = m l^2 a + m g l cos q.
   using A = std::array<D, 1>;
   const auto pendulum = models::pendulum.gravity(kte::along_y(-9.81));

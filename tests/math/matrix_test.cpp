@@ -33,7 +33,7 @@ double gap(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return (a - b).
 
 }  // namespace
 
-TEST_CASE("dense matrices agree with Eigen", "[math][matrix]") {
+TEST_CASE("dense matrices agree with Eigen") {
   // Entries below 1: a dot product of three has an error of at most 8/2 eps on either side, and one of three such dot
   // products, below 3 each, at most 3 (4 eps) + 24/2 eps.
   test::draw draw(3);
@@ -52,7 +52,7 @@ TEST_CASE("dense matrices agree with Eigen", "[math][matrix]") {
   }
 }
 
-TEST_CASE("products of mixed matrices are exactly the dense ones", "[math][matrix]") {
+TEST_CASE("products of mixed matrices are exactly the dense ones") {
   test::draw draw(4);
   each(matrices{}, [&]<class A>() {
     each(matrices{}, [&]<class B>() {
@@ -83,7 +83,7 @@ TEST_CASE("products of mixed matrices are exactly the dense ones", "[math][matri
   });
 }
 
-TEST_CASE("sums and products of mixed symmetric matrices are exactly the dense ones", "[math][matrix]") {
+TEST_CASE("sums and products of mixed symmetric matrices are exactly the dense ones") {
   test::draw draw(5);
   each(symmetric{}, [&]<class S>() {
     each(symmetric{}, [&]<class T>() {
@@ -100,7 +100,7 @@ TEST_CASE("sums and products of mixed symmetric matrices are exactly the dense o
   });
 }
 
-TEST_CASE("plane rotations agree with their matrices", "[math][matrix]") {
+TEST_CASE("plane rotations agree with their matrices") {
   test::draw draw(6);
   for (int i = 0; i < 100; ++i) {
     const rotation_2D a{draw.dyadic(), draw.dyadic()}, b{draw.dyadic(), draw.dyadic()};

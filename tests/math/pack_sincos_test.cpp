@@ -50,7 +50,7 @@ double largest_error(const std::vector<typename P::value_type>& angles) {
 
 }  // namespace
 
-TEST_CASE("packs: sines and cosines", "[math][pack][sincos]") {
+TEST_CASE("packs: sines and cosines", "[both]") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     CAPTURE(P::lanes, sizeof(T));
@@ -72,7 +72,7 @@ TEST_CASE("packs: sines and cosines", "[math][pack][sincos]") {
   });
 }
 
-TEST_CASE("packs: small sines keep their digits", "[math][pack][sincos]") {
+TEST_CASE("packs: small sines keep their digits") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     for (const double angle : {1e-30, 1e-20, -1e-8, 1e-4, -1e-3}) {
@@ -87,7 +87,7 @@ TEST_CASE("packs: small sines keep their digits", "[math][pack][sincos]") {
   });
 }
 
-TEST_CASE("packs: a sine does not depend on the other lanes", "[math][pack][sincos]") {
+TEST_CASE("packs: a sine does not depend on the other lanes") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     constexpr T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
@@ -113,7 +113,7 @@ TEST_CASE("packs: a sine does not depend on the other lanes", "[math][pack][sinc
   });
 }
 
-TEST_CASE("packs: sines of a chain", "[math][pack][sincos]") {
+TEST_CASE("packs: sines of a chain") {
   for_all_packs([]<class P>() {
     random_numbers random(69);
     const std::array<P, 3> x{random_pack<P>(random, 3), random_pack<P>(random, 3), random_pack<P>(random, 3)};

@@ -51,7 +51,7 @@ std::vector<P> operands(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("packs: memory, lanes, broadcast", "[math][pack]") {
+TEST_CASE("packs: memory, lanes, broadcast", "[both]") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     constexpr auto n = static_cast<std::size_t>(P::lanes);
@@ -74,7 +74,7 @@ TEST_CASE("packs: memory, lanes, broadcast", "[math][pack]") {
   });
 }
 
-TEST_CASE("packs: arithmetic and functions", "[math][pack]") {
+TEST_CASE("packs: arithmetic and functions") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     CAPTURE(P::lanes, sizeof(T));
@@ -109,7 +109,7 @@ TEST_CASE("packs: arithmetic and functions", "[math][pack]") {
   });
 }
 
-TEST_CASE("packs: comparisons, masks and choices", "[math][pack]") {
+TEST_CASE("packs: comparisons, masks and choices") {
   for_all_packs([]<class P>() {
     CAPTURE(P::lanes, sizeof(typename P::value_type));
     const auto x = operands<P>(63), y = operands<P>(64);
@@ -144,7 +144,7 @@ TEST_CASE("packs: comparisons, masks and choices", "[math][pack]") {
   });
 }
 
-TEST_CASE("packs: limits", "[math][pack]") {
+TEST_CASE("packs: limits") {
   for_all_packs([]<class P>() {
     using limits = std::numeric_limits<P>;
     using lane = std::numeric_limits<typename P::value_type>;

@@ -11,7 +11,7 @@
 using namespace kte;
 using namespace kte::test;
 
-TEST_CASE("packs: typed constants and vectors with them", "[math][pack]") {
+TEST_CASE("packs: typed constants and vectors with them", "[both]") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     random_numbers random(65);
@@ -35,7 +35,7 @@ TEST_CASE("packs: typed constants and vectors with them", "[math][pack]") {
   });
 }
 
-TEST_CASE("packs in Eigen", "[math][pack]") {
+TEST_CASE("packs in Eigen") {
   for_all_packs([]<class P>() {
     using T = typename P::value_type;
     using M = Eigen::Matrix<P, 3, 3>;

@@ -24,7 +24,7 @@ constexpr double by_rounding = 4 * 2 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-TEST_CASE("which rotations are known to be in a plane", "[math][rotation]") {
+TEST_CASE("which rotations are known to be in a plane", "[both]") {
   const auto in_a_plane = []<class R>(const R&) { return detail::turns_in_a_plane<R>; };
   const auto turn = rotation_about(axis::x, 0.3);
   CHECK_FALSE(in_a_plane(as<double>(turn)));
@@ -33,7 +33,7 @@ TEST_CASE("which rotations are known to be in a plane", "[math][rotation]") {
   CHECK_FALSE(in_a_plane(mat3{vec3{constant<2>{}, zero, zero}, vec3{zero, 0.6, -0.8}, vec3{zero, 0.8, 0.6}}));
 }
 
-TEST_CASE("a matrix turned in a plane is that of the matrix", "[math][rotation]") {
+TEST_CASE("a matrix turned in a plane is that of the matrix") {
   random_numbers random(91);
   const auto entries = [&] { return vec3{random(1), random(1), random(1)}; };
   const auto check_rotation = [&](const auto& r) {

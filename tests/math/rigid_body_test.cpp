@@ -64,7 +64,7 @@ constexpr double near_by = 2e4 * eps, far_off = 3e6 * eps;
 
 }  // namespace
 
-TEST_CASE("a cloud of point masses adds up to its composite", "[math][rigid_body]") {
+TEST_CASE("a cloud of point masses adds up to its composite", "[both]") {
   for (const std::uint64_t seed : {11u, 12u, 13u}) {
     const auto particles = cloud(seed);
     composite<double, vec3<>, sym3<>> sum{};
@@ -74,7 +74,7 @@ TEST_CASE("a cloud of point masses adds up to its composite", "[math][rigid_body
   }
 }
 
-TEST_CASE("a transported composite is that of the moved cloud", "[math][rigid_body]") {
+TEST_CASE("a transported composite is that of the moved cloud") {
   test::draw draw(14);
   for (const double distance : {0.0, 1.0, 10.0}) {
     for (std::uint64_t seed = 20; seed < 40; ++seed) {
@@ -91,7 +91,7 @@ TEST_CASE("a transported composite is that of the moved cloud", "[math][rigid_bo
   }
 }
 
-TEST_CASE("composites of two clouds add", "[math][rigid_body]") {
+TEST_CASE("composites of two clouds add") {
   auto a = cloud(15);
   const auto b = cloud(16);
   const auto sum = to_composite(body(a)) + to_composite(body(b));
@@ -100,7 +100,7 @@ TEST_CASE("composites of two clouds add", "[math][rigid_body]") {
   check_same(sum + no_mass, of(a), 2 * near_by);
 }
 
-TEST_CASE("the force on a rotating composite is that on its particles", "[math][rigid_body]") {
+TEST_CASE("the force on a rotating composite is that on its particles") {
   // F = m a + al x h, T = I al + h x a: the sums of m_i a_i and p_i x m_i a_i with a_i = a + al x p_i.
   const auto particles = cloud(17);
   const auto c = to_composite(body(particles));
@@ -134,7 +134,7 @@ composite<double, vec3<>, sym3<>> dense(const composite<M, H, I>& c) {
 
 }  // namespace
 
-TEST_CASE("typed bodies and transports are exactly the dense ones", "[math][rigid_body]") {
+TEST_CASE("typed bodies and transports are exactly the dense ones") {
   test::draw draw(18);
   const auto check_body = [&](const auto& body) {
     check_equal(to_composite(body), to_composite(dense(body)));
@@ -160,7 +160,7 @@ TEST_CASE("typed bodies and transports are exactly the dense ones", "[math][rigi
   }
 }
 
-TEST_CASE("typed bodies fold", "[math][rigid_body]") {
+TEST_CASE("typed bodies fold") {
   static_assert(std::is_same_v<decltype(to_composite(point_mass(2.0))), composite<double, zero3, sym3<zero_t>>>);
   static_assert(std::is_same_v<decltype(to_composite(planar_body(1, 2)).inertia),
                                sym3<zero_t, zero_t, zero_t, zero_t, zero_t, double>>);

@@ -86,13 +86,13 @@ double apart(const unit_quaternion<>& a, const unit_quaternion<>& b) {
 
 }  // namespace
 
-TEST_CASE("conversions of random rotations are mutually inverse", "[math][rotation]") {
+TEST_CASE("conversions of random rotations are mutually inverse") {
   check_round_trips<double>(100000, std::numeric_limits<double>::epsilon());
   check_round_trips<float>(100000, std::numeric_limits<float>::epsilon());
   check_round_trips<long double>(20000, std::numeric_limits<long double>::epsilon());
 }
 
-TEST_CASE("conversions keep fifty digits", "[math][rotation][long]") {
+TEST_CASE("conversions keep fifty digits", "[long]") {
   check_round_trips<kte::test::digits50>(1000, kte::test::digits50(1e-48) / 12);
   using std::sqrt;
   const kte::test::digits50 pi50 = 4 * atan(kte::test::digits50(1));
@@ -112,7 +112,7 @@ TEST_CASE("conversions keep fifty digits", "[math][rotation][long]") {
         kte::test::digits50("1e-48"));
 }
 
-TEST_CASE("conversions agree with Eigen and with Rodrigues", "[math][rotation]") {
+TEST_CASE("conversions agree with Eigen and with Rodrigues") {
   // The same quantities by other formulas: tolerances as for the round trips.
   test::draw draw(32);
   for (int i = 0; i < 10000; ++i) {
@@ -130,7 +130,7 @@ TEST_CASE("conversions agree with Eigen and with Rodrigues", "[math][rotation]")
   }
 }
 
-TEST_CASE("small rotations keep their digits relative to their angle", "[math][rotation]") {
+TEST_CASE("small rotations keep their digits relative to their angle") {
   // Everything but a rounding or two in each of four steps is exact, and nothing is added to larger numbers.
   for (const auto& n : axes()) {
     for (const double t : {1e-300, 1e-160, 1e-155, 1e-100, 1e-17, 1e-9, 2e-8, 1e-8, 1e-4}) {
@@ -150,7 +150,7 @@ TEST_CASE("small rotations keep their digits relative to their angle", "[math][r
   }
 }
 
-TEST_CASE("rotations up to half a turn", "[math][rotation]") {
+TEST_CASE("rotations up to half a turn") {
   // Near pi the sign of the axis hangs on the last digits of w, so rotations are compared, not vectors: within 4 eps of
   // half the angle, or 3 eps more for a matrix. w itself is known to an eps, and so is the angle, to 8 eps.
   for (const auto& n : axes()) {
@@ -177,7 +177,7 @@ TEST_CASE("rotations up to half a turn", "[math][rotation]") {
   }
 }
 
-TEST_CASE("rotations beyond half a turn come back within it", "[math][rotation]") {
+TEST_CASE("rotations beyond half a turn come back within it") {
   const axis_angle<> a{4.0, {0.6, 0.0, -0.8}}, same{2 * pi - 4.0, {-0.6, 0.0, 0.8}};
   CHECK(gap(to_axis_angle(to_quaternion(a)), same) <= 8 * eps);
   CHECK(gap(to_axis_angle(a.angle * a.axis), same) <= 8 * eps);

@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-TEST_CASE("no rotation", "[math][rotation]") {
+TEST_CASE("no rotation", "[both]") {
   const mat3<> identity = as<double>(matrix(no_rotation{}));
   CHECK(unit_quaternion<>{} == unit_quaternion{1.0, 0.0, 0.0, 0.0});
   CHECK(matrix(unit_quaternion<>{}) == identity);
@@ -31,7 +31,7 @@ TEST_CASE("no rotation", "[math][rotation]") {
   CHECK(matrix(axis_angle<>{0.0, {0.0, 0.6, 0.8}}) == identity);
 }
 
-TEST_CASE("typed rotations are exact", "[math][rotation]") {
+TEST_CASE("typed rotations are exact") {
   const double h = std::sqrt(0.5);
   CHECK(gap(to_quaternion(quarter_turn_x), {h, h, 0.0, 0.0}) <= eps);
   CHECK(gap(to_quaternion(quarter_turn_y), {h, 0.0, h, 0.0}) <= eps);
@@ -50,7 +50,7 @@ TEST_CASE("typed rotations are exact", "[math][rotation]") {
   static_assert(matrix(quarter_turn) == quarter_turn_z && matrix(half_turn) == half_turn_z);
 }
 
-TEST_CASE("rotations about typed axes are the general ones", "[math][rotation]") {
+TEST_CASE("rotations about typed axes are the general ones") {
   // c + (1 - c) u^2 for u = 1 may differ from 1 by the rounding of 1 - c. t n, up to 4, is rounded by an eps or two,
   // and a matrix has 6.
   test::draw draw(33);
@@ -67,7 +67,7 @@ TEST_CASE("rotations about typed axes are the general ones", "[math][rotation]")
   }
 }
 
-TEST_CASE("quaternions turn vectors, frames and inertias as their matrices do", "[math][rotation]") {
+TEST_CASE("quaternions turn vectors, frames and inertias as their matrices do") {
   // Numbers up to 2 and their products: as the round trips.
   test::draw draw(34);
   for (int i = 0; i < 10000; ++i) {
@@ -95,7 +95,7 @@ TEST_CASE("quaternions turn vectors, frames and inertias as their matrices do", 
   static_assert(as<float>(unit_quaternion{0.0, 1.0, 0.0, 0.0}) == unit_quaternion{0.0f, 1.0f, 0.0f, 0.0f});
 }
 
-TEST_CASE("quaternions of any length are brought to length 1", "[math][rotation]") {
+TEST_CASE("quaternions of any length are brought to length 1") {
   for (const double size : {5e-324, 1e-308, 1e-160, 1.0, 1e160, 1e308}) {
     CHECK(gap(normalized(size, -size, size, -size), {0.5, -0.5, 0.5, -0.5}) <= eps);
     CHECK(normalized(0.0, size, 0.0, 0.0) == unit_quaternion{0.0, 1.0, 0.0, 0.0});
@@ -107,7 +107,7 @@ TEST_CASE("quaternions of any length are brought to length 1", "[math][rotation]
     CHECK(std::isnan(matrix_of_any_length(unit_quaternion{0.0, bad, 0.0, 0.0}).x.x));
 }
 
-TEST_CASE("what is no rotation is rejected", "[math][rotation]") {
+TEST_CASE("what is no rotation is rejected") {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(normalized(0.0, 0.0, 0.0, 0.0), bad_argument);
   for (const double bad : {inf, -inf, nan}) {

@@ -62,7 +62,7 @@ void for_each_size(F f) {
 
 }  // namespace
 
-TEST_CASE("sines and cosines are those of long double", "[math][sincos][long]") {
+TEST_CASE("sines and cosines are those of long double", "[long][both]") {
   for (const double range : {0.78, std::numbers::pi, 100.0, largest, 2 * largest, 1e7, 1e300}) {
     const auto angles = uniform(range, 100000, 41);
     for_each_size([&]<std::size_t N>() {
@@ -74,7 +74,7 @@ TEST_CASE("sines and cosines are those of long double", "[math][sincos][long]") 
   }
 }
 
-TEST_CASE("sines and cosines of multiples of an eighth of a turn", "[math][sincos]") {
+TEST_CASE("sines and cosines of multiples of an eighth of a turn") {
   // The hardest angles: the reduced one is next to 0 or to where quadrants change.
   std::vector<double> angles;
   for (int k = -120000; k <= 120000; ++k) {
@@ -86,7 +86,7 @@ TEST_CASE("sines and cosines of multiples of an eighth of a turn", "[math][sinco
   CHECK(largest_error<7>(angles) <= four_at_once);
 }
 
-TEST_CASE("sines next to zero keep their digits", "[math][sincos]") {
+TEST_CASE("sines next to zero keep their digits") {
   // By (1) the reduced angle has hardly any error there, and the sine (cosine, for odd k) is that angle.
   for (int k = 1; k <= 60000; ++k) {
     const double x = k * (std::numbers::pi / 2);
@@ -97,7 +97,7 @@ TEST_CASE("sines next to zero keep their digits", "[math][sincos]") {
   }
 }
 
-TEST_CASE("small sines keep their digits", "[math][sincos]") {
+TEST_CASE("small sines keep their digits") {
   for (const double x : {1e-300, 1e-20, -1e-8, 1e-4, -1e-3}) {
     const auto r = of<3>({x, -x, x});
     CHECK(off(r.sin[0], std::sin(static_cast<long double>(x))) <= 2.3e-16 * std::fabs(x));
@@ -106,7 +106,7 @@ TEST_CASE("small sines keep their digits", "[math][sincos]") {
   }
 }
 
-TEST_CASE("sines and cosines of special angles", "[math][sincos]") {
+TEST_CASE("sines and cosines of special angles") {
   for_each_size([]<std::size_t N>() {
     CAPTURE(N);
     std::array<double, N> x;
@@ -130,7 +130,7 @@ TEST_CASE("sines and cosines of special angles", "[math][sincos]") {
   });
 }
 
-TEST_CASE("a sine does not depend on its neighbours", "[math][sincos]") {
+TEST_CASE("a sine does not depend on its neighbours") {
   test::draw draw(42);
   std::size_t compared = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -152,7 +152,7 @@ TEST_CASE("a sine does not depend on its neighbours", "[math][sincos]") {
   CHECK((compared > 0 || !sines<double, 4>::simd));
 }
 
-TEST_CASE("each of n sines is exact, whichever of them is large", "[math][sincos]") {
+TEST_CASE("each of n sines is exact, whichever of them is large") {
   for (std::size_t n = 0; n <= 9; ++n) {
     for (std::size_t large = 0; large <= n; ++large) {  // n: none is
       CAPTURE(n, large);
@@ -177,7 +177,7 @@ TEST_CASE("each of n sines is exact, whichever of them is large", "[math][sincos
   }
 }
 
-TEST_CASE("other scalars use their own functions", "[math][sincos]") {
+TEST_CASE("other scalars use their own functions") {
   using kte::test::digits50;
   const auto r = sincos_all<digits50, 4>([](std::size_t i) { return digits50(i) / 3; });
   const auto f = sincos_all<float, 4>([](std::size_t i) { return static_cast<float>(i) / 3; });
@@ -189,7 +189,7 @@ TEST_CASE("other scalars use their own functions", "[math][sincos]") {
   }
 }
 
-TEST_CASE("angles of directions: each of n to rounding, signs as in atan2", "[math][sincos]") {
+TEST_CASE("angles of directions: each of n to rounding, signs as in atan2") {
   test::draw draw(43);
   for (int k = 0; k < 20000; ++k) {
     const std::size_t n = static_cast<std::size_t>(k) % 10;

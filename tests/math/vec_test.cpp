@@ -23,7 +23,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-TEST_CASE("dense vectors agree with Eigen", "[math][vec]") {
+TEST_CASE("dense vectors agree with Eigen") {
   // Numbers below 1. Sum, difference: one rounding each. A product of cross: two products and a difference, each
   // rounded by eps/2 of at most 1, 1 and 2. dot: three products and sums up to 3. Both sides may differ by twice that.
   test::draw draw(1);
@@ -46,7 +46,7 @@ TEST_CASE("dense vectors agree with Eigen", "[math][vec]") {
   }
 }
 
-TEST_CASE("vectors of typed constants and numbers are exactly the dense ones", "[math][vec]") {
+TEST_CASE("vectors of typed constants and numbers are exactly the dense ones") {
   test::draw draw(2);
   each(vectors{}, [&]<class A>() {
     each(vectors{}, [&]<class B>() {
@@ -69,7 +69,7 @@ TEST_CASE("vectors of typed constants and numbers are exactly the dense ones", "
   });
 }
 
-TEST_CASE("typed vectors fold", "[math][vec]") {
+TEST_CASE("typed vectors fold") {
   constexpr vec3 x{one, zero, zero};
   constexpr vec3 y{zero, one, zero};
   static_assert(std::is_same_v<decltype(cross(x, y)), vec3<zero_t, zero_t, one_t>>);

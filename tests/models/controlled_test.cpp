@@ -37,7 +37,7 @@ const auto brake = [](double, const auto& x) { return std::array{-c * x[8]}; };
 
 }  // namespace
 
-TEST_CASE("A controlled model is driven by its law at every evaluation, on the group") {
+TEST_CASE("a controlled model is driven by its law at every evaluation, on the group") {
   const manipulator_dynamics_model model(gyroscope);
   controlled gyro(model, brake);
   static_assert(moves_on_group<decltype(gyro), decltype(gyro)::state>);
@@ -53,7 +53,7 @@ TEST_CASE("A controlled model is driven by its law at every evaluation, on the g
   CHECK((same.state() - solver.state()).norm() < 1e-10);
 }
 
-TEST_CASE("A controlled model follows its law wherever it is asked") {
+TEST_CASE("a controlled model follows its law wherever it is asked") {
   const manipulator_dynamics_model model(gyroscope);
   controlled gyro(model, [](double t, const auto&) { return std::array{t}; });
   const auto x = gyro.make_x(q0, v0);
@@ -65,7 +65,7 @@ TEST_CASE("A controlled model follows its law wherever it is asked") {
   CHECK(torque.computeOutput(0.75, x) == 0.75);
 }
 
-TEST_CASE("A controlled model is a copy, or shares its model by std::ref; its inputs are those of the law") {
+TEST_CASE("a controlled model is a copy, or shares its model by std::ref; its inputs are those of the law") {
   manipulator_dynamics_model model(gyroscope);
   const auto law = [](double t, const auto&) { return std::array{t}; };
   controlled copied(model, law);
@@ -94,7 +94,7 @@ std::array<double, 2> integral_and_speed(double t, double c0, double w0) {
 }
 }  // namespace
 
-TEST_CASE("A law may have states of its own, which integrate beside those of the model, on the group") {
+TEST_CASE("a law may have states of its own, which integrate beside those of the model, on the group") {
   const auto check = [](auto& pid, double epsilon) {
     using state = typename std::remove_reference_t<decltype(pid)>::state;
     static_assert(moves_on_group<std::remove_reference_t<decltype(pid)>, state>);
@@ -141,7 +141,7 @@ TEST_CASE("A law may have states of its own, which integrate beside those of the
   CHECK_THROWS_MATCHES(runtime(0, few), bad_argument, counted);
 }
 
-TEST_CASE("The rates of a law are as many as it has states") {
+TEST_CASE("the rates of a law are as many as it has states") {
   const manipulator_dynamics_model model(gyroscope);
   std::vector<double> rates(1);
   controlled pid(
@@ -163,7 +163,7 @@ TEST_CASE("The rates of a law are as many as it has states") {
   CHECK_THROWS_WITH(overlong(0, x), test::contains_text("are 4294967300 numbers"));
 }
 
-TEST_CASE("Inputs that are no finite numbers are named") {
+TEST_CASE("inputs that are no finite numbers are named") {
   const double nan = std::nan("");
   const auto refused = [&](auto& model, auto&& motor_of) {
     const auto x = model.make_x(q0, v0);

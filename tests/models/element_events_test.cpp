@@ -39,7 +39,7 @@ const double second = first + 2 / w * std::atan(limit * w / speed);
 
 }  // namespace
 
-TEST_CASE("Springs that saturate are events of their model, found where they do") {
+TEST_CASE("springs that saturate are events of their model, found where they do") {
   const manipulator_dynamics_model model(sprung);
   const auto solve = [&](auto& m, auto x0, const auto& list) {
     dormand_prince45 solver(std::ref(m), 0.0, x0, {.absolute = 1e-12, .relative = 1e-12});
@@ -59,7 +59,7 @@ TEST_CASE("Springs that saturate are events of their model, found where they do"
   solve(runtime, Eigen::VectorXd(x0), element_events(runtime));
 }
 
-TEST_CASE("Friction that sticks asks for no events, so that rest costs nothing; events of users go beside") {
+TEST_CASE("friction that sticks asks for no events, so that rest costs nothing; events of users go beside") {
   const auto rubbing =
       chain(base_gen(anchor), prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(mass)),
             spring_gen(anchor, q, 0.0, k, most), joint_lugre_gen(q, bristles, {50, 5, 0.1, 0.5, 0.6, 0.1}));
@@ -81,7 +81,7 @@ TEST_CASE("Friction that sticks asks for no events, so that rest costs nothing; 
   CHECK(with <= 1.3 * without);
 }
 
-TEST_CASE("Elements of a runtime chain have events of their own, also where laws change together or rest") {
+TEST_CASE("elements of a runtime chain have events of their own, also where laws change together or rest") {
   auto twice = sprung_at_run_time();
   twice << spring_gen("anchor", "q", 0.0, k, most);
   manipulator_dynamics_model model(twice);

@@ -45,7 +45,7 @@ using pendulum_model = manipulator_dynamics_model<std::remove_const_t<decltype(p
 static_assert(state_rate_function<const pendulum_model, Eigen::Vector2d>);
 static_assert(state_rate_function_with_io<pendulum_model, Eigen::Vector2d, Eigen::Matrix<double, 1, 1>>);
 
-TEST_CASE("A model gives the rates of a pendulum, and takes inputs") {
+TEST_CASE("a model gives the rates of a pendulum, and takes inputs", "[both]") {
   manipulator_dynamics_model model(pendulum);
   const auto x = model.make_x(std::array{0.0}, std::array{2.0});
   CHECK(x == Eigen::Vector2d(0, 2));
@@ -70,7 +70,7 @@ TEST_CASE("A model gives the rates of a pendulum, and takes inputs") {
   CHECK_THROWS_WITH(model.setInput(std::vector<double>(3)), contains_text("u has 3 numbers, the chain has 1 inputs"));
 }
 
-TEST_CASE("Bristles are part of the state") {
+TEST_CASE("bristles are part of the state") {
   manipulator_dynamics_model model(rubbing);
   static_assert(decltype(model)::state::RowsAtCompileTime == 3);
   const auto x = model.make_x(std::array{0.0}, std::array{0.3}, std::array{1e-6});
@@ -81,7 +81,7 @@ TEST_CASE("Bristles are part of the state") {
   CHECK(r[2] == within_relative(z_dot, 1e-14));
 }
 
-TEST_CASE("A free body integrates on its group") {
+TEST_CASE("a free body integrates on its group") {
   manipulator_dynamics_model model(free_body);
   static_assert(moves_on_group<decltype(model), decltype(model)::state>);
   const std::array<double, 7> q0{0, 0, 0, 1, 0, 0, 0};
@@ -98,7 +98,7 @@ TEST_CASE("A free body integrates on its group") {
   CHECK(std::abs(x[1]) + std::abs(x[2]) < 1e-8);
 }
 
-TEST_CASE("Internal states follow velocities in the order of their elements, also in the vector form") {
+TEST_CASE("internal states follow velocities in the order of their elements, also in the vector form") {
   const manipulator_dynamics_model model(rubbing_twice);
   const auto x = model.make_x(Eigen::Vector2d(0.1, 0.2), Eigen::Vector2d(0.3, -0.4), Eigen::Vector2d(1e-6, -2e-6));
   REQUIRE(x.size() == 6);
@@ -110,7 +110,7 @@ TEST_CASE("Internal states follow velocities in the order of their elements, als
   CHECK(vector_form(std::cref(model))(0.0, x) == rates);  // coordinates are numbers: the same
 }
 
-TEST_CASE("A failure of the integration says why the model could not be computed") {
+TEST_CASE("a failure of the integration says why the model could not be computed") {
   const auto reason = [](const auto& model, const auto& x) {
     try {
       model.computeStateRate(0.0, x);
@@ -136,7 +136,7 @@ TEST_CASE("A failure of the integration says why the model could not be computed
   CHECK(solver.state() == x);
 }
 
-TEST_CASE("A motion that blows up is a failure of the integration, with its time") {
+TEST_CASE("a motion that blows up is a failure of the integration, with its time") {
   // Pushed by its own speed: with v' = v^3 infinite after 1/2 s, but gravity holds it back at first.
   manipulator_dynamics_model model(pendulum);
   const auto driven = [&](double t, const Eigen::Vector2d& x) {

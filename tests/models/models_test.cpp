@@ -8,6 +8,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -27,7 +28,7 @@ double change_error(const Chain& c, const random_motion_of<big, Chain>& m, const
 
 }  // namespace
 
-TEST_CASE("An inverse dynamics model gives forces, mass matrix and its change") {
+TEST_CASE("an inverse dynamics model gives forces, mass matrix and its change") {
   const inverse_dynamics_model model(floating_with_springs);
   random_numbers random(1);
   const random_motion_of<double, std::remove_const_t<decltype(floating_with_springs)>> m(floating_with_springs, random);
@@ -45,7 +46,7 @@ TEST_CASE("An inverse dynamics model gives forces, mass matrix and its change") 
   CHECK(change_error(planar, exact, change, [&](const auto& q) { return mass_matrix(planar, q); }) < by_differences);
 }
 
-TEST_CASE("A kinematics model gives poses, Jacobians and their change") {
+TEST_CASE("a kinematics model gives poses, Jacobians and their change") {
   const auto tool = robots::iiwa14_names::tool;
   const manipulator_kinematics_model model(robots::iiwa14, tool);
   random_numbers random(2);
@@ -76,7 +77,7 @@ TEST_CASE("A kinematics model gives poses, Jacobians and their change") {
   CHECK(change_error(planar, exact, change, [&](const auto& q) { return flat.getJacobianMatrix(q); }) < by_differences);
 }
 
-TEST_CASE("A model is an element of larger chains") {
+TEST_CASE("a model is an element of larger chains") {
   const manipulator_kinematics_model slide(planar.gravity(zero3{}), disc);
   const auto larger = chain(slide, revolute_joint_2D(q2, disc, far));
   CHECK(larger.dofs == planar.dofs + 1);

@@ -5,7 +5,7 @@ using namespace kte::test::held_block;
 
 // Elements that hold a coordinate, in models of static and runtime chains.
 
-TEST_CASE("a block rests on a slope of 30 degrees") {
+TEST_CASE("a block rests on a slope of 30 degrees", "[laws]") {
   const auto c = on_slope(5.0, 5.5);  // its weight along the slope is 4.905 N
   manipulator_dynamics_model model(c);
   const auto start = settled(model, 0.0, model.make_x(std::array{0.3}, std::array{0.0}));
@@ -118,7 +118,7 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-TEST_CASE("an oscillator with dry friction comes to rest after a number of half swings", "[modes]") {
+TEST_CASE("an oscillator with dry friction comes to rest after a number of half swings") {
   // x'' = -100 x - 2 sign(x'): half swings of pi/10 s about -+0.02 m, each 0.04 m shorter, until |x| <= 0.02. From 1 m
   // that is 25, to the very middle, at 7.8539816339744830961566 s.
   const auto c = chain(prismatic_joint_2D(x, ground, block, axis::x), inertia_2D(block, point_mass(1.0)),
@@ -146,7 +146,7 @@ TEST_CASE("an oscillator with dry friction comes to rest after a number of half 
   check(at_run_time, x0);
 }
 
-TEST_CASE("a block on a belt sticks and slips", "[modes]") {
+TEST_CASE("a block on a belt sticks and slips") {
   // 1 kg on 100 N/m, friction 3 N at rest, 2 N sliding, belt of 0.05 m/s. It sticks until the spring pulls with 3 N,
   // then slips about 0.02 m with the amplitude 0.01 m and the speed v at its start, until its speed is that of the belt
   // again.
@@ -171,7 +171,7 @@ TEST_CASE("a block on a belt sticks and slips", "[modes]") {
   }
 }
 
-TEST_CASE("a block is let go when the slope is as steep as friction", "[modes]") {
+TEST_CASE("a block is let go when the slope is as steep as friction") {
   // The slope has the angle t / 100; friction is 0.4 times the normal force.
   const auto c = chain(law_signal(
                            [](const auto& t) {
@@ -201,7 +201,7 @@ TEST_CASE("a block is let go when the slope is as steep as friction", "[modes]")
   CHECK(end[0] == within(-g_over * (f(a) - f(a0) - (a - a0) * f_prime(a0)), 1e-9));
 }
 
-TEST_CASE("two blocks with a spring between them creep like a worm", "[modes]") {
+TEST_CASE("two blocks with a spring between them creep like a worm") {
   // The second is pulled by t N, and by a spring of 100 N/m the first. Friction of 1 N and 0.5 N.
   kte_map_chain c;
   c << base_gen("wall") << inertia_gen("a", 1.0) << inertia_gen("b", 2.0) << spring_gen("a", "b", 0.0, 100.0)
@@ -220,7 +220,7 @@ TEST_CASE("two blocks with a spring between them creep like a worm", "[modes]") 
   CHECK(report.events[1].after[0] == within(0, 0));
 }
 
-TEST_CASE("friction of two kinds on one coordinate holds by their sum, both ways", "[modes]") {
+TEST_CASE("friction of two kinds on one coordinate holds by their sum, both ways") {
   const auto push = [](double t) { return 6 * std::sin(t); };
   kte_map_chain c;
   c << inertia_gen("x", 1.0) << driving_actuator_gen("x", "push") << joint_stiction_gen("x", "mode 1", {3.0, 3.0})
@@ -233,7 +233,7 @@ TEST_CASE("friction of two kinds on one coordinate holds by their sum, both ways
   CHECK(solver.state()[0] == within(0, 0));
 }
 
-TEST_CASE("what one joint does may hold another that was let go", "[modes]") {
+TEST_CASE("what one joint does may hold another that was let go") {
   // A slab moves by 10 m for each rad of q, and a block on the slab by s. A force of 10 N on the block; friction of 2 N
   // between them, 25 Nm in q. Both are beyond their limits, q by 75 Nm; but once s slides it carries but 2 N.
   kte_map_chain c;
@@ -251,7 +251,7 @@ TEST_CASE("what one joint does may hold another that was let go", "[modes]") {
   CHECK(rate[2 + model.holders()[1].row] == within(8, 1e-14));
 }
 
-TEST_CASE("a brake pressed by a law of time, of a controlled model", "[modes]") {
+TEST_CASE("a brake pressed by a law of time, of a controlled model") {
   const auto press = [](double t, const auto&) { return std::array{t < 1 ? 2.0 - 1.5 * t : 1.5 * t - 1.0}; };
   const auto c =
       chain(prismatic_joint_2D(x, ground, block, axis::x), inertia_2D(block, point_mass(1.0)), brake_gen(x, rest, grip))
@@ -276,7 +276,7 @@ TEST_CASE("a brake pressed by a law of time, of a controlled model", "[modes]") 
   check(at_run_time);
 }
 
-TEST_CASE("a brake that is not pressed lets go of what begins to be pulled", "[modes]") {
+TEST_CASE("a brake that is not pressed lets go of what begins to be pulled") {
   // held by nothing, at rest, until the pull begins at 1 s
   kte_map_chain c;
   c << inertia_gen("x", 1.0) << driving_actuator_gen("x", "pull") << brake_gen("x", "mode", "grip");

@@ -56,7 +56,7 @@ auto start(const Model& m) {
 
 }  // namespace
 
-TEST_CASE("A model of a runtime chain is the same system as that of a static chain") {
+TEST_CASE("a model of a runtime chain is the same system as that of a static chain") {
   manipulator_dynamics_model still(fixed);
   manipulator_dynamics_model moving(appended());
   still.input(motor) = 0.3, moving.input("motor") = 0.3;
@@ -78,7 +78,7 @@ TEST_CASE("A model of a runtime chain is the same system as that of a static cha
   CHECK(a.state().segment<4>(3).norm() == within_relative(1, 1e-15));
 }
 
-TEST_CASE("States of the chain and vectors of a model are the same numbers") {
+TEST_CASE("states of the chain and vectors of a model are the same numbers") {
   manipulator_dynamics_model still(fixed);
   manipulator_dynamics_model moving(appended());
   const auto x = start(still);
@@ -97,7 +97,7 @@ TEST_CASE("States of the chain and vectors of a model are the same numbers") {
   CHECK_THROWS_WITH(moving.internals_of(few), contains_text("x has 5 numbers, the chain has "));
 }
 
-TEST_CASE("The Jacobian of a model has the column of an internal state, by which friction pulls") {
+TEST_CASE("the Jacobian of a model has the column of an internal state, by which friction pulls") {
   const manipulator_dynamics_model model(fixed);
   const auto x = start(model);
   auto more = x, less = x;
@@ -107,7 +107,7 @@ TEST_CASE("The Jacobian of a model has the column of an internal state, by which
   CHECK((model.jacobian(0, x).col(14) - by_z).norm() < 1e-10 * by_z.norm());
 }
 
-TEST_CASE("Inputs of three numbers and the time are put into states of the chain") {
+TEST_CASE("inputs of three numbers and the time are put into states of the chain") {
   static constexpr struct p_ final : vector_key<"p"> {
   } p;
   static constexpr struct v_ final : vector_key<"v"> {
@@ -139,14 +139,14 @@ TEST_CASE("Inputs of three numbers and the time are put into states of the chain
   CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is not an input from outside"));
 }
 
-TEST_CASE("An internal state belongs to one element") {
+TEST_CASE("an internal state belongs to one element") {
   kte_map_chain c = appended();
   CHECK_THROWS_WITH(c << joint_lugre_gen("q", "bristles", friction),
                     contains_text("it writes 'bristles', which is then written twice"));
   CHECK(c.make_state().internal("bristles").z == 0);
 }
 
-TEST_CASE("Rates of a model allocate nothing") {
+TEST_CASE("rates of a model allocate nothing") {
   manipulator_dynamics_model still(fixed);
   manipulator_dynamics_model moving(appended());
   const auto x = start(still);

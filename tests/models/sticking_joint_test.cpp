@@ -83,7 +83,7 @@ kte_map_chain random_arm(int n, double mu, unsigned seed) {
   return c;
 }
 
-TEST_CASE("friction of several joints that is settled to rounding is no jam", "[models][sticking_joint]") {
+TEST_CASE("friction of several joints that is settled to rounding is no jam") {
   for (const auto& [mu, n] : {std::pair{0.05, 2}, {0.05, 4}, {0.05, 6}, {0.3, 2}, {0.3, 4}, {0.3, 6}})
     for (unsigned seed = 1; seed <= 12; ++seed) {
       const auto arm = random_arm(n, mu, seed);
@@ -101,7 +101,7 @@ TEST_CASE("friction of several joints that is settled to rounding is no jam", "[
 
 }  // namespace
 
-TEST_CASE("a flywheel runs down on dry bearings and rests", "[models][sticking_joint]") {
+TEST_CASE("a flywheel runs down on dry bearings and rests") {
   constexpr double m = 3.0, I = 0.2, mu = 0.2, radius = 0.01, start = 50.0;
   const auto check = [&](const auto& model, double load) {
     const double slows = mu * radius * load / I, stops = start / slows;
@@ -131,7 +131,7 @@ TEST_CASE("a flywheel runs down on dry bearings and rests", "[models][sticking_j
   }
 }
 
-TEST_CASE("a pendulum stops at an angle and stays there", "[models][sticking_joint]") {
+TEST_CASE("a pendulum stops at an angle and stays there") {
   // From the horizontal, below the bearing and with d the way of swing: u = q'^2 obeys, as in elements/rotor_test.cpp,
   //
   //   u' + 2 k d u = (2 g/L) (k d sin q - cos q),  k = R / sqrt(L^2 - R^2)
@@ -169,7 +169,7 @@ TEST_CASE("a pendulum stops at an angle and stays there", "[models][sticking_joi
           });
 }
 
-TEST_CASE("a block on an incline sticks, slides, and comes back as its friction says", "[models][sticking_joint]") {
+TEST_CASE("a block on an incline sticks, slides, and comes back as its friction says") {
   constexpr double mu = 0.3, v = 2.0;
   const auto incline = [](double angle, double mu_s) {
     return chain(
@@ -200,7 +200,7 @@ TEST_CASE("a block on an incline sticks, slides, and comes back as its friction 
   });
 }
 
-TEST_CASE("of two blocks on each other one is held and one slides", "[models][sticking_joint]") {
+TEST_CASE("of two blocks on each other one is held and one slides") {
   constexpr double m1 = 2.0, m2 = 1.0, mu2 = 0.3;
   struct expectation {
     double mu1, force;
@@ -234,7 +234,7 @@ TEST_CASE("of two blocks on each other one is held and one slides", "[models][st
           });
 }
 
-TEST_CASE("a drawer that is pulled aside of its guide jams", "[models][sticking_joint]") {
+TEST_CASE("a drawer that is pulled aside of its guide jams") {
   // Pulled by P at b from the guide of length L, the bearings carry P b/L each: it moves where 2 mu b < L, however hard
   // it is pulled.
   constexpr double L = 0.3, mu = 0.25, m = 2.0;
@@ -250,7 +250,7 @@ TEST_CASE("a drawer that is pulled aside of its guide jams", "[models][sticking_
           });
 }
 
-TEST_CASE("a trolley lets go when the pendulum below pulls more than friction", "[models][sticking_joint]") {
+TEST_CASE("a trolley lets go when the pendulum below pulls more than friction") {
   // A pendulum of mass m, from the angle A: the rod pulls with T = m g (3 cos a - 2 cos A), and the trolley M lets go
   // at the first T sin a = mu_s (M g + T cos a).
   constexpr double M = 3.0, m = 1.0, L = 0.8, A = 1.2, mu_s = 0.2;
@@ -276,7 +276,7 @@ TEST_CASE("a trolley lets go when the pendulum below pulls more than friction", 
           });
 }
 
-TEST_CASE("what is pulled more between two calls of integrate is let go", "[models][sticking_joint]") {
+TEST_CASE("what is pulled more between two calls of integrate is let go") {
   kte_map_chain c;
   c << sticking_prismatic_joint_2D("s", "s.mode", "ground", "block", axis::x, {0.2, 0.3})
     << inertia_2D("block", planar_body(1.0, 0.1)) << driving_actuator_gen("s", "pull");
@@ -303,7 +303,7 @@ TEST_CASE("what is pulled more between two calls of integrate is let go", "[mode
   CHECK(settled(braked, 0.0, start)[2] == mode::forward);
 }
 
-TEST_CASE("stiff methods and fixed steps go by modes too", "[models][sticking_joint]") {
+TEST_CASE("stiff methods and fixed steps go by modes too") {
   const double angle = 0.2, mu = 0.3, v = 2.0, up = g * (std::sin(angle) + mu * std::cos(angle));
   in_both(chain(sticking_prismatic_joint_2D(s, s_mode, wall, wheel, vec2{std::cos(angle), std::sin(angle)}, {mu}),
                 inertia_2D(wheel, planar_body(3.0, 0.1)))

@@ -16,6 +16,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 using kte::problems::double_pendulum_from_horizontal;
 using kte::problems::dzhanibekov;
 
@@ -66,7 +67,7 @@ double energy_of(const Chain& c, const X& x) {
 
 }  // namespace
 
-TEST_CASE("Variational integrators have their orders, on numbers and on rotations", "[long]") {
+TEST_CASE("variational integrators have their orders, on numbers and on rotations", "[long]") {
   check_order<variational2, double_pendulum_from_horizontal>(2, 1 / 128.0);
   check_order<variational4, double_pendulum_from_horizontal>(4, 1 / 64.0);
   check_order<variational2, dzhanibekov>(2, 1 / 512.0);
@@ -75,7 +76,7 @@ TEST_CASE("Variational integrators have their orders, on numbers and on rotation
 
 TEST_CASE("Kutta's method has its order on rotations") { check_order<runge_kutta4, dzhanibekov>(4, 1 / 128.0); }
 
-TEST_CASE("Variational integrators keep momenta to rounding, however long the step", "[long]") {
+TEST_CASE("variational integrators keep momenta to rounding, however long the step", "[long]") {
   const auto free = floating_with_springs.gravity(zero3{});
   manipulator_dynamics_model model(free);
   random_numbers random(1);
@@ -94,7 +95,7 @@ TEST_CASE("Variational integrators keep momenta to rounding, however long the st
   }
 }
 
-TEST_CASE("Variational integrators let energy oscillate and not drift", "[long]") {
+TEST_CASE("variational integrators let energy oscillate and not drift", "[long]") {
   auto solver = start<variational2, problems::pendulum>(0.02);
   const double e = energy_of(problems::pendulum::model, solver.state());
   double halves[]{0, 0};
@@ -106,7 +107,7 @@ TEST_CASE("Variational integrators let energy oscillate and not drift", "[long]"
   CHECK(halves[1] <= halves[0] * (1 + 1e-3));
 }
 
-TEST_CASE("The attitude of a free body after 100 s, by Kutta's method on the group", "[long]") {
+TEST_CASE("the attitude of a free body after 100 s, by Kutta's method on the group", "[long]") {
   // About the unstable axis a rounding of the rates costs 1e6 times as much in the time of a flip. Compensated
   // summation keeps that of 5e5 steps, not compensated it is 3e-8. The momentum: what the method misses at this step;
   // by one of order 5 it is 2e-16, and was 2e-14 where rotations were not compensated.
@@ -121,7 +122,7 @@ TEST_CASE("The attitude of a free body after 100 s, by Kutta's method on the gro
   CHECK((momenta(dzhanibekov::model, finer.state()) - before).norm() < 1e-15 * before.norm());
 }
 
-TEST_CASE("The dense output of variational integrators meets the ends and is of order 3", "[long]") {
+TEST_CASE("the dense output of variational integrators meets the ends and is of order 3", "[long]") {
   const auto between = [](double h) {
     auto solver = start<variational4, dzhanibekov>(h);
     auto exact = start<variational4, dzhanibekov>(h / 8);
@@ -135,7 +136,7 @@ TEST_CASE("The dense output of variational integrators meets the ends and is of 
   CHECK(std::log2(between(1 / 64.0) / between(1 / 128.0)) == within(3, 0.35));  // rates; positions are of order 4
 }
 
-TEST_CASE("Variational integrators go backward, restart, and say where a step is too long") {
+TEST_CASE("variational integrators go backward, restart, and say where a step is too long") {
   auto solver = start<variational4, double_pendulum_from_horizontal>(0.01);
   const auto x0 = solver.state();
   solver.integrate(1);
@@ -149,7 +150,7 @@ TEST_CASE("Variational integrators go backward, restart, and say where a step is
   CHECK_THROWS_WITH(long_steps.integrate(10), contains_text("a step of 0.5 does not converge: it is too long"));
 }
 
-TEST_CASE("Variational integrators of runtime chains step as those of static ones") {
+TEST_CASE("variational integrators of runtime chains step as those of static ones") {
   // A free body and its arm; and what of internal states is refused, by name.
   const auto free = floating_with_springs.gravity(zero3{});
   const manipulator_dynamics_model model(free);
@@ -172,7 +173,7 @@ TEST_CASE("Variational integrators of runtime chains step as those of static one
 
 // From v of the part before, by M alone, a step took 42 evaluations; from those of the last steps and with a matrix
 // that is learned 18. Where the guess is far off, as in long steps, the first way is gone.
-TEST_CASE("The iteration of variational integrators starts from the last steps and learns") {
+TEST_CASE("the iteration of variational integrators starts from the last steps and learns") {
   auto short_steps = start<variational4, dzhanibekov>(1 / 128.0);
   short_steps.integrate(2);
   CHECK(short_steps.statistics().evaluations < 22 * short_steps.statistics().steps);
@@ -181,7 +182,7 @@ TEST_CASE("The iteration of variational integrators starts from the last steps a
   CHECK(long_steps.statistics().steps == 100);
 }
 
-TEST_CASE("Variational integrators name the coordinate that moves no mass, and when") {
+TEST_CASE("variational integrators name the coordinate that moves no mass, and when") {
   const auto check = [](const auto& c, const std::string& name) {
     const manipulator_dynamics_model model(c);
     const std::array two{0.1, 0.2};

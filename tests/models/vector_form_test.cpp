@@ -10,8 +10,9 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
-TEST_CASE("The vector form of a model is the same motion, also for methods with a history") {
+TEST_CASE("the vector form of a model is the same motion, also for methods with a history", "[laws]") {
   const manipulator_dynamics_model model(floating_with_springs);
   manipulator_dynamics_model runtime(models::element_by_element(floating_with_springs));
   random_numbers random(1);
@@ -49,7 +50,7 @@ void check_jacobian(Model& model, const X& x) {
 }
 }  // namespace
 
-TEST_CASE("Models know their Jacobian, also where there are rotations; stiff methods save its differences") {
+TEST_CASE("models know their Jacobian, also where there are rotations; stiff methods save its differences") {
   random_numbers random(2);
   const manipulator_dynamics_model model(floating);
   manipulator_dynamics_model runtime(models::element_by_element(floating));

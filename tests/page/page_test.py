@@ -6,48 +6,7 @@ import unittest
 
 import browser
 import scenes
-
-
-beside = [0.31, 0.05, 0]  # where no part of the pendulum ever is
-
-
-def far(a, b):
-    """Whether two colours are clearly different."""
-    return sum(abs(x - y) for x, y in zip(a, b)) > 60
-
-
-class PageTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.window = browser.Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.window.close()
-
-    def setUp(self):
-        self.window.size(1280, 800)
-        self.window.media(prefers_color_scheme='light', prefers_reduced_motion='no-preference')
-
-    def tearDown(self):
-        messages = [m for m in self.window.console()]
-        self.assertEqual(messages, [], 'the console is silent')
-
-    def text(self, selector):
-        return self.window.run('return document.querySelector(arguments[0]).textContent', selector)
-
-    def time(self):
-        return self.window.run('return kte_page.player.time')
-
-    def seek(self, t):
-        self.window.run('kte_page.scrub(arguments[0])', t)
-
-    def middle(self, point):
-        """Where a point of the world is in the window."""
-        return self.window.run('''
-            const box = document.getElementById('canvas').getBoundingClientRect();
-            const at = kte_page.picture.stage.project(...arguments[0], {});
-            return [box.left + at.x, box.top + at.y];''', point)
+from page_case import PageTest, beside, far
 
 
 class Drawing(PageTest):
@@ -308,6 +267,12 @@ class Panels(PageTest):
             field.dispatchEvent(new Event('input'));''')
         self.assertEqual(self.window.run("return [...document.querySelectorAll('#tree .name')].map((e) => e.textContent)"), ['hinge'])
         self.assertIn('1 name', self.text('#found'))
+        self.window.key('/')
+        self.window.key('ArrowDown')
+        self.assertEqual(self.window.run("return document.activeElement.querySelector('.name').textContent"), 'hinge')
+        self.window.key('/')
+        self.window.key('Enter')
+        self.assertEqual(self.text('#details h2'), 'hinge')
 
     def test_tree_by_keyboard(self):
         self.window.open(scenes.pendulum())
@@ -455,10 +420,7 @@ class Engine(PageTest):
     def test_sliders_pose_the_mechanism(self):
         self.open()
         self.assertEqual(self.window.run("return document.querySelectorAll('#sliders input').length"), 1)
-        self.window.run('''
-            const slider = document.querySelector('#sliders input');
-            slider.value = '-1';
-            slider.dispatchEvent(new Event('input'));''')
+        self.slide('#sliders input', -1)
         tip = self.tip()
         x = self.window.run('return kte_page.sources.q[0]')
         self.assertAlmostEqual(x, -1, delta=2e-3)
@@ -504,18 +466,13 @@ class Engine(PageTest):
         self.window.wait('kte_page.simulating.simulation.time > 0.1')
         x, y = self.middle([0, -1, 0])
         side, _ = self.middle([0.6, -0.8, 0])
-        self.window.mouse('mousePressed', x, y)
-        for i in range(1, 11):
-            self.window.mouse('mouseMoved', x + (side - x) * i / 10, y)
+        self.drag((x, y), (side, y))
         self.window.wait('kte_page.sources.q[0] > -1.2')
         self.assertTrue(self.window.run('return kte_page.picture.pull_line.object.visible'))
         camera = self.window.run('return kte_page.picture.stage.camera.controls.target.toArray()')
         self.window.mouse('mouseReleased', side, y)
         self.assertEqual(self.window.run('return kte_page.picture.stage.camera.controls.target.toArray()'), camera)
-        self.window.run('''
-            const slider = document.getElementById('damping');
-            slider.value = '0.9';
-            slider.dispatchEvent(new Event('input'));''')
+        self.slide('#damping', 0.9)
         self.window.wait('Math.abs(kte_page.sources.q[0] + Math.PI / 2) < 0.02 && Math.abs(kte_page.simulating.simulation.v[0]) < 0.02')
         self.window.run("document.getElementById('simulate').click()")
 

@@ -14,13 +14,13 @@ def rotations(quaternions):
     return packed('h', [round(32767 * x) for q in quaternions for x in q])
 
 
-def recording(name, times, poses, q=None, columns=()):
-    """poses: of each time a list of (position, quaternion), one a track; q: of each time a list; columns: (name, unit, values)."""
+def recording(name, times, poses, q=None, columns=(), v=None, signals=None):
+    """poses: of each time a list of (position, quaternion), one a track; q, v, signals: of each time a list; columns: (name, unit, values)."""
     return {
         'name': name, 'count': len(times), 't': packed('d', times),
         'positions': packed('f', [x for row in poses for p, _ in row for x in p]),
         'rotations': rotations([r for row in poses for _, r in row]),
-        'q': packed('f', [x for row in q for x in row]) if q else None,
+        **{name: packed('f', [x for row in rows for x in row]) if rows else None for name, rows in (('q', q), ('v', v), ('signals', signals))},
         'columns': [{'name': n, 'unit': u, 'data': packed('f', values)} for n, u, values in columns],
     }
 
@@ -77,6 +77,45 @@ def pendulum_model():
          'parameters': {'position': '1 0 0', 'rotation': '1 0 0 0 1 0 0 0 1'}},
         {'type': 'inertia_2D', 'version': 1, 'ports': {'frame': 'tip'}, 'parameters': {'mass': '1', 'com': '0 0 0', 'inertia': '0 0 0 0 0 0'}}]
     return json.dumps({'kte_model': {'version': 1, 'gravity': '0 -9.81 0', 'elements': elements}})
+
+
+hook = [-0.6, -0.9, 0]
+spring, rest, damping, motor = 20, 0.3, 2, 3  # N/m, m, N s/m, Nm
+
+
+def sprung(v=True, signals=True, model=True, **changes):
+    """The pendulum with a spring and a damper from its tip to a hook, and a motor; what it recorded is not what would happen."""
+    scene = pendulum(model=pendulum_model() if model else None)
+    if model:
+        elements = json.loads(scene['model'])
+        for type_, ports, parameters in (
+                ('rigid_link_2D', {'base': 'base', 'end': 'hook'}, {'position': ' '.join(map(str, hook)), 'rotation': '1 0 0 0 1 0 0 0 1'}),
+                ('spring_2D', {'anchor1': 'hook', 'anchor2': 'tip'}, {'rest_length': str(rest), 'stiffness': str(spring), 'saturation': '0'}),
+                ('damper_2D', {'anchor1': 'hook', 'anchor2': 'tip'}, {'damping': str(damping)}),
+                ('driving_actuator_gen', {'coordinate': 'angle', 'input': 'motor'}, {})):
+            elements['kte_model']['elements'].append({'type': type_, 'version': 1, 'ports': ports, 'parameters': parameters})
+        scene['model'] = json.dumps(elements)
+    scene['frames'].append({'name': 'hook', 'parent': 0, 'pose': hook + still})
+    scene['forces'] = [
+        {'type': 'spring_2D', 'kind': 'spring', 'name': 'hook, tip', 'frames': [3, 2], 'coordinates': [], 'element': 4},
+        {'type': 'damper_2D', 'kind': 'damper', 'name': 'hook, tip', 'frames': [3, 2], 'coordinates': [], 'element': 5},
+        {'type': 'driving_actuator_gen', 'kind': 'motor', 'name': 'angle, motor', 'frames': [], 'coordinates': [0], 'element': 6}]
+    times = [i / 50 for i in range(201)]
+    run = scene['recordings'][0]
+    run['v'] = packed('f', [-2.4 * math.sin(2 * t) for t in times]) if v else None
+    run['signals'] = packed('f', [motor for _ in times]) if signals else None
+    scene.update(changes)
+    return scene
+
+
+def sprung_forces(t):
+    """Of the spring and the damper on the tip at a time."""
+    tip, rate = pendulum_tip(t), -2.4 * math.sin(2 * t)
+    d = [h - x for h, x in zip(hook, tip)]
+    length = math.hypot(*d)
+    e = [x / length for x in d]
+    speed = -(-rate * tip[1] * e[0] + rate * tip[0] * e[1])
+    return [spring * (length - rest) * x for x in e], [damping * speed * x for x in e]
 
 
 def robot(joints=30, seconds=60, rate=100):

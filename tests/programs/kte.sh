@@ -87,7 +87,6 @@ done
 for solver in runge_kutta4 semi_implicit_euler implicit_midpoint; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --solver $solver
 done
-gives 2 "there is no solver 'rk4', but dormand_prince45" "$kte" simulate pendulum.json --solver rk4
 for file in swing.npy swing.mcap swing.tsv; do
   gives 0 '' "$kte" simulate pendulum.json --time 1 --start start.csv --record $file --frames --column tip/velocity
   if [ ! -s $file ]; then wrong "$file is empty"; fi
@@ -117,7 +116,15 @@ gives 1 "has no extension of a table" "$kte" simulate pendulum.json --record swi
 gives 1 "cannot open 'none/a.csv'" "$kte" simulate pendulum.json --record none/a.csv
 gives 2 '--time must be greater than 0' "$kte" simulate pendulum.json --time -1
 gives 2 '--step: '"'0x'"' is not a number' "$kte" simulate pendulum.json --step 0x
-gives 1 "has no configuration 'home'" "$kte" simulate arm.urdf --configuration home
+for command in simulate view live; do
+  gives 1 "has no configuration 'home'" "$kte" $command arm.urdf --configuration home
+  gives 1 "cannot open 'none.csv'" "$kte" $command pendulum.json --start none.csv
+done
+for command in simulate live; do
+  gives 2 "there is no solver 'rk4', but dormand_prince45" "$kte" $command pendulum.json --solver rk4
+  gives 2 '--tolerance must be greater than 0' "$kte" $command pendulum.json --tolerance 0
+  gives 2 '--step must be greater than 0' "$kte" $command pendulum.json --step -1
+done
 gives 1 'there is no column q_0 or v_0' "$kte" simulate pendulum.json --start backwards.csv --pd torque.csv
 printf 'q_0\nnan\n' >nan.csv
 gives 1 "nan.csv:2:1: 'nan' is not finite" "$kte" simulate pendulum.json --start nan.csv
@@ -132,6 +139,15 @@ for file in swing.csv swing.npy swing.mcap swing.tsv; do
   gives 0 'kte: wrote swing.html' "$kte" view pendulum.json $file -o swing.html
 done
 gives 0 'kte: wrote both.html' "$kte" view pendulum.json swing.csv swing.npy --output both.html --title Both
+gives 0 'kte: wrote pendulum.html' "$kte" view pendulum.json --start start.csv
+if ! grep -q '"q":\[0.1\]' pendulum.html; then wrong 'the page does not begin at --start'; fi
+gives 2 '--start and --configuration are of pages without a recording' "$kte" view pendulum.json swing.csv --start start.csv
+gives 2 '--recording-size is between 0 and 1024, not -1' "$kte" view pendulum.json swing.csv --recording-size -1
+gives 0 '' "$kte" simulate pendulum.json --time 10 --every 0.001 --record long.csv
+gives 0 'wrote long.html' "$kte" view pendulum.json long.csv -o long.html --recording-size 0.1
+if ! grep -q 'rows of the recording' long.html; then wrong 'a long recording is not thinned out'; fi
+gives 0 'wrote long.html' "$kte" view pendulum.json long.csv -o long.html
+if grep -q 'rows of the recording' long.html; then wrong 'a recording is thinned out'; fi
 printf 't,x\n0,1\n' >none.csv
 gives 1 "no columns of coordinates by which the mechanism moves: 'q'" "$kte" view pendulum.json none.csv
 gives 1 "cannot run 'xdg-open'" env PATH=/nowhere "$kte" view pendulum.json --open
@@ -142,7 +158,28 @@ gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
 if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
 gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
 gives 1 "cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
-gives 1 'pictures are SVG' "$kte" plot swing.csv q -o swing.png
+gives 2 "'swing.pdf' is no name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
+gives 0 'kte: wrote units.svg' "$kte" plot swing.csv q q/v --of pendulum.json -o units.svg
+for text in 'q (rad)' 'q/v (rad/s)'; do
+  if ! grep -qF "$text" units.svg; then wrong "the axis has no unit: $text"; fi
+done
+gives 2 '--dpi is of PNG' "$kte" plot swing.csv q --dpi 100
+gives 2 '--dpi is between 10 and 2400, not 3' "$kte" plot swing.csv q --dpi 3 -o swing.png
+gives 1 "cannot run 'rsvg-convert': No such file or directory; it makes PNG (Debian: librsvg2-bin), SVG is written without it" \
+  env PATH=/nowhere "$kte" plot swing.csv q -o swing.png
+mkdir converter temporary && printf '#!/bin/sh\nexit 3\n' >converter/rsvg-convert && chmod +x converter/rsvg-convert
+gives 1 "cannot write 'swing.png': rsvg-convert ended with exit code 3" \
+  env TMPDIR="$PWD/temporary" PATH="$PWD/converter:$PATH" "$kte" plot swing.csv q -o swing.png
+if [ -e swing.png ]; then wrong 'a picture that failed is there'; fi
+if command -v rsvg-convert >/dev/null; then
+  gives 0 'kte: wrote $(touch called).PNG' env TMPDIR="$PWD/temporary" "$kte" plot swing.csv q --width 85 --dpi 100 -o '$(touch called).PNG'
+  size() { od -An -tu1 -j16 -N8 "$1" | awk '{ print 256 * $3 + $4 }'; }  # its width
+  if [ "$(head -c 4 '$(touch called).PNG' | tail -c 3)" != PNG ]; then wrong 'no PNG'; fi
+  if [ "$(size '$(touch called).PNG')" -ne 335 ]; then wrong "85 mm at 100 dpi are not 335 points: $(size '$(touch called).PNG')"; fi
+else
+  echo 'skipped: rsvg-convert (Debian: librsvg2-bin)'
+fi
+if [ -n "$(ls temporary)" ]; then wrong "kte plot leaves files: $(ls temporary)"; fi
 
 # ik
 sed 's/"continuous"/"prismatic"/; s/axis xyz="0 1 0"/axis xyz="1 0 0"/' arm.urdf >slide.urdf
@@ -212,6 +249,32 @@ if [ "$(wc -l <errors)" -ne 1 ]; then wrong 'a warning is more than a line'; fi
 "$kte" view "$name.json" "$name.csv" -o "$name.html" 2>errors || wrong 'such a name is not shown'
 gives 0 '' "$kte" check -- pendulum.json
 for command in check info; do full "$kte" $command pendulum.json; done
+
+# Options by the names that they have here.
+{ echo '<sdf version="1.9">' && for name in a b; do
+  echo "<model name='$name'><link name='base'/><link name='arm'/><joint name='q' type='revolute'><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint></model>"
+done && echo '</sdf>'; } >two.sdf
+gives 1 "choose one by --model, of 'a', 'b'" "$kte" info two.sdf
+gives 1 "has no model 'c' (--model)" "$kte" info two.sdf --model c
+printf '<sdf version="1.9"><model name="a"><include><uri>model://nowhere</uri></include></model></sdf>' >include.sdf
+gives 1 "nor in those of --search" "$kte" info include.sdf
+sed 's|<axis |<origin rpy="1.5707 0 0"/>&|' arm.urdf >near.urdf
+gives 0 'a larger --quarter-turns makes it exact' "$kte" simulate near.urdf --time 0.1
+gives 0 '' "$kte" check near.urdf --json
+prints 'a larger --quarter-turns makes it exact'
+sed 's/"base"/"world"/g' arm.urdf >world.urdf
+gives 1 "has a link or joint 'world': --floating-base needs this name" "$kte" info world.urdf --floating-base
+gives 1 '(--lossy: ' "$kte" convert arm.urdf arm.mjcf
+sed 's|<link name="arm">|&<visual><geometry><mesh filename="package://nowhere/arm.stl"/></geometry></visual>|' arm.urdf >mesh.urdf
+gives 0 'wrote mesh.html' "$kte" view mesh.urdf
+if ! grep -q 'nor in those of --search' mesh.html; then wrong 'the page does not say --search'; fi
+for page in ./*.html; do
+  if grep '^<script type="application/json"' "$page" | grep -q '_options::'; then wrong "$page has names of options in C++"; fi
+done
+sed '3s/"version": *1,/&"x_note":"ours",/' pendulum.json >note.json
+gives 0 "note.json:3: unknown field 'x_note' is left out" "$kte" simulate note.json --time 0.1
+gives 0 '' "$kte" check note.json
+prints "unknown field 'x_note' is left out"
 
 # Names of links and joints that tables do not take.
 sed 's/"arm"/"upper, arm"/; s/link="arm"/link="upper, arm"/; s/name="q"/name="shoulder \&quot;1\&quot;"/' arm.urdf >names.urdf

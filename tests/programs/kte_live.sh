@@ -17,9 +17,55 @@ gives 2 '--port is a number up to 65535, not 70000' "$kte" live arm.urdf --port 
 gives 2 '--port is a number up to 65535, not 80.5' "$kte" live arm.urdf --port 80.5
 gives 2 '--speed is between 0.001 and 1000, not 0' "$kte" live arm.urdf --speed 0
 gives 2 '--time must be greater than 0, not 0' "$kte" live arm.urdf --time 0
+gives 1 "arm.urdf has no configuration 'up'" "$kte" live arm.urdf --configuration up
 gives 1 "kte: cannot open 'nothing.urdf'" "$kte" live nothing.urdf
 gives 0 'Ctrl-C ends' "$kte" live arm.urdf --time 0.05
 if ! grep -q "$address" out; then wrong 'kte live does not print its address'; fi
+for solver in adams rodas runge_kutta4; do
+  gives 0 'Ctrl-C ends' "$kte" live arm.urdf --time 0.05 --solver $solver --tolerance 1e-5 --step 0.002
+done
+gives 0 "cannot run 'xdg-open': No such file or directory; install it (Debian: xdg-utils)" \
+  env PATH=/nowhere "$kte" live arm.urdf --time 0.05 --open
+prints 'http://127.0.0.1:'
+
+# Sliders of motors: range and unit of the command; servos begin where they stand.
+cat >arm.mjcf <<'END'
+<mujoco><compiler angle="radian"/>
+  <worldbody><body name="upper"><joint name="shoulder" type="hinge" axis="0 1 0"/>
+    <geom type="capsule" fromto="0 0 0 0.5 0 0" size="0.03" mass="1"/>
+    <body name="lower" pos="0.5 0 0"><joint name="elbow" type="hinge" axis="0 1 0" range="-2.5 2.5" limited="true"/>
+      <geom type="capsule" fromto="0 0 0 0.4 0 0" size="0.03" mass="0.5"/></body></body></worldbody>
+  <actuator><motor name="geared" joint="shoulder" gear="40" ctrlrange="-1 2" ctrllimited="true"/>
+    <position name="servo" joint="elbow" kp="60"/></actuator>
+  <keyframe><key name="up" qpos="0.5 -0.75"/></keyframe>
+</mujoco>
+END
+if command -v python3 >/dev/null; then
+  "$kte" live arm.mjcf --configuration up --speed 0.001 >out 2>errors &
+  program=$!
+  python3 - out >sliders <<'END' || wrong 'no event of the page'
+import base64, json, struct, sys, time, urllib.request
+for _ in range(100):
+    url = open(sys.argv[1]).read().strip()
+    if url: break
+    time.sleep(0.1)
+seen = {}
+with urllib.request.urlopen(url + 'events', timeout=10) as events:
+    for _ in range(1000):
+        if {'sliders', 'numbers'} <= seen.keys(): break
+        line = events.readline().decode()
+        if line.startswith('data: '): seen.update(json.loads(line[6:]))
+for s in seen['sliders']: print(s['name'], s['lower'], s['upper'], s['value'], s['unit'])
+numbers = base64.b64decode(seen['numbers'])
+numbers = struct.unpack(f'<{len(numbers) // 4}f', numbers)
+print(*(round(x, 3) for x in numbers[-6:-4]))  # q, before q and v of each coordinate
+END
+  kill "$program" && wait "$program"
+  printf '%s\n' 'geared -1 2 0 × 40 N m' 'servo -2.5 2.5 -0.75 rad' 'damping 0 10 0 1/s' '0.5 -0.75' >expected
+  if ! cmp -s sliders expected; then wrong "sliders of motors: $(cat sliders)"; fi
+else
+  echo 'skipped: python3'
+fi
 
 # It waits for a page, and signals end it.
 for signal in INT TERM; do

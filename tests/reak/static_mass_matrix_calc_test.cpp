@@ -10,6 +10,7 @@
 
 using namespace kte;
 using namespace kte::test;
+using namespace kte::test::small_chains;
 
 namespace {
 
@@ -40,7 +41,7 @@ void check(const Chain& c, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("mass matrix by Jacobians of static chains: as of runtime chains") {
+TEST_CASE("mass matrix by Jacobians of static chains: as of runtime chains", "[laws]") {
   check(planar, 1);
   check(geared, 2);
 }

@@ -28,7 +28,7 @@ static_assert(names_something<handle> && names_something<const char*> && !names_
 
 }  // namespace
 
-TEST_CASE("each kind of thing has a handle, which finds it and no other", "[handle]") {
+TEST_CASE("each kind of thing has a handle, which finds it and no other") {
   const auto c = all_kinds();
   auto s = c.make_state();
   const auto q1 = c.coordinate("q1"), q2 = c.coordinate("q2"), trunk = c.coordinate("trunk"),
@@ -60,7 +60,7 @@ TEST_CASE("each kind of thing has a handle, which finds it and no other", "[hand
   CHECK(is(disc, kind::frame_2D, 1));
 }
 
-TEST_CASE("a handle of another kind is refused, and says of which", "[handle]") {
+TEST_CASE("a handle of another kind is refused, and says of which") {
   const auto c = all_kinds();
   auto s = c.make_state();
   const auto refused = [](const char* is, const char* wanted) {
@@ -79,7 +79,7 @@ TEST_CASE("a handle of another kind is refused, and says of which", "[handle]") 
   CHECK_THROWS_MATCHES(forward_kinematics(c, s, c.input("motor1")), bad_argument, refused("input", "frame"));
 }
 
-TEST_CASE("a name of another kind, or of nothing, has no handle", "[handle]") {
+TEST_CASE("a name of another kind, or of nothing, has no handle") {
   const auto c = all_kinds();
   CHECK_THROWS_MATCHES(c.frame("q1"), unknown_name, says("kte: 'q1' is a coordinate, not a frame"));
   CHECK_THROWS_MATCHES(c.coordinate("hand"), unknown_name, says("kte: 'hand' is a 3D frame, not a coordinate"));
@@ -96,7 +96,7 @@ TEST_CASE("a name of another kind, or of nothing, has no handle", "[handle]") {
   CHECK_THROWS_AS(none.frame("hand"), unknown_name);
 }
 
-TEST_CASE("a handle is of its chain and of copies, not of another that looks the same", "[handle]") {
+TEST_CASE("a handle is of its chain and of copies, not of another that looks the same") {
   const auto c = all_kinds(), twin = all_kinds();
   const auto hand = c.frame("hand");
   const kte_map_chain copy = c;
@@ -111,7 +111,7 @@ TEST_CASE("a handle is of its chain and of copies, not of another that looks the
   CHECK_THROWS_MATCHES(of_whole.frame_3D(hand), bad_argument, says("another chain"));
 }
 
-TEST_CASE("handles of a chain that is moved go with it", "[handle]") {
+TEST_CASE("handles of a chain that is moved go with it") {
   auto c = all_kinds();
   const auto hand = c.frame("hand");
   auto s = c.make_state();
@@ -134,7 +134,7 @@ TEST_CASE("handles of a chain that is moved go with it", "[handle]") {
   CHECK_THROWS_MATCHES(part.frame("hand"), bad_argument, says("part of another one"));
 }
 
-TEST_CASE("a handle that is moved from is of no chain", "[handle]") {
+TEST_CASE("a handle that is moved from is of no chain") {
   const auto c = all_kinds();
   auto s = c.make_state();
   auto first = c.frame("hand");
@@ -145,7 +145,7 @@ TEST_CASE("a handle that is moved from is of no chain", "[handle]") {
   CHECK(&s.frame_3D(first) == &s.frame_3D("hand"));
 }
 
-TEST_CASE("what changes a chain makes handles of before void, but for states of before", "[handle]") {
+TEST_CASE("what changes a chain makes handles of before void, but for states of before") {
   auto c = all_kinds();
   const auto hand = c.frame("hand");
   auto s = c.make_state();
@@ -167,7 +167,7 @@ TEST_CASE("what changes a chain makes handles of before void, but for states of 
   void_now(later);
 }
 
-TEST_CASE("handles stand for names", "[handle]") {
+TEST_CASE("handles stand for names") {
   kte_map_chain c;
   c << revolute_joint_3D("q", "base", "end", axis::x) << rigid_link_3D("end", "tool", along_y(0.5))
     << driving_actuator_gen("q", "motor");

@@ -46,7 +46,7 @@ struct pair_of_springs {
 
 }  // namespace
 
-TEST_CASE("an element says what it is, to whom it is connected and with which numbers", "[adapter]") {
+TEST_CASE("an element says what it is, to whom it is connected and with which numbers") {
   const alone link(rigid_link_3D("a", "b", along_y(0.5)));
   CHECK(link.last.element == &link.element);
   CHECK(link.last.index == std::vector{0, 1});
@@ -71,7 +71,7 @@ TEST_CASE("an element says what it is, to whom it is connected and with which nu
   CHECK(between_frames.derivatives);  // which is asked of what stands on coordinates alone
 }
 
-TEST_CASE("a copy of an element is another one with the same numbers", "[adapter]") {
+TEST_CASE("a copy of an element is another one with the same numbers") {
   const alone link(rigid_link_3D("a", "b", along_y(0.5)));
   const auto copy = link.element.clone();
   const kte_element* found = nullptr;
@@ -84,7 +84,7 @@ TEST_CASE("a copy of an element is another one with the same numbers", "[adapter
   CHECK(t.elements.at(0).element == found);
 }
 
-TEST_CASE("the loops over records are told what each element is", "[adapter]") {
+TEST_CASE("the loops over records are told what each element is") {
   using detail::part;
   CHECK(alone(base_3D("a")).element.numbers().is == part::base);
   CHECK(alone(rigid_link_3D("a", "b", along_y(0.5))).element.numbers().is == part::stiff);
@@ -102,7 +102,7 @@ TEST_CASE("the loops over records are told what each element is", "[adapter]") {
   CHECK(of_link.stiff.at_zero.position == vec3{0.0, 0.5, 0.0});
 }
 
-TEST_CASE("passes and energies are those of the core", "[adapter]") {
+TEST_CASE("passes and energies are those of the core") {
   const alone spring(spring_gen("p", "q", 0.5, 3.0, 2.0), {"p", "q"});
   runtime_state s(spring.wiring);
   s.coordinate("p").q = 0.25, s.coordinate("q").q = 1.0;  // 0.25 longer than at rest
@@ -129,7 +129,7 @@ TEST_CASE("passes and energies are those of the core", "[adapter]") {
   CHECK(wheel.element.switching(w) == 1);
 }
 
-TEST_CASE("derivatives of the forces on coordinates are subtracted, by whatever port", "[adapter]") {
+TEST_CASE("derivatives of the forces on coordinates are subtracted, by whatever port") {
   // q is the second degree of freedom, p the first; forces of the element: -2 q + 0.5 p_dot on q, -5 p q on p.
   const alone springs(connect(pair_of_springs{}, "q", "p"), {"p", "q"});
   runtime_state s(springs.wiring);
@@ -142,7 +142,7 @@ TEST_CASE("derivatives of the forces on coordinates are subtracted, by whatever 
   CHECK(d.by_a == Eigen::Matrix2d::Constant(100));
 }
 
-TEST_CASE("an element with both ports on one coordinate is derived by it once", "[adapter]") {
+TEST_CASE("an element with both ports on one coordinate is derived by it once") {
   kte_map_chain c;
   c << inertia_gen("q", 1.0) << connect(pair_of_springs{}, "q", "q");
   auto s = c.make_state();
@@ -153,7 +153,7 @@ TEST_CASE("an element with both ports on one coordinate is derived by it once", 
   CHECK(d.by_v(0, 0) == -0.5);
 }
 
-TEST_CASE("what frames feel is not derived by elements on their own", "[adapter]") {
+TEST_CASE("what frames feel is not derived by elements on their own") {
   const alone body_alone(inertia_3D("a", body));
   runtime_state s(body_alone.wiring);
   body_alone.element.derive_forces(s);

@@ -51,7 +51,7 @@ double seconds(const F& f) {
 
 }  // namespace
 
-TEST_CASE("a chain that is moved from is empty and usable") {
+TEST_CASE("a chain that is moved from is empty and usable", "[both]") {
   auto a = pendulum();
   a.gravity(along_y(-9.81));
   auto b = std::move(a);

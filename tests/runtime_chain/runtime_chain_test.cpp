@@ -6,7 +6,7 @@
 
 using namespace models;
 
-TEST_CASE("a chain read from its record gives the same values") {
+TEST_CASE("a chain read from its record gives the same values", "[both]") {
   const auto built = by_own_elements(tree), loaded = registered(kte::record_of(built));
   auto a = built.make_state(), b = loaded.make_state();
   random_numbers random(7);

@@ -50,7 +50,7 @@ const std::array v{0.1, 0.2, -0.3, 0.4, 0.5, -0.6, 0.7}, a{1.0, 2.0, -3.0, 4.0, 
 
 }  // namespace
 
-TEST_CASE("a joint and a link of one name are two things", "[runtime_chain][topology]") {
+TEST_CASE("a joint and a link of one name are two things") {
   const auto apart = runtime("q", "arm", "X", "trunk", "tip", "u");
   const auto& together = of_texts;
   auto s = apart.make_state();
@@ -71,7 +71,7 @@ TEST_CASE("a joint and a link of one name are two things", "[runtime_chain][topo
   CHECK(poses.getDependentPoses(q)[1].position == vec3{0.1, -0.2, 0.3});
 }
 
-TEST_CASE("shared names in static chains, runtime chains and files", "[runtime_chain][topology]") {
+TEST_CASE("shared names in static chains, runtime chains and files") {
   auto s = of_texts.make_state();
   auto t = make_state(shared);
   s.input("tool") = t[motor] = 2.5;
@@ -98,7 +98,7 @@ TEST_CASE("shared names in static chains, runtime chains and files", "[runtime_c
                          std::array{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0, 0.0})[7] == 0);
 }
 
-TEST_CASE("what is asked for by a shared name", "[runtime_chain][topology]") {
+TEST_CASE("what is asked for by a shared name") {
   const auto& c = of_texts;
   CHECK(c.frame("elbow").what() == kind::frame_3D);
   CHECK(c.coordinate("elbow").what() == kind::gen);
@@ -123,7 +123,7 @@ TEST_CASE("what is asked for by a shared name", "[runtime_chain][topology]") {
   CHECK_THROWS_MATCHES(t.kind_of("shoulder"), unknown_name, says("kte: this chain has nothing of the name 'shoulder'"));
 }
 
-TEST_CASE("frames in the plane by shared names", "[runtime_chain][topology]") {
+TEST_CASE("frames in the plane by shared names") {
   kte_map_chain c;
   c << revolute_joint_2D("arm", "ground", "arm").at(along_x(0.5)) << inertia_2D("arm", point_mass(1.0, along_x(0.5)));
   auto s = c.make_state();
@@ -132,7 +132,7 @@ TEST_CASE("frames in the plane by shared names", "[runtime_chain][topology]") {
   CHECK(c.frame("arm").what() == kind::frame_2D);
 }
 
-TEST_CASE("names of one family are still of one thing", "[runtime_chain][topology]") {
+TEST_CASE("names of one family are still of one thing") {
   auto c = of_texts;
   const auto fails = [&c](const auto& e, const std::string& why) {
     CHECK_THROWS_MATCHES(c << e, bad_wiring, says(why));
@@ -152,7 +152,7 @@ TEST_CASE("names of one family are still of one thing", "[runtime_chain][topolog
                             "misspelt?"));
 }
 
-TEST_CASE("shared names in recordings", "[runtime_chain][topology]") {
+TEST_CASE("shared names in recordings") {
   const auto columns = [](const auto& c, const std::vector<std::string>& names) {
     return recorder(c, names).contents().names;
   };
@@ -181,7 +181,7 @@ TEST_CASE("shared names in recordings", "[runtime_chain][topology]") {
   check(of_texts);
 }
 
-TEST_CASE("names that were misspelt are found by those that are there", "[runtime_chain][topology]") {
+TEST_CASE("names that were misspelt are found by those that are there") {
   kte_map_chain c;
   c << revolute_joint_3D("q1", "ground", "arm", axis::y) << inertia_3D("arm", brick);
   const auto fails = [](kte_map_chain with, const auto& e, const std::string& why) {
@@ -203,7 +203,7 @@ TEST_CASE("names that were misspelt are found by those that are there", "[runtim
   CHECK(record_of(early).elements.size() == 1);
 }
 
-TEST_CASE("what is odd about a chain is found, and may be meant", "[runtime_chain][topology]") {
+TEST_CASE("what is odd about a chain is found, and may be meant") {
   kte_map_chain c;
   c << revolute_joint_3D("q1", "ground", "arm", axis::y) << inertia_3D("arm", brick) << inertia_gen("q1", 0.1)
     << inertia_gen("mass", 1.0) << base_gen("wall") << spring_gen("wall", "mass", 0.0, 1.0);
@@ -221,7 +221,7 @@ TEST_CASE("what is odd about a chain is found, and may be meant", "[runtime_chai
   CHECK(check_chain(::shared).empty());
 }
 
-TEST_CASE("edit distances", "[topology]") {
+TEST_CASE("edit distances") {
   using detail::edit_distance;
   CHECK((edit_distance("", "abc") == 3 && edit_distance("abc", "abc") == 0 && edit_distance("abc", "") == 3));
   CHECK((edit_distance("elbwo", "elbow") == 1 && edit_distance("kitten", "sitting") == 3));

@@ -34,7 +34,7 @@ using keeper = kte::detail::kept_states<true>;
 
 }  // namespace
 
-TEST_CASE("a state is made once, and lent again", "[kept_states]") {
+TEST_CASE("a state is made once, and lent again", "[both]") {
   counts all;
   {
     const keeper k;
@@ -59,7 +59,7 @@ TEST_CASE("a state is made once, and lent again", "[kept_states]") {
   CHECK(all.gone == all.made + all.copied);
 }
 
-TEST_CASE("what is kept is not copied, and goes when other numbers are assigned", "[kept_states]") {
+TEST_CASE("what is kept is not copied, and goes when other numbers are assigned") {
   counts all;
   {
     keeper k;
@@ -74,7 +74,7 @@ TEST_CASE("what is kept is not copied, and goes when other numbers are assigned"
   CHECK(all.gone == all.made + all.copied);
 }
 
-TEST_CASE("a failure in a calculation gives its state back", "[kept_states]") {
+TEST_CASE("a failure in a calculation gives its state back") {
   counts all;
   const keeper k;
   const maker m{&all, 7};
@@ -87,7 +87,7 @@ TEST_CASE("a failure in a calculation gives its state back", "[kept_states]") {
   CHECK(all.copied == 1);
 }
 
-TEST_CASE("several threads never have the same state", "[kept_states]") {
+TEST_CASE("several threads never have the same state") {
   counts all;
   {
     const keeper k;
@@ -111,7 +111,7 @@ TEST_CASE("several threads never have the same state", "[kept_states]") {
   CHECK(all.gone == all.made + all.copied);
 }
 
-TEST_CASE("what constants kept, which are never destroyed, goes when the next stands in their place", "[kept_states]") {
+TEST_CASE("what constants kept, which are never destroyed, goes when the next stands in their place") {
   counts all;
   const auto use = [&all](int number) {
     constexpr keeper k;

@@ -94,7 +94,7 @@ double difference_of(const A& a, const B& b) {
 
 }  // namespace
 
-TEST_CASE("a static chain of all shapes is what it is at run time", "[shapes]") {
+TEST_CASE("a static chain of all shapes is what it is at run time") {
   const bool dry = GENERATE(false, true);
   const auto c = static_one(dry);
   const auto r = runtime_one(dry);

@@ -44,7 +44,7 @@ auto forgetful(double stiffness, double force) { return connect(forgetful_spring
 
 }  // namespace
 
-TEST_CASE("all elements of the library come back from files as they were", "[testing]") {
+TEST_CASE("all elements of the library come back from files as they were") {
   random_numbers draw(1);
   int odd = 0;
   for (const auto& [type, plain] : elements_page::records()) {
@@ -59,7 +59,7 @@ TEST_CASE("all elements of the library come back from files as they were", "[tes
   CHECK(odd > 50);
 }
 
-TEST_CASE("typed constants come back from files as numbers", "[testing]") {
+TEST_CASE("typed constants come back from files as numbers") {
   random_numbers draw(2);
   const auto check = [&draw](const auto& e) { CHECK(testing::file_round_trip(e, models::registry(), draw) == 0); };
   check(revolute_joint_3D("q", "a", "b", axis::y).at(along_z(0.5), quarter_turn_x));
@@ -69,7 +69,7 @@ TEST_CASE("typed constants come back from files as numbers", "[testing]") {
   CHECK(testing::file_round_trip(spring_3D("a", "b", zero, 50.0), models::registry(), draw) < 0.1);
 }
 
-TEST_CASE("an element that leaves a number out of its record, or that is read as another", "[testing]") {
+TEST_CASE("an element that leaves a number out of its record, or that is read as another") {
   random_numbers draw(3);
   auto registry = models::registry();
   CHECK_THROWS_AS(testing::file_round_trip(forgetful(2, 1), registry, draw), bad_file);

@@ -26,7 +26,7 @@ struct fickle_damper {
 
 }  // namespace
 
-TEST_CASE("elements do in static chains what they do in runtime chains", "[testing]") {
+TEST_CASE("elements do in static chains what they do in runtime chains") {
   random_numbers draw(1);
   // Some hundred products along two bodies, and as much again in forward dynamics by masses of one size.
   CHECK(testing::static_is_runtime(spring_3D("a", "b", 0.3, 50.0), draw) < 1e-13);
@@ -34,7 +34,7 @@ TEST_CASE("elements do in static chains what they do in runtime chains", "[testi
   CHECK(testing::static_is_runtime(position_measure_2D("a", "y"), draw) < 1e-13);
 }
 
-TEST_CASE("an element that is another every other time", "[testing]") {
+TEST_CASE("an element that is another every other time") {
   random_numbers draw(2);
   CHECK(testing::static_is_runtime(connect(fickle_damper{}, "q"), draw) > 0.1);
 }

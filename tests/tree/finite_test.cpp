@@ -36,13 +36,13 @@ void try_rows() {
 
 }  // namespace
 
-TEST_CASE("A number that is not finite is found wherever it stands in a row", "[tree]") {
+TEST_CASE("a number that is not finite is found wherever it stands in a row") {
   try_rows<double>();
   try_rows<float>();
   try_rows<long double>();
 }
 
-TEST_CASE("Rows are known where numbers stand one behind the other", "[tree]") {
+TEST_CASE("rows are known where numbers stand one behind the other") {
   STATIC_REQUIRE(stands_in_row<const double*, double>);
   STATIC_REQUIRE(stands_in_row<double[3], double>);
   STATIC_REQUIRE(stands_in_row<std::array<double, 3>, double>);

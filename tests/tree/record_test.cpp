@@ -141,7 +141,7 @@ constexpr double rounding_of_regressor = 2.2e-15, rounding_of_derivatives = 4e-1
 
 }  // namespace
 
-TEST_CASE("joints of users' own move along and about z of their records", "[tree]") {
+TEST_CASE("joints of users' own move along and about z of their records") {
   const kte_map_chain run = models::by_own_elements(own_joints);
   auto s = run.make_state();
   random_numbers random(1);
@@ -177,7 +177,7 @@ TEST_CASE("joints of users' own move along and about z of their records", "[tree
   }
 }
 
-TEST_CASE("a joint without constant axes is known to the passes alone", "[tree][errors]") {
+TEST_CASE("a joint without constant axes is known to the passes alone") {
   kte_map_chain run;
   run << connect(uneven{}, "q1", "base", "a") << inertia_3D("a", body);
   run.gravity(along_z(-9.81));
@@ -196,7 +196,7 @@ TEST_CASE("a joint without constant axes is known to the passes alone", "[tree][
   CHECK_NOTHROW(forward_kinematics(run, s, q, "a"));
 }
 
-TEST_CASE("a mass that is no rigid body has the law it says", "[tree]") {
+TEST_CASE("a mass that is no rigid body has the law it says") {
   kte_map_chain run;
   run << revolute_joint_3D("q1", "base", "a", axis::x) << rigid_link_3D("a", "b", along_y(0.5))
       << connect(dragged{}, "b");
@@ -217,7 +217,7 @@ TEST_CASE("a mass that is no rigid body has the law it says", "[tree]") {
   CHECK(inertial_parameters(run).size() == 0);
 }
 
-TEST_CASE("forces in runtime chains see positions without a word", "[tree]") {
+TEST_CASE("forces in runtime chains see positions without a word") {
   kte_map_chain run;
   run << prismatic_joint_3D("q1", "base", "a", axis::z) << inertia_3D("a", point_mass(1.5)) << connect(buoyancy{}, "a");
   auto s = run.make_state();
@@ -227,7 +227,7 @@ TEST_CASE("forces in runtime chains see positions without a word", "[tree]") {
   CHECK(forward_dynamics(run, s, q, v, tau)[0] == within(-1.0, 1e-15));
 }
 
-TEST_CASE("a coordinate that moves nothing, or too much, is named", "[tree][errors]") {
+TEST_CASE("a coordinate that moves nothing, or too much, is named") {
   kte_map_chain run;
   run << revolute_joint_3D("q1", "base", "a", axis::x) << inertia_3D("a", body)
       << revolute_joint_3D("q2", "a", "b", axis::y);
@@ -244,7 +244,7 @@ TEST_CASE("a coordinate that moves nothing, or too much, is named", "[tree][erro
   CHECK_THROWS_WITH(forward_dynamics(far, f, y, y, y), contains_text("'q1'") && !contains_text("singular"));
 }
 
-TEST_CASE("a result of a state may be an argument of the next call with it", "[tree]") {
+TEST_CASE("a result of a state may be an argument of the next call with it") {
   kte_map_chain run;
   run << revolute_joint_3D("q1", "base", "a", axis::x) << inertia_3D("a", body)
       << revolute_joint_3D("q2", "a", "b", axis::y) << inertia_3D("b", body) << damper_gen("q1", "q2", 2.0);

@@ -112,8 +112,8 @@ TEST_CASE("long recordings are thinned out, and keep their last row") {
   CHECK_THAT(file.text(), contains_text(R"("count":10001,)"));
   write_page(file.path, rec, {.recording_bytes = 100000});
   CHECK(std::filesystem::file_size(file.path) < 110000 + view::page_resource().size());
-  CHECK_THAT(file.text(), contains_text("of the 10001 rows of the recording one in 8 is in the page"));
-  CHECK_THAT(file.text(), contains_text(R"("count":1251,)"));
+  CHECK_THAT(file.text(), contains_text("of the 10001 rows of the recording one in 9 is in the page"));
+  CHECK_THAT(file.text(), contains_text(R"("count":1113,)"));
 }
 
 TEST_CASE("scenes whose parts do not fit are refused by name") {
@@ -137,6 +137,12 @@ TEST_CASE("scenes whose parts do not fit are refused by name") {
   refused("recording '' has no rows", [](scene& s) { s.recordings[0] = {}; });
   refused("has not a pose for each row and track", [](scene& s) { s.recordings[0].positions.pop_back(); });
   refused("has not all coordinates", [](scene& s) { s.recordings[0].q.push_back(0); });
+  refused("has not all velocities", [](scene& s) { s.recordings[0].v.push_back(0); });
+  refused("has not all signals", [](scene& s) {
+    s.recordings[0] = scene_of(pendulum, table{{"t", "q"}, {{0, 1}, {0, 0}}}).recordings[0];
+    s.recordings[0].signals = {1};
+  });
+  refused("what is pulled is 7", [](scene& s) { s.pulls = {7}; });
   refused("column 'c' has not a number for each row", [](scene& s) {
     s.recordings[0].columns.push_back({"c", "", {}});
   });

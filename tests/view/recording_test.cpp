@@ -31,6 +31,8 @@ TEST_CASE("a recording has poses, coordinates and columns of each row") {
   CHECK(r.name == "by hand");
   CHECK(r.t == std::vector{0.0, 0.1, 0.2, 0.1 * 3});
   CHECK(r.q == std::vector<float>{0, 0.5f, 1, 1.5f});
+  CHECK(r.v == std::vector<float>{0, 0.25f, 0.5f, 0.75f});
+  CHECK(r.signals.empty());
   REQUIRE(r.positions.size() == 4 * 2 * 3);
   REQUIRE(r.rotations.size() == 4 * 2 * 4);
   const double half = 0.75;  // of the last row, frame "joint"
@@ -91,11 +93,17 @@ TEST_CASE("a table with the coordinates by name moves a chain") {
     const auto& r = s.recordings.at(0);
     CHECK(r.t == std::vector<double>{0, 1, 2});
     CHECK(r.q == std::vector<float>{0.1f, 0.2f, 0.3f});
+    CHECK(r.v == std::vector<float>{1, 1, 1});
     CHECK(r.rotations[2 * 8 + 7] == std::lround(32767 * std::sin(0.15)));
     REQUIRE(r.columns.size() == 2);
     CHECK((r.columns[0].name == "energy" && r.columns[0].unit.empty() && r.columns[0].data[1] == 6));
     CHECK((r.columns[1].name == "q/v" && r.columns[1].unit == "rad/s"));
   }
+  numbers.columns[3][1] = NAN;
+  CHECK(scene_of(chain, numbers).recordings.at(0).v.empty());
+  numbers.names[3] = "rate";
+  CHECK(scene_of(chain, numbers).recordings.at(0).v.empty());
+  numbers.names[3] = "q/v";
   numbers.names[2] = "Q";
   CHECK_THROWS_MATCHES(scene_of(chain, numbers), unknown_name,
                        says("no columns of coordinates by which the mechanism moves: 'q'"));
@@ -120,6 +128,8 @@ TEST_CASE("what a recorder recorded is a table that moves the chain, rotations a
     s.pose_3D("trunk").rotation = normalized(1.0, 0.1 * i, 0.2, 0.0);
     s.rotation_3D("ball").rotation = normalized(1.0, 0.0, 0.3 * i, 0.1);
     s.coordinate("body").q = 0.7 * i;
+    s.pose_3D("trunk").velocity = {0.1, 0.2 * i, 0.3}, s.pose_3D("trunk").ang_velocity = {0.4, 0.5, 0.6 * i};
+    s.rotation_3D("ball").ang_velocity = {0.7 * i, 0.8, 0.9}, s.coordinate("body").q_dot = i;
     chain.doMotion(s);
     rec.row(i, s), direct.row(i, s);
   }
@@ -127,6 +137,7 @@ TEST_CASE("what a recorder recorded is a table that moves the chain, rotations a
   CHECK(a.positions == b.positions);
   CHECK(a.rotations == b.rotations);
   CHECK(a.q == b.q);
+  CHECK((a.v == b.v && a.v.size() == 3 * 10 && a.v.back() == 2));
   auto named = rec.contents();
   *std::find(named.names.begin(), named.names.end(), "coordinate:body") = "body";  // as in tables from elsewhere
   CHECK(scene_of(chain, named).recordings.at(0).rotations == b.rotations);
@@ -140,4 +151,26 @@ TEST_CASE("inputs and the time move what elements write by them") {
   const auto& r = s.recordings.at(0);
   CHECK((r.positions[3 + 0] == 1 && r.positions[6 + 3 + 0] == 2 && r.positions[6 + 3 + 2] == 5));
   CHECK(r.columns.size() == 3);
+  REQUIRE(r.signals.size() == 2 * 9);
+  CHECK((r.signals[0] == 1 && r.signals[9] == 2 && r.signals[11] == 5));
+  for (std::size_t i = 3; i < 9; ++i) CHECK(std::isnan(r.signals[i]));  // v and a are not in the table
+}
+
+TEST_CASE("a recording has inputs, vectors and internal states, by which a page knows forces") {
+  kte_map_chain chain;
+  chain << revolute_joint_3D("q", "base", "arm", axis::y) << inertia_3D("arm", point_mass(1.0, along_x(1.0)))
+        << external_force_3D("arm", "push", "turn") << driving_actuator_gen("q", "motor")
+        << joint_lugre_gen("q", "bristles", {1e3, 10, 0.1, 0.5, 0.6, 0.1});
+  auto s = chain.make_state();
+  s.input("motor") = 3, s.vector("push") = {1, 2, 4}, s.vector("turn") = {5, 6, 7}, s.internal("bristles").z = 0.5;
+  chain.doMotion(s);
+  const auto of_state = scene_of(chain, s);
+  CHECK(of_state.recordings[0].signals == std::vector<float>{3, 1, 2, 4, 5, 6, 7, 0.5f});
+  CHECK(of_state.forces.at(0).element == 2);
+  CHECK(of_state.forces.at(2).element == 4);
+  recorder rec(chain, {"q", "motor"});
+  rec.row(0, s);
+  const auto of_table = scene_of(chain, rec.contents()).recordings[0];
+  CHECK(of_table.signals[0] == 3);
+  for (std::size_t i = 1; i < 8; ++i) CHECK(std::isnan(of_table.signals[i]));
 }

@@ -26,19 +26,6 @@ struct findings {
   std::optional<structure> parts;  ///< none where the file is no mechanism
 };
 
-/// The note of an error, whose text begins with its place.
-kte::robot_note placed(kte::robot_note note, const std::string& file) {
-  if (!note.text.starts_with("kte: ")) return note;
-  note.text.erase(0, 5);
-  if (!note.text.starts_with(file + ":")) return note;
-  note.text.erase(0, file.size() + 1);
-  std::size_t digits = 0;
-  while (digits < note.text.size() && note.text[digits] >= '0' && note.text[digits] <= '9') ++digits;
-  if (digits > 0 && digits < 9) note.line = std::stoi(note.text.substr(0, digits)), note.text.erase(0, digits + 1);
-  note.text.erase(0, note.text.find_first_not_of(' '));
-  return note;
-}
-
 void add_once(std::vector<kte::robot_note>& list, const kte::robot_note& note) {
   for (const auto& n : list)
     if (n.text == note.text && n.line == note.line && n.file == note.file) return;
@@ -50,6 +37,7 @@ findings look_at(const options& o) {
   try {
     const auto m = read_mechanism(o.in);
     f.format = m.format, f.not_read = m.robot.not_read;
+    if (m.model) f.odd = m.robot.warnings;
     if (m.description)
       for (const auto& n : kte::check_robot(*m.description, o.in.robot)) add_once(f.odd, n);
     for (const auto& text : kte::check_chain(m.chain())) add_once(f.odd, {0, text});
@@ -105,7 +93,7 @@ std::string json_of(const findings& f, const options& o) {
       j.object()
           .member("file", n.file.empty() ? o.in.file : n.file)
           .member("line", n.line)
-          .member("text", n.text)
+          .member("text", with_option_names(n.text))
           .member("changes_motion", n.changes_motion)
           .end();
     j.end();

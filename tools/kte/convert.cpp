@@ -17,7 +17,7 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct convert_options {
   reading in;
   std::string out, to, name;
   bool lossy = false;
@@ -26,7 +26,7 @@ struct options {
 enum class target { urdf, mjcf, json, xml, binary, header };
 
 /// By --to, or the ending of the file.
-target target_of(const options& o) {
+target target_of(const convert_options& o) {
   static const std::map<std::string, target> formats{
       {"urdf", target::urdf},  {"mjcf", target::mjcf},  {"json", target::json}, {"xml", target::xml},
       {"kte", target::binary}, {"hpp", target::header}, {"h", target::header}};
@@ -86,7 +86,7 @@ kte::model_record record_of(const mechanism& m) {
 
 /// As the file describes it, unless options made another robot of it.
 template <class Write>
-std::string robot_text(const options& o, const mechanism& m, leftovers& left, const Write& write) {
+std::string robot_text(const convert_options& o, const mechanism& m, leftovers& left, const Write& write) {
   const kte::robot_writing how{.not_written = left.list(), .lossy = o.lossy};
   if (m.model) left.add_parts_of_model(true);
   for (const auto& c : m.robot.configurations) left.add("configuration '" + c.name + "' is left out");
@@ -98,7 +98,7 @@ std::string robot_text(const options& o, const mechanism& m, leftovers& left, co
   return write(d, how);
 }
 
-std::string text_of(const options& o, target t, const mechanism& m) {
+std::string text_of(const convert_options& o, target t, const mechanism& m) {
   leftovers left(m);
   switch (t) {
     case target::urdf:
@@ -123,7 +123,7 @@ std::string text_of(const options& o, target t, const mechanism& m) {
   return {};
 }
 
-int convert(const options& o) {
+int convert(const convert_options& o) {
   const auto t = target_of(o);
   const auto m = read_and_warn(o.in);
   for (const auto& text : texts_of(m.robot.not_read, m.file)) say(text);
@@ -138,7 +138,7 @@ int convert(const options& o) {
 }  // namespace
 
 void add_convert(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<convert_options>();
   add_reading(line.add("convert", "into another format",
                        "Writes a mechanism in another format, which the ending of OUT says: .urdf, .mjcf, .json, .xml "
                        "or .kte (model files of the library), .hpp (a C++ header, in which it is a type). What has no "

@@ -8,14 +8,14 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct eval_options {
   reading in;
   evaluate::options what;
   std::string states, digits = "17";
   bool by_type = false;
 };
 
-int eval(options& o) {
+int eval(eval_options& o) {
   if (o.digits != "17" && o.digits != "50") throw usage_error("--precision is 17 or 50, not '" + o.digits + "'");
   o.what.digits = o.digits == "50" ? 50 : 17, o.what.states = o.states;
   try {
@@ -37,7 +37,7 @@ int eval(options& o) {
 }  // namespace
 
 void add_eval(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<eval_options>();
   add_reading(line.add("eval", "dynamics at the states of a table",
                        "Prints inverse and forward dynamics, mass matrix, energies and centre of mass at the states of "
                        "a table: a line of column names (q_0, q_1, ..., v_0, ..., and where there are some a_0, ..., "

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "json_writer.hpp"
 #include "message.hpp"
+#include "start.hpp"
 #include "state_input.hpp"
 
 namespace kte_tool {
@@ -15,7 +16,8 @@ namespace {
 
 struct options {
   reading in;
-  std::string frame, poses, start;
+  std::string frame, poses;
+  start_options start;
   bool all = false, numeric = false, json = false;
 };
 
@@ -163,12 +165,7 @@ int ik(const options& o) {
   const solver s(o, m);
   if (o.all && (!s.has_formulas() || !poses.has_rotation()))
     throw kte::bad_argument("kte: --all is of arms with closed formulas, and of poses with a rotation");
-  Eigen::VectorXd q = kte::neutral_configuration(m.chain());
-  if (!o.start.empty()) {
-    const evaluate::state_table table(o.start);
-    if (table.rows() == 0) throw kte::bad_file("kte: " + o.start + ": has no row of numbers");
-    state_input(table, m, m.chain()).read_q(0, q);
-  }
+  Eigen::VectorXd q = initial_state(o.start, m, m.chain()).q;
   std::vector<answer> all;
   std::size_t missed = 0;
   for (std::size_t row = 0; row < poses.rows(); ++row) {
@@ -193,17 +190,19 @@ int ik(const options& o) {
 
 void add_ik(command_line& line) {
   const auto o = std::make_shared<options>();
-  add_reading(
-      line.add("ik", "postures for poses of a frame",
-               "Inverse kinematics: prints a posture within limits for each pose of a table, by closed formulas "
-               "where the arm has some, else numerically. Each is the nearest to the one before. The exit code "
-               "is 1 if a pose is not reached; the table then has the nearest that was found."),
-      o->in)
-      .text("--frame", "NAME", o->frame, "the frame that the poses are of, as the tool")
-      .text("--poses", "TABLE", o->poses,
-            "columns x, y, z, m, and qw, qx, qy, qz, a quaternion, in axes of the world; without the latter only the "
-            "place matters")
-      .text("--start", "TABLE", o->start, "the posture at the start, in its first row: columns q_0, ...")
+  auto& c =
+      add_reading(
+          line.add("ik", "postures for poses of a frame",
+                   "Inverse kinematics: prints a posture within limits for each pose of a table, by closed formulas "
+                   "where the arm has some, else numerically. Each is the nearest to the one before. The exit code "
+                   "is 1 if a pose is not reached; the table then has the nearest that was found."),
+          o->in)
+          .text("--frame", "NAME", o->frame, "the frame that the poses are of, as the tool")
+          .text(
+              "--poses", "TABLE", o->poses,
+              "columns x, y, z, m, and qw, qx, qy, qz, a quaternion, in axes of the world; without the latter only the "
+              "place matters");
+  add_start(c, o->start)
       .flag("--all", o->all, "all postures of a pose, also beyond limits, by closed formulas")
       .flag("--numeric", o->numeric, "without closed formulas")
       .flag("--json", o->json, "as JSON")

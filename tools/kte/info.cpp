@@ -14,7 +14,7 @@ namespace kte_tool {
 
 namespace {
 
-struct options {
+struct info_options {
   reading in;
   bool json = false, dot = false;
 };
@@ -193,7 +193,7 @@ std::string json_of(const mechanism& m, const structure& s) {
   return j.end().end().text();
 }
 
-int info(const options& o) {
+int info(const info_options& o) {
   if (o.json && o.dot) throw usage_error("--json and --dot are one too many");
   const auto m = read_and_warn(o.in);
   if (o.dot) {
@@ -208,7 +208,7 @@ int info(const options& o) {
 }  // namespace
 
 void add_info(command_line& line) {
-  const auto o = std::make_shared<options>();
+  const auto o = std::make_shared<info_options>();
   add_reading(line.add("info", "its tree, masses, limits and frames",
                        "Shows a mechanism: the tree of its frames, with the joints between them and the limits of "
                        "their coordinates, the bodies, where coordinates stand in q and v, inputs, and elements that "

@@ -63,7 +63,9 @@ mechanism read_mechanism(const reading& o) {
   mechanism m;
   m.file = o.file;
   const auto bytes = kte::detail::text_of_file(o.file);
-  m.model = kte::detail::model_in(bytes, o.file);
+  m.model = kte::detail::model_in(bytes, o.file, {.warn = [&](const std::string& text) {
+                                    m.robot.warnings.push_back(placed({0, text}, o.file));
+                                  }});
   if (m.model) {
     read_model(o, m);
     return m;
@@ -96,10 +98,29 @@ std::vector<std::string> coordinates_of(const mechanism& m, const kte::kte_map_c
   return all;
 }
 
+kte::robot_note placed(kte::robot_note note, const std::string& file) {
+  if (!note.text.starts_with("kte: ")) return note;
+  note.text.erase(0, 5);
+  if (!note.text.starts_with(file + ":")) return note;
+  note.text.erase(0, file.size() + 1);
+  const auto number_before_colon = [&note] {
+    const auto digits = std::min(note.text.find_first_not_of("0123456789"), note.text.size());
+    if (digits == 0 || digits > 8 || note.text[digits] != ':') return 0;
+    const int number = std::stoi(note.text.substr(0, digits));
+    note.text.erase(0, digits + 1);
+    return number;
+  };
+  note.line = number_before_colon();
+  if (note.line > 0) number_before_colon();  // the column
+  note.text.erase(0, note.text.find_first_not_of(' '));
+  return note;
+}
+
 std::vector<std::string> texts_of(const std::vector<kte::robot_note>& notes, const std::string& source) {
   std::vector<std::string> all;
   for (const auto& note : notes) {
-    const auto text = kte::detail::place_text(note.file.empty() ? source : note.file, note.line) + note.text;
+    const auto text =
+        kte::detail::place_text(note.file.empty() ? source : note.file, note.line) + with_option_names(note.text);
     if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
   }
   return all;

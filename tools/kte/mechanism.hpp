@@ -46,6 +46,8 @@ mechanism read_and_warn(const reading& o);
 /// The free coordinates of a chain in the order of the robot's file; of a model file in that of its chain.
 std::vector<std::string> coordinates_of(const mechanism& m, const kte::kte_map_chain& chain);
 
+/// The note of a message of the library that begins with its place in the file.
+kte::robot_note placed(kte::robot_note note, const std::string& file);
 /// "arm.urdf:37: what is odd", of each note once.
 std::vector<std::string> texts_of(const std::vector<kte::robot_note>& notes, const std::string& source);
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "command_line.hpp"
+#include "option_names.hpp"
 
 /// What the program says on standard error.
 namespace kte_tool {
@@ -47,7 +48,7 @@ inline std::string printable_lines(std::string_view text) {
 /// "kte: " and a text, as a line of standard error.
 inline void say(std::string_view text) {
   if (text.starts_with("kte: ")) text.remove_prefix(5);
-  std::fprintf(stderr, "kte: %s\n", printable(text).c_str());
+  std::fprintf(stderr, "kte: %s\n", printable(with_option_names(text)).c_str());
 }
 
 /// The exit code of f(), or what is thrown, as a line of standard error: then it is 1. `usage_error` goes on.

@@ -1,12 +1,28 @@
 #include "recorded_scene.hpp"
 
+#include <kte/dynamics/runtime.hpp>
 #include <kte/view/scene_of.hpp>
 
+#include "option_names.hpp"
 #include "state_input.hpp"
 
 namespace kte_tool {
 
-kte::scene scene_of(const mechanism& m) { return kte::scene_of(m.robot); }
+namespace {
+kte::scene with_names_of_program(kte::scene s) {
+  for (auto& note : s.notes) note = with_option_names(note);
+  return s;
+}
+}  // namespace
+
+kte::scene scene_of(const mechanism& m, const start_options& start) {
+  if (!start.given()) return with_names_of_program(kte::scene_of(m.robot));
+  auto s = m.chain().make_state();
+  const initial_state first(start, m, m.chain());
+  kte::set_positions(s, first.q), kte::set_velocities(s, first.v);
+  m.chain().doMotion(s);
+  return with_names_of_program(kte::scene_of(m.robot, s));
+}
 
 kte::scene scene_of(const mechanism& m, kte::table recording, const std::string& name) {
   const auto& c = m.chain();
@@ -25,7 +41,7 @@ kte::scene scene_of(const mechanism& m, kte::table recording, const std::string&
         break;
       }
     }
-  return kte::scene_of(m.robot, recording, {.name = name});
+  return with_names_of_program(kte::scene_of(m.robot, recording, {.name = name}));
 }
 
 }  // namespace kte_tool

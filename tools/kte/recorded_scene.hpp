@@ -3,12 +3,13 @@
 #include <kte/io/table.hpp>
 #include <kte/view/scene.hpp>
 
-#include "mechanism.hpp"
+#include "start.hpp"
 
 namespace kte_tool {
 
-/// A mechanism as it stands, for pages.
-kte::scene scene_of(const mechanism& m);
+/// A mechanism as it stands, for pages: at the start that the command line says, or else in the first configuration of
+/// its file, or where all is 0 within its limits.
+kte::scene scene_of(const mechanism& m, const start_options& start);
 
 /// A mechanism that moves as a recording says, under a name. Its columns are called as `kte simulate` or the library
 /// calls them, or q_0, q_1, ... as of `kte eval`. Throws `unknown_name` for coordinates without columns.

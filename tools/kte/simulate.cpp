@@ -1,11 +1,12 @@
-#include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/energy.hpp>
+#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/runtime_bodies.hpp>
 #include <kte/io/memory_table.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/program.hpp>
+#include <kte/io/progress.hpp>
+#include <kte/io/progress_bar.hpp>
 #include <kte/io/table_writer.hpp>
 #include <kte/models/modes.hpp>
-#include <kte/robots/motors.hpp>
 #include <kte/view/write_mcap.hpp>
 
 #include <chrono>
@@ -15,49 +16,24 @@
 #include "message.hpp"
 #include "recorded_scene.hpp"
 #include "simulate/law.hpp"
+#include "simulate/motors.hpp"
 #include "simulate/solvers.hpp"
+#include "start.hpp"
 #include "text_format.hpp"
 
 namespace kte_tool {
 
 namespace {
 
-struct options {
+struct simulate_options {
   reading in;
-  run_settings run{"dormand_prince45"};
-  std::string start, configuration, pd, input, record;
+  double end = 10, every = 0.01;  ///< s
+  start_options start;
+  solver_options solver;
+  std::string pd, input, record;
   std::vector<std::string> columns;
   std::optional<double> kp, kd;
   bool motors = false, compensate = false, frames = false, json = false;
-};
-
-/// q and v at the start.
-struct initial_state {
-  Eigen::VectorXd q, v;
-
-  initial_state(const options& o, const mechanism& m, const kte::kte_map_chain& c)
-      : q(kte::neutral_configuration(c)), v(Eigen::VectorXd::Zero(c.dofs())) {
-    if (!o.configuration.empty()) take_configuration(o.configuration, m);
-    if (o.start.empty()) return;
-    const evaluate::state_table table(o.start);
-    if (table.rows() == 0) throw kte::bad_file("kte: " + o.start + ": has no row of numbers");
-    const state_input input(table, m, c);
-    input.read_q(0, q), input.read_v(0, v);
-  }
-
- private:
-  void take_configuration(const std::string& name, const mechanism& m) {
-    std::string known;
-    for (const auto& c : m.robot.configurations) {
-      known += (known.empty() ? "" : ", ") + ("'" + c.name + "'");
-      if (c.name == name) {
-        q = Eigen::Map<const Eigen::VectorXd>(c.q.data(), static_cast<Eigen::Index>(c.q.size()));
-        return;
-      }
-    }
-    throw kte::unknown_name("kte: " + m.file + " has no configuration '" + name + "'" +
-                            (known.empty() ? "" : ", but " + known));
-  }
 };
 
 /// A file of the numbers of states over time. MCAP also has what Foxglove shows in space: it is written at the end.
@@ -108,7 +84,8 @@ class recording_file {
 };
 
 struct summary {
-  run_result run;
+  kte::step_statistics steps;
+  long long events = 0;
   double seconds = 0;
   kte::energies<> before, after;
   Eigen::VectorXd q, v;
@@ -118,17 +95,16 @@ struct summary {
 
 double total(const kte::energies<>& e) { return e.kinetic + e.potential; }
 
-std::string text_of(const options& o, const mechanism& m, const summary& s) {
-  const auto& n = s.run.statistics;
+std::string text_of(const simulate_options& o, const mechanism& m, const summary& s) {
+  const auto& n = s.steps;
   const auto energy = [](const char* when, const kte::energies<>& e) {
     return std::string("energy at the ") + when + ": " + short_number(total(e)) + " J, kinetic " +
            short_number(e.kinetic) + ", potential " + short_number(e.potential) + '\n';
   };
-  std::string t = printable(m.file) + ": " + short_number(o.run.end) + " s by " + o.run.solver + ", " +
-                  std::to_string(n.steps) + " steps, " + std::to_string(n.rejected) + " rejected, " +
-                  std::to_string(n.evaluations) + " evaluations" +
-                  (s.run.events ? ", " + std::to_string(s.run.events) + " events" : "") + ", " +
-                  short_number(s.seconds) + " s of time\n";
+  std::string t =
+      printable(m.file) + ": " + short_number(o.end) + " s by " + o.solver.name + ", " + std::to_string(n.steps) +
+      " steps, " + std::to_string(n.rejected) + " rejected, " + std::to_string(n.evaluations) + " evaluations" +
+      (s.events ? ", " + std::to_string(s.events) + " events" : "") + ", " + short_number(s.seconds) + " s of time\n";
   t += s.control;
   t += energy("start", s.before) + energy("end", s.after);
   t += "change of energy: " + short_number(total(s.after) - total(s.before)) + " J\n";
@@ -145,14 +121,14 @@ std::string text_of(const options& o, const mechanism& m, const summary& s) {
   return t;
 }
 
-std::string json_of(const options& o, const mechanism& m, const summary& s) {
+std::string json_of(const simulate_options& o, const mechanism& m, const summary& s) {
   const auto list = [](const Eigen::VectorXd& x) { return std::vector<double>(x.data(), x.data() + x.size()); };
-  const auto& n = s.run.statistics;
+  const auto& n = s.steps;
   json_writer j;
-  j.object().member("file", m.file).member("solver", o.run.solver).member("time", o.run.end);
-  j.member("tolerance", o.run.tolerance).member("step", o.run.step);
+  j.object().member("file", m.file).member("solver", o.solver.name).member("time", o.end);
+  j.member("tolerance", o.solver.tolerance).member("step", o.solver.step);
   j.member("steps", n.steps).member("rejected", n.rejected).member("evaluations", n.evaluations);
-  j.member("events", s.run.events).member("seconds", s.seconds);
+  j.member("events", s.events).member("seconds", s.seconds);
   const auto energy = [&j](const char* name, const kte::energies<>& e) {
     j.key(name).object().member("kinetic", e.kinetic).member("potential", e.potential).member("total", total(e)).end();
   };
@@ -163,12 +139,11 @@ std::string json_of(const options& o, const mechanism& m, const summary& s) {
   return j.end().member("q", list(s.q)).member("v", list(s.v)).end().text();
 }
 
-void check_settings(const options& o) {
+void check_settings(const simulate_options& o) {
   const auto positive = [](const char* name, double x) {
     if (!(x > 0)) throw usage_error(std::string(name) + " must be greater than 0, not " + short_number(x));
   };
-  positive("--time", o.run.end), positive("--tolerance", o.run.tolerance);
-  positive("--step", o.run.step), positive("--every", o.run.every);
+  positive("--time", o.end), positive("--every", o.every), check_settings(o.solver);
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
   if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
   if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
@@ -181,18 +156,16 @@ struct drives {
   Eigen::VectorXd constant;  ///< inputs that the model file has
 };
 
-int simulate(options& o) {
+int simulate(simulate_options& o) {
   check_settings(o);
   auto m = read_and_warn(o.in);
   if (o.motors) {
     if (m.model) throw kte::bad_argument("kte: --motors is of files of robots; a model file has the motors it has");
-    const auto before = m.robot.warnings.size();
-    kte::add_motors(m.robot);
-    for (std::size_t i = before; i < m.robot.warnings.size(); ++i) say(texts_of({m.robot.warnings[i]}, m.file)[0]);
+    take_motors(m);
   }
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom: nothing can move");
 
-  const initial_state start(o, m, m.chain());
+  const initial_state start(o.start, m, m.chain());
   std::vector<std::string> force_of(static_cast<std::size_t>(m.chain().dofs()));
   auto chain = m.chain();
   if (!o.pd.empty() || !o.input.empty()) {
@@ -246,9 +219,13 @@ int simulate(options& o) {
   if (!o.record.empty()) out.emplace(o.record, m, chain, columns);
   const auto began = std::chrono::steady_clock::now();
   try {
-    s.run = run(p, x, o.run, [&](double t, const plant::state& at) {
+    const auto solver = make_solver(p, x, o.solver);
+    kte::progress report(0.0, o.end, kte::progress_bar());
+    solver->advance(o.end, o.every, [&](double t, const plant::state& at) {
       if (out) out->row(t, chain, p.state_at(t, at));
+      report(t);
     });
+    x = solver->state(), s.steps = solver->statistics(), s.events = solver->events();
   } catch (...) {
     if (out) out->close();  // what there was until then
     throw;
@@ -264,16 +241,14 @@ int simulate(options& o) {
 }  // namespace
 
 void add_simulate(command_line& line) {
-  const auto o = std::make_shared<options>();
-  add_reading(line.add("simulate", "lets it move, and records how",
-                       "Integrates the equations of motion, by gravity alone or under control, and prints energies and "
-                       "the state at the end. On a terminal a bar shows how far it is."),
-              o->in)
-      .number("--time", "S", o->run.end, "how long, s; 10 if left out")
-      .text("--start", "TABLE", o->start,
-            "q and v at the start, in its first row: columns q_0, ..., v_0, ... as of kte eval, or as recordings have "
-            "them; what is missing is 0")
-      .text("--configuration", "NAME", o->configuration, "q at the start: one that has a name in the file (MJCF)")
+  const auto o = std::make_shared<simulate_options>();
+  auto& c = add_reading(
+      line.add("simulate", "lets it move, and records how",
+               "Integrates the equations of motion, by gravity alone or under control, and prints energies and "
+               "the state at the end. On a terminal a bar shows how far it is."),
+      o->in);
+  c.number("--time", "S", o->end, "how long, s; 10 if left out");
+  add_start(c, o->start)
       .text("--pd", "TABLE", o->pd,
             "PD control to targets over time: columns t, q_0, ..., v_0, ...; linear between rows, forces within limits")
       .number("--kp", "GAIN", o->kp,
@@ -282,17 +257,13 @@ void add_simulate(command_line& line) {
       .flag("--compensate", o->compensate, "of --pd, also the forces against gravity")
       .text("--input", "TABLE", o->input,
             "inputs over time: columns t, names of inputs, tau_0, ... of forces on coordinates; linear between rows")
-      .flag("--motors", o->motors, "the motors of the robot's file, with their inputs")
-      .text("--solver", "NAME", o->run.solver,
-            std::string("dormand_prince45 if left out. By tolerance: ") + solvers_by_tolerance +
-                ". Of a fixed step: " + solvers_of_fixed_step)
-      .number("--tolerance", "X", o->run.tolerance, "absolute and relative, of each step; 1e-9 if left out")
-      .number("--step", "S", o->run.step, "of solvers of a fixed step, s; 0.001 if left out")
+      .flag("--motors", o->motors, "the motors of the robot's file, with their inputs");
+  add_solver(c, o->solver)
       .text("--record", "FILE", o->record,
             "what coordinates and inputs do, and energies: .csv, .npy, .mcap (Foxglove, PlotJuggler), .ssv, .tsv")
       .texts("--column", "NAME", o->columns, "also this, as tool/position or tool/velocity/x; repeatable")
       .flag("--frames", o->frames, "also where all frames are")
-      .number("--every", "S", o->run.every, "time from row to row of the recording, s; 0.01 if left out")
+      .number("--every", "S", o->every, "time from row to row of the recording, s; 0.01 if left out")
       .flag("--json", o->json, "the result as JSON")
       .runs([o] { return simulate(*o); });
 }

@@ -5,27 +5,40 @@
 #include "commands.hpp"
 #include "message.hpp"
 #include "recorded_scene.hpp"
+#include "start.hpp"
+#include "text_format.hpp"
 
 namespace kte_tool {
 
 namespace {
 
-struct options {
+struct view_options {
   reading in;
   std::string out, title;
   std::vector<std::string> recordings;
+  start_options start;
+  double mesh_size = 4, recording_size = 8;  ///< MiB
   bool open = false;
 };
 
-int view(options& o) {
+std::size_t bytes_of(const char* name, double mib) {
+  if (!(mib >= 0 && mib <= 1024))
+    throw usage_error(std::string(name) + " is between 0 and 1024, not " + short_number(mib));
+  return static_cast<std::size_t>(mib * 1048576);
+}
+
+int view(view_options& o) {
+  const kte::page_options page{.title = o.title,
+                               .mesh_bytes = bytes_of("--mesh-size", o.mesh_size),
+                               .recording_bytes = bytes_of("--recording-size", o.recording_size)};
+  if (o.start.given() && !o.recordings.empty())
+    throw usage_error("--start and --configuration are of pages without a recording");
   const auto m = read_and_warn(o.in);
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
-  kte::page_options page;
-  page.title = o.title;
   std::vector<kte::scene> all;
   for (const auto& path : o.recordings)
     all.push_back(scene_of(m, kte::read_table(path), std::filesystem::path(path).filename().string()));
-  kte::write_page(o.out, all.empty() ? scene_of(m) : kte::joined(all), page);
+  kte::write_page(o.out, all.empty() ? scene_of(m, o.start) : kte::joined(all), page);
   say("wrote " + o.out);
   if (o.open) open_in_browser(o.out);
   return 0;
@@ -34,15 +47,21 @@ int view(options& o) {
 }  // namespace
 
 void add_view(command_line& line) {
-  const auto o = std::make_shared<options>();
-  add_reading(line.add("view", "a page that shows it, moving",
-                       "Writes one HTML file, without any network access, that shows the mechanism in a browser: with "
-                       "sliders, or moving as recordings say, several over each other."),
-              o->in)
+  const auto o = std::make_shared<view_options>();
+  auto& c = add_reading(
+      line.add("view", "a page that shows it, moving",
+               "Writes one HTML file, without any network access, that shows the mechanism in a browser: with "
+               "sliders, or moving as recordings say, several over each other."),
+      o->in);
+  add_start(c, o->start)
       .words("RECORDINGS", o->recordings,
              "tables over time, as kte simulate --record writes them: .csv, .npy, .mcap, ...")
       .text("-o,--output", "FILE", o->out, "the page; if left out the name of FILE, with .html")
       .text("--title", "TEXT", o->title, "of the page")
+      .number("--mesh-size", "MIB", o->mesh_size,
+              "of all meshes in the page, 4 if left out: larger ones have fewer triangles")
+      .number("--recording-size", "MIB", o->recording_size,
+              "of all recordings in the page, 8 if left out: longer ones are thinned out")
       .flag("--open", o->open, "opens it in the browser, by xdg-open")
       .runs([o] { return view(*o); });
 }

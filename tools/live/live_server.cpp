@@ -14,11 +14,6 @@ std::vector<std::string> names_of(const scene& s) {
   for (const auto& c : s.recordings.front().columns) names.push_back(c.name);
   return names;
 }
-scene without_model(scene s, const std::string& title) {
-  s.model.clear();  // the program simulates, not the page
-  if (!title.empty()) s.title = title;
-  return s;
-}
 const live_options& checked(const live_options& o) {
   if (o.port < 0 || o.port > 65535)
     detail::raise<bad_argument>("kte: a port is a number from 1 to 65535, or 0 for one that is free, not " +
@@ -35,11 +30,9 @@ struct live_server::parts {
   live::server server;
 
   parts(const scene& s, const live_options& o)
-      : session(static_cast<std::size_t>(s.tracks), s.q.size(), s.recordings.front().columns.size(), o.recording_bytes,
-                o.paused, o.speed),
-        server(session,
-               view::page_text(without_model(s, o.title), {.title = {}, .mesh_bytes = o.mesh_bytes}, "kte", true),
-               names_of(s), o.port) {}
+      : session(s, o.recording_bytes, o.paused, o.speed),
+        server(session, view::page_text(s, {.title = o.title, .mesh_bytes = o.mesh_bytes}, "kte", true), names_of(s),
+               o.port) {}
 };
 
 live_server::live_server(const scene& s, const live_options& options)
@@ -64,9 +57,7 @@ bool live_server::wait_for_page() { return parts_->session.wait_for_page(); }
 void live_server::say(std::string_view text) { parts_->session.say(text); }
 void live_server::stop() { parts_->session.stop(); }
 
-void live_server::publish(double t, std::span<const double> poses, std::span<const double> q,
-                          std::span<const double> columns) {
-  parts_->session.publish(t, poses, q, columns);
-}
+page_pull live_server::pull() const { return parts_->session.pull(); }
+void live_server::publish(double t, const scene_row& row) { parts_->session.publish(t, row); }
 
 }  // namespace kte

@@ -2,6 +2,8 @@
 
 #include <kte/math/quaternion.hpp>
 
+#include <array>
+
 #include "../view/json_text.hpp"
 
 namespace kte::live {
@@ -28,20 +30,30 @@ std::string text_of(const controls& c) {
   j.close_list(), j.close_object();
   return j.out();
 }
+void put(view::json_text& j, const page_pull& p) {
+  j.open_object();
+  j.key("frame"), j.text(p.frame);
+  j.key("point"), j.list(std::array{p.point.x, p.point.y, p.point.z});
+  j.key("target"), j.list(std::array{p.target.x, p.target.y, p.target.z});
+  j.key("stiffness"), j.number(p.stiffness), j.key("damping"), j.number(p.damping);
+  j.close_object();
+}
 std::string text_of(const shown& s) {
   std::vector<float> numbers;
-  const auto put = [&numbers](double x) { numbers.push_back(static_cast<float>(x)); };
-  for (std::size_t k = 0; k < s.poses.size(); k += 12) {
-    const double *p = &s.poses[k], *r = p + 3;
+  const auto add = [&numbers](double x) { numbers.push_back(static_cast<float>(x)); };
+  for (std::size_t k = 0; k < s.numbers.poses.size(); k += 12) {
+    const double *p = &s.numbers.poses[k], *r = p + 3;
     const auto q = to_quaternion(mat3<vec3<>>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}});
-    for (const double x : {p[0], p[1], p[2], q.w, q.x, q.y, q.z}) put(x);
+    for (const double x : {p[0], p[1], p[2], q.w, q.x, q.y, q.z}) add(x);
   }
-  for (const double x : s.q) put(x);
-  for (const double x : s.columns) put(x);
+  for (const auto* const list : {&s.numbers.q, &s.numbers.v, &s.numbers.signals, &s.numbers.cells})
+    for (const double x : *list) add(x);
   view::json_text j;
   j.open_object();
   j.key("t"), j.number(s.t), j.key("rows"), j.number(static_cast<double>(s.rows));
   j.key("numbers"), j.numbers_in_base64(std::span<const float>(numbers));
+  j.key("pull");
+  s.pull.frame.empty() ? j.null() : put(j, s.pull);
   j.close_object();
   return j.out();
 }

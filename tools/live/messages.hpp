@@ -5,7 +5,8 @@
 namespace kte::live {
 
 /// What goes to a page: server-sent events `controls`, `state` and `end`; without news a comment, which shows that both
-/// are there. Numbers of a state are base64 of float32: 7 of each track, position and quaternion w x y z, q, columns.
+/// are there. Numbers of a state are base64 of float32: 7 of each track, position and quaternion w x y z, q, v,
+/// signals, columns.
 std::string events_of(const session::page::news& n);
 
 /// Names of columns as a line of a table in CSV has them.

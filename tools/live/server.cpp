@@ -136,15 +136,28 @@ void server::post(const std::string& what, const Request& in, Response& out) {
   if (what == "reset") return session_.reset();
   if (what == "record") return session_.record(true);
   if (what == "keep") return session_.record(false);
-  if (what == "slider" || what == "speed") {
-    const auto value = number_of<double>(in, "value");
-    const auto index = number_of<std::size_t>(in, "index");
-    const bool fits =
-        value && (what == "speed" ? session_.set_speed(*value) : index && session_.set_slider(*index, *value));
-    if (!fits) say(out, 400, "there is no such slider, or the number is out of its limits");
-    return;
+  if (what == "release") return session_.release();
+  if (what != "slider" && what != "speed" && what != "pull") return say(out, 404, "there is nothing here");
+  if (!set_numbers(what, in))
+    say(out, 400,
+        "there is no such " + std::string(what == "pull" ? "frame" : "slider") + ", or a number is out of its limits");
+}
+bool server::set_numbers(const std::string& what, const Request& in) {
+  if (what == "pull") {
+    const auto frame = number_of<std::size_t>(in, "frame");
+    double x[6];
+    std::size_t n = 0;
+    for (const char* const name : {"x", "y", "z", "to_x", "to_y", "to_z"}) {
+      const auto value = number_of<double>(in, name);
+      if (!value) return false;
+      x[n++] = *value;
+    }
+    return frame && session_.pull(*frame, {x[0], x[1], x[2]}, {x[3], x[4], x[5]});
   }
-  say(out, 404, "there is nothing here");
+  const auto value = number_of<double>(in, "value");
+  if (what == "speed") return value && session_.set_speed(*value);
+  const auto index = number_of<std::size_t>(in, "index");
+  return value && index && session_.set_slider(*index, *value);
 }
 
 void server::send_events(Response& out) {

@@ -15,6 +15,7 @@ namespace kte::live {
 ///   GET  TOKEN/recording.csv             what was recorded
 ///   POST TOKEN/pause, run, step, reset, record, keep
 ///   POST TOKEN/slider?index=I&value=X, speed?value=X
+///   POST TOKEN/pull?frame=I&x=X&y=Y&z=Z&to_x=X&to_y=Y&to_z=Z, release
 class server : private httplib::Server {
  public:
   /// columns: names of t and of what is recorded. Throws `bad_argument` where it cannot listen.
@@ -30,6 +31,8 @@ class server : private httplib::Server {
   std::string refusal(const httplib::Request& in) const;
   void get(const std::string& what, httplib::Response& out);
   void post(const std::string& what, const httplib::Request& in, httplib::Response& out);
+  /// Whether its numbers are there and within their limits.
+  bool set_numbers(const std::string& what, const httplib::Request& in);
   void send_events(httplib::Response& out);
   void send_recording(httplib::Response& out);
 

@@ -13,14 +13,12 @@ using lock = std::unique_lock<std::mutex>;
 using seconds = std::chrono::duration<double>;
 
 namespace {
-constexpr seconds between_pictures{1.0 / 60}, silence{1}, late{0.1}, farewell{0.5};
+constexpr seconds between_pictures{1.0 / 60}, silence{1}, late{0.1}, farewell{0.5}, hold{2};
 }
 
-session::session(std::size_t tracks, std::size_t nq, std::size_t columns, std::size_t recording_bytes, bool paused,
-                 double speed)
-    : recording_(1 + columns, recording_bytes) {
+session::session(const scene& s, std::size_t recording_bytes, bool paused, double speed)
+    : recording_(1 + s.recordings.front().columns.size(), recording_bytes), rule_(s) {
   controls_.paused = paused, controls_.speed = speed;
-  shown_.poses.resize(12 * tracks), shown_.q.resize(nq), shown_.columns.resize(columns);
 }
 
 void session::changed_controls() {
@@ -106,15 +104,11 @@ void session::stop() {
   for_program_.notify_all();
 }
 
-void session::publish(double t, std::span<const double> poses, std::span<const double> q,
-                      std::span<const double> columns) {
+void session::publish(double t, const scene_row& row) {
   const lock l(mutex_);
-  shown_.t = t;
-  std::copy(poses.begin(), poses.end(), shown_.poses.begin());
-  std::copy(q.begin(), q.end(), shown_.q.begin());
-  std::copy(columns.begin(), columns.end(), shown_.columns.begin());
+  shown_.t = t, shown_.numbers = row, shown_.pull = pull_now();
   if (controls_.recording) {
-    recording_.add(t, columns);
+    recording_.add(t, row.cells);
     shown_.rows = recording_.rows();
     if (recording_.full()) {
       controls_.recording = false, controls_.full = true;
@@ -170,6 +164,22 @@ bool session::set_speed(double value) {
   changed_controls();
   return true;
 }
+bool session::pull(std::size_t frame, const vec3<>& point, const vec3<>& target) {
+  const lock l(mutex_);
+  const auto wanted = rule_.pull(frame, point, target);
+  if (!wanted) return false;
+  pull_ = *wanted, pulled_at_ = clock::now();
+  return true;
+}
+void session::release() {
+  const lock l(mutex_);
+  pull_ = {};
+}
+page_pull session::pull() const {
+  const lock l(mutex_);
+  return pull_now();
+}
+page_pull session::pull_now() const { return clock::now() - pulled_at_ < hold ? pull_ : page_pull(); }
 recording_rows session::recorded() const {
   const lock l(mutex_);
   return recording_;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <kte/view/scene_row.hpp>
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <string_view>
 
+#include "pull_rule.hpp"
 #include "recording_rows.hpp"
 
 namespace kte::live {
@@ -26,16 +29,16 @@ struct controls {
 /// The newest state.
 struct shown {
   double t = 0;
-  std::vector<double> poses, q, columns;  ///< as `live_server::publish` has them
-  std::size_t rows = 0;                   ///< of the recording then
+  scene_row numbers;
+  page_pull pull;
+  std::size_t rows = 0;  ///< of the recording then
 };
 
 /// What the program and its pages share. The program puts states and asks what the pages say; the threads of pages wait
 /// for news. Nothing here waits for a page.
 class session {
  public:
-  session(std::size_t tracks, std::size_t nq, std::size_t columns, std::size_t recording_bytes, bool paused,
-          double speed);
+  session(const scene& s, std::size_t recording_bytes, bool paused, double speed);
 
   // ---- the program
   void add(slider s);
@@ -47,16 +50,20 @@ class session {
   bool wait_for_page();
   void say(std::string_view text);
   void stop();
-  void publish(double t, std::span<const double> poses, std::span<const double> q, std::span<const double> columns);
+  void publish(double t, const scene_row& row);
+  page_pull pull() const;
   std::size_t pages() const;
 
-  // ---- the pages; false where there is no such slider, or the number is out of its limits
+  // ---- the pages; false where there is no such slider or frame, or a number is out of its limits
   void pause(bool on);
   void step();
   void reset();
   void record(bool on);
   bool set_slider(std::size_t index, double value);
   bool set_speed(double value);
+  /// Pulls a point of a frame to a target, until `release`, or for as long as a page says so time and again.
+  bool pull(std::size_t frame, const vec3<>& point, const vec3<>& target);
+  void release();
   recording_rows recorded() const;
 
   /// A page, if there are not too many already: it counts until it is destroyed.
@@ -89,13 +96,17 @@ class session {
  private:
   using clock = std::chrono::steady_clock;
   void changed_controls();
+  /// What is pulled, while a page says so.
+  page_pull pull_now() const;
 
   mutable std::mutex mutex_;
   std::condition_variable for_program_, for_pages_;
   controls controls_;
   shown shown_;
   recording_rows recording_;
-  std::vector<double> row_;
+  pull_rule rule_;
+  page_pull pull_;
+  clock::time_point pulled_at_{};
   std::size_t controls_version_ = 1, states_ = 0, pages_ = 0, steps_ = 0, resets_ = 0, resets_seen_ = 0;
   bool reset_ = false, stopped_ = false, closed_ = false;
   bool clock_stands_ = true;

@@ -11,6 +11,7 @@ enum class drawn {
   body,
   base,  ///< by its frame alone
   force,
+  pull,    ///< by a live page: not at all
   unknown  ///< an element that is none of the library's
 };
 struct element_kind {

@@ -38,16 +38,18 @@ void fit_meshes(scene& s, std::size_t limit) {
     s.notes.push_back("mesh '" + m.name + "' is " +
                       (now > 0 ? "drawn with " + std::to_string(now) + " of its " : "not drawn: it has ") +
                       std::to_string(before) + " triangles, and all meshes of a page have " + megabytes(limit) +
-                      " (page_options::mesh_bytes)");
+                      ", unless its options say otherwise");
   }
   std::erase_if(s.shapes, [&s](const scene::shape& x) {
     return x.mesh >= 0 && s.meshes[static_cast<std::size_t>(x.mesh)].indices.empty();
   });
 }
 
+/// Of a recording with rows.
 std::size_t bytes_of_row(const scene& s, const scene::recording& r) {
   const auto tracks = static_cast<std::size_t>(s.tracks);
-  return (8 + 20 * tracks + 4 * (r.q.empty() ? 0 : s.q.size()) + 4 * r.columns.size()) * 4 / 3;
+  const std::size_t numbers = (r.q.size() + r.v.size() + r.signals.size()) / r.t.size() + r.columns.size();
+  return (8 + 20 * tracks + 4 * numbers) * 4 / 3;
 }
 /// Of each row `width` numbers.
 template <class Number>
@@ -73,12 +75,12 @@ void fit_recordings(scene& s, std::size_t limit) {
     if (rows.back() != n - 1) rows.push_back(n - 1);
     const auto tracks = static_cast<std::size_t>(s.tracks);
     keep(r.t, rows, 1), keep(r.positions, rows, 3 * tracks), keep(r.rotations, rows, 4 * tracks);
-    keep(r.q, rows, s.q.size());
+    keep(r.q, rows, s.q.size()), keep(r.v, rows, s.v.size()), keep(r.signals, rows, r.signals.size() / n);
     for (auto& c : r.columns) keep(c.data, rows, 1);
     s.notes.push_back("of the " + std::to_string(n) + " rows of the recording" +
                       (r.name.empty() ? "" : " '" + r.name + "'") + " one in " + std::to_string(step) +
                       " is in the page: all recordings of a page have " + megabytes(limit) +
-                      " (page_options::recording_bytes)");
+                      ", unless its options say otherwise");
   }
 }
 }  // namespace

@@ -39,8 +39,13 @@ recorded_scene::recorded_scene(const chain_parts& chain, const recording_options
   std::size_t nq = 0, nv = 0;
   for (const auto& f : freedoms_)
     nq += static_cast<std::size_t>(nq_of(f.what)), nv += static_cast<std::size_t>(nv_of(f.what));
+  std::size_t ns = 0;
+  for (const kind k : {kind::input, kind::vector, kind::internal})
+    for (const auto& x : chain.slots[static_cast<std::size_t>(k)])
+      signals_.push_back({k, x.slot}), ns += k == kind::vector ? 3 : 1;
   row_ = {std::vector<double>(12 * tracked_.size()), std::vector<double>(nq), std::vector<double>(nv),
-          std::vector<double>(numbers)};
+          std::vector<double>(ns), std::vector<double>(numbers)};
+  unknown_signals_.resize(ns);
 }
 
 void recorded_scene::add(double t) {
@@ -72,6 +77,11 @@ void recorded_scene::add(double t) {
   }
   const std::size_t nq = row_.q.size();
   for (std::size_t i = 0; i < nq; ++i) r.q.push_back(drawn ? static_cast<float>(row_.q[i]) : r.q[r.q.size() - nq]);
+  if (knows_v_)
+    for (const double x : row_.v) r.v.push_back(static_cast<float>(x));
+  for (std::size_t i = 0; i < row_.signals.size(); ++i)
+    r.signals.push_back(unknown_signals_[i] ? std::numeric_limits<float>::quiet_NaN()
+                                            : static_cast<float>(row_.signals[i]));
   for (std::size_t i = 0; i < row_.cells.size(); ++i) r.columns[i].data.push_back(static_cast<float>(row_.cells[i]));
   if (rows > 0) return;
   scene_.q = row_.q, scene_.v = row_.v;

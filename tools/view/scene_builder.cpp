@@ -28,7 +28,10 @@ class scene_builder {
     s.dimension = slots(kind::frame_3D).empty() && !slots(kind::frame_2D).empty() ? 2 : 3;
     add_coordinates();
     for (const auto& e : chain_.elements) add_frames(e);
-    for (const auto& e : chain_.elements) add(e);
+    for (const auto& e : chain_.elements) {
+      add(e);
+      if (kind_of_element(e.type).as != drawn::pull) ++element_;
+    }
     give_ranges();
     if (s.frames.empty())
       s.notes.push_back("the chain has no frames: there is nothing to draw, and its coordinates are plotted");
@@ -120,6 +123,7 @@ class scene_builder {
     const auto c = connections(e);
     const bool moves = c.base >= 0 && c.end >= 0;
     if (k.as == drawn::base) return;
+    if (k.as == drawn::pull) return out_.picture.pulls.push_back(c.frames[0]);
     if (k.as == drawn::joint || (k.as == drawn::unknown && e.stiff && moves && !c.coordinates.empty()))
       return add_joint(e, k, c);
     if (moves) return add_link(e, c.base, c.end);
@@ -127,7 +131,7 @@ class scene_builder {
     auto& s = out_.picture;
     if (k.as == drawn::unknown)
       for (std::size_t i = 1; i < c.frames.size(); ++i) add_link(e, c.frames[0], c.frames[i]);
-    s.forces.push_back({c.names, e.type, std::string(k.kind), c.frames, c.coordinates});
+    s.forces.push_back({c.names, e.type, std::string(k.kind), c.frames, c.coordinates, element_});
     if (k.stem == "joint_limit" && !c.coordinates.empty()) narrow(s.coordinates[size(c.coordinates[0])], e);
   }
   void add_link(const element_parts& e, int from, int to) { out_.picture.links.push_back({e.type, from, to}); }
@@ -181,6 +185,7 @@ class scene_builder {
     model_record m;
     m.gravity = {chain_.gravity.x, chain_.gravity.y, chain_.gravity.z};
     for (const auto& e : chain_.elements) {
+      if (kind_of_element(e.type).as == drawn::pull) continue;
       if (kind_of_element(e.type).as == drawn::unknown)
         return cannot("'" + e.type + "' is an element of the program's own");
       if (e.holds_code) return cannot("'" + e.type + "' holds a function of the program");
@@ -200,6 +205,7 @@ class scene_builder {
 
   const chain_parts& chain_;
   built_scene out_;
+  int element_ = 0;  ///< its number in the model
   std::array<std::unordered_map<std::string, int>, kinds> slots_;
   std::unordered_map<std::string, int> coordinates_, frames_;
 };

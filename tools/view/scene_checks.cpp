@@ -16,13 +16,15 @@ void check_index(int i, std::size_t count, const std::string& of) {
 void check_indices(const std::vector<int>& all, std::size_t count, const std::string& of) {
   for (const int i : all) check_index(i, count, of);
 }
-void check(const scene::recording& r, std::size_t tracks, std::size_t nq) {
+void check(const scene::recording& r, std::size_t tracks, std::size_t nq, std::size_t nv) {
   const std::size_t rows = r.t.size();
   const std::string of = "recording '" + r.name + "'";
   if (rows == 0) fail(of + " has no rows");
   if (r.positions.size() != 3 * rows * tracks || r.rotations.size() != 4 * rows * tracks)
     fail(of + " has not a pose for each row and track");
   if (!r.q.empty() && r.q.size() != rows * nq) fail(of + " has not all coordinates for each row");
+  if (!r.v.empty() && r.v.size() != rows * nv) fail(of + " has not all velocities for each row");
+  if (r.signals.size() % rows != 0) fail(of + " has not all signals for each row");
   if (!std::is_sorted(r.t.begin(), r.t.end())) fail(of + ": its times decrease");
   for (const auto& c : r.columns)
     if (c.data.size() != rows) fail(of + ": column '" + c.name + "' has not a number for each row");
@@ -54,6 +56,7 @@ void check(const scene& s) {
     check_indices(f.frames, frames, f.type + " '" + f.name + "': its frame");
     check_indices(f.coordinates, coordinates, f.type + " '" + f.name + "': its coordinate");
   }
+  check_indices(s.pulls, frames, "what is pulled");
   for (const auto& x : s.shapes) {
     check_index(x.frame, frames, "a shape: its frame");
     if (x.mesh >= 0) check_index(x.mesh, s.meshes.size(), "a shape: its mesh");
@@ -65,7 +68,7 @@ void check(const scene& s) {
       if (i >= m.positions.size() / 3) fail("mesh '" + m.name + "' has no vertex " + std::to_string(i));
   }
   if (s.recordings.empty()) fail("it has no recording, and so no pose");
-  for (const auto& r : s.recordings) check(r, static_cast<std::size_t>(s.tracks), s.q.size());
+  for (const auto& r : s.recordings) check(r, static_cast<std::size_t>(s.tracks), s.q.size(), s.v.size());
 }
 
 }  // namespace kte::view

@@ -25,8 +25,9 @@ class scene_writer {
     each("bodies", s_.bodies, [this](const scene::body& b) { body(b); });
     each("forces", s_.forces, [this](const scene::force& f) {
       text("type", f.type), text("kind", f.kind), text("name", f.name);
-      list("frames", f.frames), list("coordinates", f.coordinates);
+      list("frames", f.frames), list("coordinates", f.coordinates), number("element", f.element);
     });
+    out_.key("pulls"), out_.list(s_.pulls);
     each("shapes", s_.shapes, [this](const scene::shape& x) { shape(x); });
     each("meshes", s_.meshes, [this](const scene::mesh& m) {
       text("name", m.name), base64("positions", m.positions), base64("indices", m.indices);
@@ -78,15 +79,16 @@ class scene_writer {
   void recording(const scene::recording& r) {
     text("name", r.name), number("count", r.t.size());
     base64("t", r.t), base64("positions", r.positions), base64("rotations", r.rotations);
-    out_.key("q");
-    if (r.q.empty())
-      out_.null();
-    else
-      out_.numbers_in_base64(std::span<const float>(r.q));
+    known("q", r.q), known("v", r.v), known("signals", r.signals);
     each("columns", r.columns,
          [this](const scene::column& c) { text("name", c.name), text("unit", c.unit), base64("data", c.data); });
   }
 
+  /// null where there are none.
+  void known(std::string_view key, const std::vector<float>& x) {
+    if (!x.empty()) return base64(key, x);
+    out_.key(key), out_.null();
+  }
   template <class List, class Write>
   void each(std::string_view key, const List& all, const Write& write) {
     out_.key(key), out_.open_list();

@@ -24,9 +24,15 @@ double size_of(const scene& s) {
     if (const double diagonal = std::hypot(d.x, d.y, d.z); diagonal > 0 && std::isfinite(diagonal)) return diagonal;
   }
   double largest = 0;
-  for (const auto& b : s.bodies) largest = std::max({largest, b.ellipsoid[0], b.ellipsoid[1], b.ellipsoid[2]});
-  for (const auto& x : s.shapes)
+  for (const auto& x : s.shapes) {
+    if (x.type == "plane") continue;
     for (const double length : x.size) largest = std::max(largest, length);
+    if (x.mesh < 0) continue;
+    for (const float p : s.meshes[static_cast<std::size_t>(x.mesh)].positions)
+      largest = std::max(largest, static_cast<double>(std::abs(p)));
+  }
+  if (largest == 0)  // files have inertias that no shape of theirs has
+    for (const auto& b : s.bodies) largest = std::max({largest, b.ellipsoid[0], b.ellipsoid[1], b.ellipsoid[2]});
   return largest > 0 && std::isfinite(largest) ? 2 * largest : 1;
 }
 

@@ -32,8 +32,7 @@ class column_taker {
   std::vector<const numbers_of_column*> columns(std::span<const std::string> names) {
     std::vector<const numbers_of_column*> found;
     for (const auto& n : names) {
-      const auto* c = find(n);
-      if (c == nullptr && n.starts_with("coordinate:")) c = find(std::string_view(n).substr(11));
+      const auto* const c = column(n);
       if (c == nullptr) {
         missing_.push_back(n);
         continue;
@@ -42,6 +41,14 @@ class column_taker {
       found.push_back(c);
     }
     return found.size() == names.size() ? found : std::vector<const numbers_of_column*>();
+  }
+  /// The same, none also where a number is not finite.
+  std::vector<const numbers_of_column*> finite_columns(std::span<const std::string> names) {
+    for (const auto& n : names)
+      if (const auto* const c = column(n);
+          c != nullptr && !std::all_of(c->begin(), c->end(), [](double x) { return std::isfinite(x); }))
+        return {};
+    return columns(names);
   }
   /// Throws `unknown_name` with what was missing, if anything was.
   void check_complete() const {
@@ -55,6 +62,10 @@ class column_taker {
   }
 
  private:
+  const numbers_of_column* column(std::string_view n) {
+    const auto* const c = find(n);
+    return c == nullptr && n.starts_with("coordinate:") ? find(n.substr(11)) : c;
+  }
   static void check_finite(const std::string& name, const numbers_of_column& c) {
     for (std::size_t i = 0; i < c.size(); ++i)
       if (!std::isfinite(c[i]))
@@ -103,13 +114,28 @@ detail::replay_plan recorded_scene::replay(const chain_parts& chain, const table
   }
   taker.check_complete();
   const auto of_coordinates = taker.taken();
+  for (auto& x : things) x += "/v";
+  const auto of_v = recorded_names(chain, things);
+  knows_v_ = true;
+  const std::size_t positions = plan.sources.size();
+  for (std::size_t i = 0; i < freedoms_.size() && knows_v_; ++i) {
+    const auto& e = chain.layout[i];
+    auto columns = taker.finite_columns({of_v.data() + e.v, static_cast<std::size_t>(e.nv)});
+    knows_v_ = !columns.empty();
+    plan.sources.push_back({freedoms_[i].what, freedoms_[i].slot, std::move(columns), true});
+  }
+  if (!knows_v_) plan.sources.resize(positions);
+  std::size_t signal = 0;
   for (const kind k : {kind::input, kind::vector, kind::internal})
     for (const auto& slot : chain.slots[static_cast<std::size_t>(k)]) {
+      const std::size_t first = signal;
+      signal += k == kind::vector ? 3 : 1;
       if (detail::is_time(k, slot.name)) {
         plan.sources.push_back({k, slot.slot, {}});
         continue;
       }
       auto columns = taker.columns(recorded_names(chain, {"signal:" + slot.name}));
+      for (std::size_t i = first; i < signal; ++i) unknown_signals_[i] = columns.empty();
       if (!columns.empty()) plan.sources.push_back({k, slot.slot, std::move(columns)});
     }
   auto& r = scene_.recordings.front();

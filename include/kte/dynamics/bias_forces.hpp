@@ -103,11 +103,27 @@ const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_st
   detail::forces_of_bodies(c, s, true);
   return detail::applied_forces(s);
 }
+namespace detail {
+/// At positions and velocities that are good.
+template <class S>
+const runtime_vector<S>& nonlinear_effects_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  if (!s.tree().only_bodies) {
+    const rates_aside aside(s, false);
+    return inverse_dynamics(c, s);
+  }
+  bias_forces_of_bodies(runtime_elements{c}, s);
+  take_needed_forces(s);
+  check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] {
+    const rates_aside aside(s, false);
+    blame("a force", s);
+  });
+  return s.work.forces;
+}
+}  // namespace detail
 template <class S>
 const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
-  const detail::rates_aside aside(s, false);
-  return inverse_dynamics(c, s);
+  return detail::nonlinear_effects_of(c, s);
 }
 template <class S>
 const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
@@ -127,7 +143,7 @@ const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_st
 template <class S, indexable Q, indexable V>
 const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
-    return nonlinear_effects(c, s);
+    return detail::nonlinear_effects_of(c, s);
   });
 }
 template <class S, indexable Q, indexable V>
@@ -141,6 +157,9 @@ const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_s
 KTE_EXTERN template const runtime_vector<double>& static_forces(const kte_map_chain&, runtime_state&);
 KTE_EXTERN template const runtime_vector<double>& gravity_forces(const kte_map_chain&, runtime_state&);
 KTE_EXTERN template const runtime_vector<double>& nonlinear_effects(const kte_map_chain&, runtime_state&);
+namespace detail {
+KTE_EXTERN template const runtime_vector<double>& nonlinear_effects_of(const kte_map_chain&, runtime_state&);
+}
 KTE_EXTERN template const runtime_vector<double>& coriolis_forces(const kte_map_chain&, runtime_state&);
 #endif
 

@@ -27,8 +27,9 @@ template <class Gravity, class... E, indexable Q>
 auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
   using S = value_of<Q>;
   constexpr int n = static_chain<Gravity, E...>::dofs;
-  const auto map = centroidal_map(c, q);
-  return Eigen::Matrix<S, 3, n>(map.template topRows<3>() / centre_of_mass(c, q).mass);
+  const auto map = centroidal_map(c, q);  // refuses chains without mass
+  const detail::configuration<S, typename static_chain<Gravity, E...>::wiring, Q> at(q);
+  return Eigen::Matrix<S, 3, n>(map.template topRows<3>() / as<S>(detail::weight_of<S>(c, at).mass));
 }
 
 /// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces that bodies need for their motion,
@@ -99,10 +100,31 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, co
 // ---- of runtime chains; coordinates and bases that are given from outside rest, as for `centroidal_momentum`; those
 // that elements move as signals say do not
 
+namespace detail {
+/// At positions that are good.
+template <class S>
+runtime_matrix<S> centre_of_mass_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  if (s.tree().plan.coordinates > s.dofs()) {  // some of which follow others
+    const auto map = centroidal_map_of(c, s);
+    return map.topRows(3) / tree::weight_in_world(s.tree().forest, s.work).mass;
+  }
+  carry(c, s);
+  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  const blame_state why{"a Jacobian", s};
+  (void)divided_by_mass<S>(w.mass, w.moment, why);
+  runtime_matrix<S> j = runtime_matrix<S>::Zero(3, s.dofs());
+  for_each_momentum(s, vec3<S>{}, [&j, mass = w.mass](int row, const tree::dense_wrench<S>& h) {
+    auto column = j.col(row);
+    column[0] += h.force.x / mass, column[1] += h.force.y / mass, column[2] += h.force.z / mass;
+  });
+  check_result(j.data(), static_cast<std::size_t>(j.size()), why);
+  return j;
+}
+}  // namespace detail
 template <class S>
 runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  const auto map = centroidal_map(c, s);
-  return map.topRows(3) / centre_of_mass(c, s).mass;
+  detail::check_regular(c, s), detail::check_positions(s);
+  return detail::centre_of_mass_jacobian_of(c, s);
 }
 template <class S>
 linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
@@ -124,7 +146,7 @@ vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<
 template <class S, indexable Q>
 runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
-  return detail::take(c, s, q).call([&] { return centre_of_mass_jacobian(c, s); });
+  return detail::take(c, s, q).call([&] { return detail::centre_of_mass_jacobian_of(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
 linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,

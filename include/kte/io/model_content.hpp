@@ -32,10 +32,11 @@ inline std::optional<model_format> model_format_in(std::string_view bytes, const
 }
 
 /// The model in the bytes of a file; nothing if it is no model file. Throws `bad_file`.
-inline std::optional<model_record> model_in(std::string_view bytes, const std::filesystem::path& path) {
+inline std::optional<model_record> model_in(std::string_view bytes, const std::filesystem::path& path,
+                                            const read_options& options = {}) {
   const auto format = model_format_in(bytes, path);
   if (!format) return {};
-  return only_model(read_archive(bytes, path.string(), *format, {}), path.string());
+  return only_model(read_archive(bytes, path.string(), *format, options), path.string());
 }
 
 }  // namespace kte::detail

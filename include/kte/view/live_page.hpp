@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/view/live_server.hpp>
+#include <kte/view/pull.hpp>
 #include <kte/view/scene_of.hpp>
 
 /// A page that shows a simulation while it runs (docs/view.md). Needs the library kte::live.
@@ -20,7 +21,7 @@ class live_rows : public scene_recording<Chain> {
     base::row(0.0, s);
   }
   template <class State>
-  const recorded_scene::row_numbers& read(const State& s) {
+  const scene_row& read(const State& s) {
     return base::numbers_of(s);
   }
 
@@ -60,8 +61,7 @@ class live_page : public live_server {
   /// chain.
   template <class T, class State>
   void show(const T& t, const State& s) {
-    const auto& row = rows_.read(s);
-    publish(static_cast<double>(t), row.poses, row.q, row.cells);
+    publish(static_cast<double>(t), rows_.read(s));
   }
 
  private:

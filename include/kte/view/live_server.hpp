@@ -1,10 +1,11 @@
 #pragma once
 
 #include <kte/view/live_options.hpp>
+#include <kte/view/page_pull.hpp>
 #include <kte/view/scene.hpp>
+#include <kte/view/scene_row.hpp>
 
 #include <memory>
-#include <span>
 #include <string_view>
 
 namespace kte {
@@ -31,6 +32,9 @@ class live_server {
   void slider(std::string_view name, double lower, double upper, double value, std::string_view unit = "1");
   /// Where it stands. Throws `unknown_name`.
   double value(std::string_view name) const;
+  /// What a page pulls now, for the elements `pull_2D`, `pull_3D` of the chain. Its stiffness is that by which the mass
+  /// of the mechanism would swing at 9 rad/s.
+  page_pull pull() const;
   /// Whether the page says so; the program goes on by `wait`, or by itself.
   bool paused() const;
   void pause(bool on = true);
@@ -55,8 +59,7 @@ class live_server {
   /// make no sense, and for a port where it cannot listen.
   live_server(const scene& s, const live_options& options);
 
-  /// Of each track the position and the matrix of the rotation by rows; q; the columns.
-  void publish(double t, std::span<const double> poses, std::span<const double> q, std::span<const double> columns);
+  void publish(double t, const scene_row& row);
 
  private:
   struct parts;

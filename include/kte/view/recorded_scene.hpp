@@ -4,6 +4,7 @@
 #include <kte/view/detail/chain_parts.hpp>
 #include <kte/view/options.hpp>
 #include <kte/view/scene.hpp>
+#include <kte/view/scene_row.hpp>
 
 namespace kte {
 
@@ -18,6 +19,7 @@ struct thing_source {
   kind what;
   int slot;
   std::vector<const std::vector<double>*> columns;  ///< none: the time
+  bool rates = false;                               ///< of a coordinate
 };
 struct replay_plan {
   std::vector<thing_source> sources;
@@ -28,11 +30,6 @@ struct replay_plan {
 /// A scene with one recording that grows row by row: what `scene_recording` is, whatever the chain.
 class recorded_scene {
  public:
-  /// A row: of each track the position and the matrix of the rotation by rows; q; v; the cells.
-  struct row_numbers {
-    std::vector<double> poses, q, v, cells;
-  };
-
   /// The scene with what was recorded so far.
   const scene& contents() const { return scene_; }
 
@@ -42,22 +39,25 @@ class recorded_scene {
   /// Where to read a row from.
   const std::vector<detail::thing_place>& tracked() const { return tracked_; }
   const std::vector<detail::thing_place>& freedoms() const { return freedoms_; }
+  const std::vector<detail::thing_place>& signals() const { return signals_; }
   const std::vector<detail::recorded>& cells() const { return cells_; }
   /// What a row takes from a table; the columns that nothing takes are added as they are. Throws `unknown_name` for
   /// coordinates that have no columns, `bad_argument` for numbers and times that cannot be.
   detail::replay_plan replay(const detail::chain_parts& chain, const table& numbers);
 
   /// A row to be filled.
-  row_numbers& blank() { return row_; }
+  scene_row& blank() { return row_; }
   /// Takes the row.
   void add(double t);
 
  private:
   scene scene_;
-  std::vector<detail::thing_place> tracked_, freedoms_;
+  std::vector<detail::thing_place> tracked_, freedoms_, signals_;
   std::vector<detail::recorded> cells_;
-  row_numbers row_;
-  bool broken_ = false;  ///< whether there were numbers that are not finite
+  scene_row row_;
+  bool broken_ = false;                ///< whether there were numbers that are not finite
+  bool knows_v_ = true;                ///< whether v is known
+  std::vector<bool> unknown_signals_;  ///< of a table
 };
 
 }  // namespace kte

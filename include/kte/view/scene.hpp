@@ -61,6 +61,7 @@ struct scene {
     std::string name, type;
     std::string kind;  ///< spring, torsion_spring, damper, beam, bushing, motor, limit, friction, loop, other
     std::vector<int> frames, coordinates;
+    int element = -1;  ///< its number in `model`
   };
   /// Sizes, m: box: lengths; sphere: radius; cylinder, capsule: radius, length along z without caps; ellipsoid: half
   /// axes; plane: lengths, 0 0 without end; mesh: none.
@@ -89,6 +90,9 @@ struct scene {
     std::vector<float> positions;         ///< of each time and track, x y z
     std::vector<std::int16_t> rotations;  ///< likewise, w x y z times 32767
     std::vector<float> q;
+    /// By which a page knows forces: the velocities v; inputs, vectors and internal states, in the order of their first
+    /// appearance. None where they are not known; NaN is one that is not.
+    std::vector<float> v, signals;
     std::vector<column> columns;
   };
 
@@ -103,6 +107,7 @@ struct scene {
   std::vector<link> links;
   std::vector<body> bodies;
   std::vector<force> forces;
+  std::vector<int> pulls;  ///< frames that a live page may pull
   std::vector<shape> shapes;
   std::vector<mesh> meshes;
   std::vector<std::string> notes;  ///< what is not drawn, or not as it is

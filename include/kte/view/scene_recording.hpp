@@ -44,9 +44,9 @@ class scene_recording : public recorded_scene {
   }
 
  protected:
-  /// Of the state, in the order of `row_numbers`.
+  /// Of the state, in the order of `scene_row`.
   template <class State>
-  const recorded_scene::row_numbers& numbers_of(const State& s) {
+  const scene_row& numbers_of(const State& s) {
     check(s);
     auto& numbers = blank();
     double* out = numbers.poses.data();
@@ -58,6 +58,8 @@ class scene_recording : public recorded_scene {
     out = numbers.v.data();
     for (const auto& f : freedoms())
       detail::with_coordinate(s, f.what, f.slot, [&put](const auto& c) { detail::visit_v(c, put); });
+    out = numbers.signals.data();
+    for (const auto& x : signals()) detail::with_kind(x.what, [&]<kind K>() { put_signal<K>(x.slot, s, put); });
     detail::read_recorded(cells(), s, numbers.cells.data());
     return numbers;
   }
@@ -91,6 +93,15 @@ class scene_recording : public recorded_scene {
     put(x.position.x), put(x.position.y), put(0);
     put(c), put(-s), put(0), put(s), put(c), put(0), put(0), put(0), put(1);
   }
+  template <kind K, class State, class Put>
+  static void put_signal(int slot, const State& s, const Put& put) {
+    if constexpr (K == kind::input)
+      put(s.template get<K>(slot));
+    else if constexpr (K == kind::internal)
+      put(s.template get<K>(slot).z);
+    else if constexpr (K == kind::vector)
+      detail::visit_vector(s.template get<K>(slot), put);
+  }
   template <kind K, class State>
   static void put_thing(const detail::thing_source& from, std::size_t row, double t, State& s) {
     if constexpr (!is_frame(K)) {
@@ -106,6 +117,8 @@ class scene_recording : public recorded_scene {
         take(thing.z);
       else if constexpr (K == kind::vector)
         detail::visit_vector(thing, take);
+      else if (from.rates)
+        detail::visit_v(thing, take);
       else
         detail::visit_q(thing, take);
     }

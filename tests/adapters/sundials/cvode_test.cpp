@@ -23,7 +23,7 @@ int highest_order(Solver& solver) {
 
 }  // namespace
 
-TEST_CASE("CVODE: orders up to 5 and up to 12, or what is asked of its memory") {
+TEST_CASE("CVODE: orders up to 5 and up to 12, or what is asked of its memory", "[both]") {
   kte::sundials::bdf bdf(oscillator, 0.0, start, tight), bdf_of_2(oscillator, 0.0, start, tight);
   kte::sundials::adams adams(oscillator, 0.0, start, tight);
   CHECK(highest_order(bdf) == 5);

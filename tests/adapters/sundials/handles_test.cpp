@@ -15,7 +15,7 @@ void count_one_at(void** p) {
 
 }  // namespace
 
-TEST_CASE("SUNDIALS: owners free once what they have, by the function of its kind, and nothing else") {
+TEST_CASE("SUNDIALS: owners free once what they have, by the function of its kind, and nothing else", "[both]") {
   int three = 3;
   freed = 0;
   {

@@ -6,7 +6,7 @@
 
 using kte::sundials::detail::relay;
 
-TEST_CASE("SUNDIALS: an exception is kept, the flag says stop, and it is thrown once") {
+TEST_CASE("SUNDIALS: an exception is kept, the flag says stop, and it is thrown once", "[both]") {
   relay r;
   CHECK(r.guard([] { return 0; }) == 0);
   CHECK(r.guard([] { return 1; }) == 1);  // to be cured by a shorter step

@@ -150,6 +150,87 @@ test("a step that takes too long comes back early and says how far", () => {
   assert.equal(engine.go_to(reached + 0.01), reached + 0.01);
 });
 
+// ---- what acts
+const length = (v) => Math.hypot(...v);
+const minus = (a, b) => a.map((x, i) => x - b[i]);
+const times = (s, v) => v.map((x) => s * x);
+/// At an element, on number `which` of its frames or coordinates.
+function load_of(acting, element, on, which = 0) {
+  return acting.loads.find((load) => load.element === element && load[on] === which);
+}
+const spring = 4, damper = 5, motor = 6, limit = 7, stiction = 11;  // of the case "acting"
+const held = 2;
+
+test("springs, dampers, limits, motors and weights as their formulas have them", () => {
+  const c = begin("acting"), [q, h] = [0.4, 0], w = 0.7;
+  const acting = engine.loads([q, h], [w, 0], [3, held]);
+  const tip = [0.5 * Math.cos(q), 0.5 * Math.sin(q), 0], d = minus([1, 1, 0], tip), l = length(d), e = times(1 / l, d);
+  const rate = [-w * tip[1], w * tip[0], 0], l_dot = -rate.reduce((sum, x, i) => sum + x * e[i], 0);
+  near(load_of(acting, spring, "frame", 1).force, times(40 * (l - 0.3), e), 1e-13, "spring on tip");
+  near(load_of(acting, spring, "frame", 0).force, times(-40 * (l - 0.3), e), 1e-13, "spring on hook");
+  near(load_of(acting, damper, "frame", 1).force, times(2 * l_dot, e), 1e-13, "damper on tip");
+  assert.equal(load_of(acting, motor, "coordinate").force[0], 3);
+  near([load_of(acting, limit, "coordinate").force[0]], [-(100 * (q - 0.3) + 3 * w)], 1e-12, "limit");
+  near([load_of(acting, stiction, "coordinate").force[0]], [2 * 9.81 * 0.5 * Math.cos(h)], 1e-12, "held by friction");
+  near(load_of(engine.loads([q, h], [w, 0.2], [3, 0]), stiction, "coordinate").force.slice(0, 1),
+    [-(20 + 10 * Math.exp(-4))], 1e-12, "sliding");
+  // m (a - g) of what is at the end of a link
+  near(acting.reactions[c.frames.indexOf("end")].force, [0, 2 * 9.81, 0], 1e-12, "reaction on end");
+});
+test("the reaction of a link moves its end", () => {
+  const c = begin("pendulum"), q = 0.4, w = -0.3, [a] = engine.accelerations([q], [w]);
+  const { force, torque } = engine.loads([q], [w]).reactions[c.frames.indexOf("tip")];
+  const [x, y] = [0.5 * Math.cos(q), 0.5 * Math.sin(q)];
+  near(force, [-a * y - w * w * x, a * x - w * w * y + 9.81, 0], 1e-12, "reaction");
+  near(torque, [0, 0, 0], 1e-12, "torque");
+});
+test("in space, in axes of the world", () => {
+  const c = begin("elastic");
+  go_to(0.2);
+  const { q, v, signals } = engine.state(), acting = engine.loads(q, v, signals);
+  const hook = pose_of(c, "hook", q).slice(0, 3), body = pose_of(c, "body", q).slice(0, 3);
+  const d = minus([...hook], [...body]), l = length(d);
+  near(load_of(acting, 5, "frame", 1).force, times(40 * (l - 0.3) / l, d), 1e-12, "spring on body");
+  near(load_of(acting, 5, "frame", 0).force, times(-40 * (l - 0.3) / l, d), 1e-12, "spring on hook");
+  const beam = [0, 1].map((which) => load_of(acting, 3, "frame", which).force);
+  near(beam[0], times(-1, beam[1]), 1e-10, "beam");
+  // Newton's law of the hanging body: what acts on it, and what it hands on to the arm
+  near(engine.loads_now().reactions.flatMap(({ force }) => force), acting.reactions.flatMap(({ force }) => force), 1e-12, "now");
+});
+test("what is not known is NaN, and nothing else", () => {
+  begin("acting");
+  const all = engine.loads([0.4, 0], [0.7, 0], [3, held]), without_v = engine.loads([0.4, 0], [NaN, NaN], [3, held]);
+  assert.deepEqual(load_of(without_v, spring, "frame", 1), load_of(all, spring, "frame", 1));
+  assert.ok(load_of(without_v, damper, "frame", 1).force.slice(0, 2).every(Number.isNaN));
+  const without_u = engine.loads([0.4, 0], [0.7, 0], [NaN, held]);
+  assert.ok(Number.isNaN(load_of(without_u, motor, "coordinate").force[0]));
+  assert.deepEqual(load_of(without_u, damper, "frame", 1), load_of(all, damper, "frame", 1));
+  const not_free = engine.loads([0.4, 0], [0.7, 0], [3, held], 0, false);
+  assert.deepEqual(load_of(not_free, damper, "frame", 1), load_of(all, damper, "frame", 1));
+  for (const some of [without_v, without_u, not_free]) {
+    assert.ok(Number.isNaN(load_of(some, stiction, "coordinate").force[0]));
+    assert.ok(some.reactions.some(({ force }) => Number.isNaN(force[0])));
+  }
+  const at_rest = engine.loads([0.4, 0]);
+  assert.equal(load_of(at_rest, motor, "coordinate").force[0], 3);
+  assert.equal(length(load_of(at_rest, damper, "frame", 1).force), 0);
+  assert.match(message_of(() => engine.loads([0.4, 0], [1])), /1 velocities and 0 signals, not 2 and 2/);
+});
+test("a pull is the element after those of the model", () => {
+  const c = begin("pendulum");
+  go_to(0.3);
+  engine.pull("tip", [0.1, 0, 0], [0.4, 0.4, 0], 100, 10);
+  const { q, v } = engine.state(), [a] = q, [w] = v;
+  const now = engine.loads_now(), { force, torque } = load_of(now, 3, "frame");
+  const arm = [0.1 * Math.cos(a), 0.1 * Math.sin(a), 0], r = [6 * arm[0], 6 * arm[1], 0], rate = [-w * r[1], w * r[0], 0];
+  const f = [0.4, 0.4, 0].map((t, i) => 100 * (t - r[i]) - 10 * rate[i]);
+  near(force, f, 1e-11, "pull");
+  near(torque, [0, 0, arm[0] * f[1] - arm[1] * f[0]], 1e-11, "its torque at the frame");
+  assert.deepEqual(load_of(engine.loads(q, v), 3, "frame"), load_of(now, 3, "frame"));
+  engine.pull(null);
+  assert.equal(load_of(engine.loads(q, v), 3, "frame"), undefined);
+});
+
 // Not a check: how fast it is, against the program that made the reference.
 if (process.argv.includes("--speed"))
   test("speed", () => {

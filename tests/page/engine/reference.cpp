@@ -51,7 +51,7 @@ class reference {
     for (const auto what : {kte::kind::frame_2D, kte::kind::frame_3D})
       for (const auto& frame : player_.shown().chain().wiring().names[static_cast<std::size_t>(what)])
         frames.push_back(frame);
-    player_.shown().track(frames);
+    player_.track(frames);
     out_ = "{\"name\":" + json_text(name) + ",\"model\":" + json_text(text_) + ",\"frames\":" + list_of_texts(frames) +
            ",\"q\":" + list(q) + ",\"v\":" + list(v) + ",\"poses\":" + list(player_.shown().poses(q)) +
            ",\"accelerations\":" + list(player_.shown().accelerations(q, v)) +
@@ -69,15 +69,15 @@ class reference {
          ",\"stiff\":" + (player_.running().is_stiff() ? "true" : "false"));
     return *this;
   }
-  reference& pull(const std::string& frame, const kte::page::pull_numbers& n) {
-    player_.pull(frame, n);
-    call("\"pull\":" + json_text(frame) + ",\"point\":" + list(std::array{n.point.x, n.point.y, n.point.z}) +
+  reference& pull(const kte::page_pull& n) {
+    player_.pull(n);
+    call("\"pull\":" + json_text(n.frame) + ",\"point\":" + list(std::array{n.point.x, n.point.y, n.point.z}) +
          ",\"target\":" + list(std::array{n.target.x, n.target.y, n.target.z}) +
          ",\"stiffness\":" + kte::detail::number(n.stiffness) + ",\"damping\":" + kte::detail::number(n.damping));
     return *this;
   }
   reference& release() {
-    player_.pull({}, {});
+    player_.pull({});
     call("\"pull\":null");
     return *this;
   }
@@ -119,7 +119,7 @@ std::string iiwa14() {
                    {0.1, 0.2, -0.3, 0.4, -0.5, 0.6, -0.7})
       .to(0.25)
       .damp(0.5)
-      .pull("tool", {{0, 0, 0.1}, {0.4, 0.3, 0.8}, 800, 40})
+      .pull({"tool", {0, 0, 0.1}, {0.4, 0.3, 0.8}, 800, 40})
       .to(0.5)
       .release()
       .to(0.75)
@@ -134,7 +134,7 @@ std::string solo12() {
   for (double& x : v) x = any(random);
   return reference("solo12", record(robots::solo12), q, v)
       .to(0.2)
-      .pull("FL_FOOT", {{0, 0, 0}, {0.5, 0.5, 0.5}, 50, 1})
+      .pull({"FL_FOOT", {0, 0, 0}, {0.5, 0.5, 0.5}, 50, 1})
       .to(0.4)
       .damp(0.05)
       .to(0.6)
@@ -148,7 +148,7 @@ std::string pendulum() {
     << inertia_2D("tip", point_mass(1.0));
   return reference("pendulum", record_of(c), {0.4}, {-0.3})
       .to(1)
-      .pull("tip", {{}, {0.4, 0.4, 0}, 100, 10})
+      .pull({"tip", {}, {0.4, 0.4, 0}, 100, 10})
       .to(2)
       .text();
 }
@@ -203,11 +203,28 @@ std::string inputs() {
   return reference("inputs", detail::record_of_model(m), {0}, {0}).to(1).text();
 }
 
+/// What acts has formulas; the second pendulum is held by friction.
+std::string acting() {
+  using namespace kte;
+  kte_map_chain c;
+  c.gravity(vec3<>{0, -9.81, 0});
+  c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5))
+    << inertia_2D("tip", point_mass(1.0)) << rigid_link_2D("base", "hook", vec2{1.0, 1.0})
+    << spring_2D("hook", "tip", 0.3, 40.0) << damper_2D("hook", "tip", 2.0) << driving_actuator_gen("q", "motor")
+    << joint_limit_gen("q", {.upper = 0.3, .stiffness = 100, .damping = 3}) << revolute_joint_2D("h", "base", "arm")
+    << rigid_link_2D("arm", "end", along_x(0.5)) << inertia_2D("end", point_mass(2.0))
+    << joint_stiction_gen("h", "mode", {.coulomb = 20, .stiction = 30, .stribeck_velocity = 0.1});
+  page::dynamics_model m(c);
+  m.input("motor") = 3;
+  return reference("acting", detail::record_of_model(m), {0.4, 0.2}, {0.7, 0}).to(0.1).text();
+}
+
 }  // namespace
 
 int main() {
   std::cout << "{\"elements\":" << list_of_texts(kte::element_registry::standard().types()) << ",\"cases\":[\n"
             << iiwa14();
-  for (const auto& one : {solo12(), pendulum(), elastic(), stiff(), switching(), inputs()}) std::cout << ",\n" << one;
+  for (const auto& one : {solo12(), pendulum(), elastic(), stiff(), switching(), inputs(), acting()})
+    std::cout << ",\n" << one;
   std::cout << "]}\n";
 }

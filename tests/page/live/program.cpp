@@ -1,5 +1,5 @@
-/// A mechanism that turns by a slider, for live_test.py: prints its address and what the slider says, and ends with its
-/// input, or after two minutes.
+/// A mechanism that turns by a slider, for live_test.py: prints its address, what the slider says, and what is pulled,
+/// and ends with its input, or after two minutes.
 #include <kte/kte.hpp>
 #include <kte/view/live_page.hpp>
 
@@ -18,10 +18,16 @@ inline constexpr struct joint_ final : kte::frame_2D_key<"joint"> {
 inline constexpr struct tip_ final : kte::frame_2D_key<"tip"> {
 } tip;
 
+kte::page_pull hand;
 constexpr auto arm =
     kte::chain(kte::revolute_joint_2D(q, base, joint), kte::rigid_link_2D(joint, tip, kte::along_x(1.0)),
-               kte::inertia_2D(tip, kte::point_mass(1.0)))
+               kte::inertia_2D(tip, kte::point_mass(1.0)), kte::pull_2D(joint, hand))
         .gravity(kte::along_y(-9.81));
+
+void print(const kte::page_pull& p) {
+  if (p.frame.empty()) return void(std::printf("released\n"));
+  std::printf("pull %s at %.3f %.3f to %.3f %.3f\n", p.frame.c_str(), p.point.x, p.point.y, p.target.x, p.target.y);
+}
 
 /// Stops a page at the end of the input, or after two minutes.
 void stop_in_time(kte::live_server& page) {
@@ -42,6 +48,7 @@ int main() {
   for (; page.wait(t); t += 0.01) {
     if (page.reset()) t = 0, std::printf("reset %d\n", ++resets);
     if (const double now = page.value("angle </script>"); now != angle) std::printf("angle %g\n", angle = now);
+    if (const auto now = page.pull(); now.frame != hand.frame || now.target != hand.target) print(hand = now);
     std::fflush(stdout);
     s[q].q = angle + 0.5 * std::sin(3 * t);
     arm.doMotion(s);

@@ -4,11 +4,12 @@
 #include <kte/io/model_inputs.hpp>
 #include <kte/view/live_page.hpp>
 
+#include "live/motor_command.hpp"
 #include "simulate/law.hpp"
 
 namespace kte_tool {
 
-/// Sliders for inputs of a chain, or without any for forces on coordinates, and for viscous damping of all:
+/// Sliders for the inputs of a chain, or without any for forces on coordinates, and for viscous damping of all:
 ///
 ///   tau_i = u_i - c M_ii v_i           (1)
 ///
@@ -18,15 +19,16 @@ class hand_inputs {
   /// For a chain that `driven_chain` has made of that of a mechanism, with its inputs at the start.
   hand_inputs(const mechanism& m, const driven_chain& driven, const plant::model_type& model, const Eigen::VectorXd& q)
       : u_(model.input()), now_(u_) {
+    const auto picture = kte::scene_of(m.robot);
     kte::detail::for_each_input(model, [&](std::string_view name, int u, int n) {
-      if (is_force(driven, name)) return;
+      if (is_force(driven, name) || add_motor(m, picture, name, u, q)) return;
       for (int i = 0; i < n; ++i)
-        add(n == 1 ? std::string(name) : std::string(name) + '/' + "xyz"[i], u + i, range_of(m, name, u_[u + i]), "1");
+        add(n == 1 ? std::string(name) : std::string(name) + '/' + "xyz"[i], u + i,
+            rounded(std::max(10.0, 2 * std::abs(u_[u + i]))), "1");
     });
     auto s = m.chain().make_state();
     const Eigen::MatrixXd mass = kte::mass_matrix(m.chain(), s, q);
     const bool forces = sliders_.empty();
-    const auto picture = kte::scene_of(m.robot);
     for (const auto& c : picture.coordinates) {
       if (c.follows || c.v_size != 1 || c.v < 0) continue;
       const int u = place_of_input(model, driven.force_of[static_cast<std::size_t>(c.v)]);
@@ -40,7 +42,7 @@ class hand_inputs {
   void show(kte::live_server& page) {
     for (auto& s : sliders_) {
       while (!taken_.insert(s.name).second) s.name += '\'';
-      page.slider(s.name, s.start - s.range, s.start + s.range, s.start, s.unit);
+      page.slider(s.name, s.lower, s.upper, s.start, s.unit);
     }
     while (!taken_.insert(damping_).second) damping_ += '\'';
     page.slider(damping_, 0, 10, 0, "1/s");
@@ -60,8 +62,8 @@ class hand_inputs {
   struct slider {
     std::string name;
     int u;
-    double range, start;
-    const char* unit;
+    double lower, upper, start;
+    std::string unit;
   };
   struct damped {
     int u, v;
@@ -69,18 +71,25 @@ class hand_inputs {
   };
 
   void add(const std::string& name, int u, double range, const char* unit) {
-    sliders_.push_back({name, u, range, u_[u], unit});
+    sliders_.push_back({name, u, u_[u] - range, u_[u] + range, u_[u], unit});
   }
   static bool is_force(const driven_chain& driven, std::string_view name) {
     return std::find(driven.force_of.begin(), driven.force_of.end(), name) != driven.force_of.end();
   }
-  /// Of motors the largest force, if there is one.
-  static double range_of(const mechanism& m, std::string_view name, double value) {
-    for (const auto& motor : m.robot.motors)
-      if (motor.input == name)
-        if (const double effort = m.robot.limits.effort[static_cast<std::size_t>(motor.v)]; effort > 0 && effort < 1e6)
-          return effort;
-    return rounded(std::max(10.0, 2 * std::abs(value)));
+  /// A motor by the range and the unit of its command. Servos begin where they stand.
+  bool add_motor(const mechanism& m, const kte::scene& picture, std::string_view name, int u,
+                 const Eigen::VectorXd& q) {
+    const auto motor = motor_of_input(m.chain(), name);
+    if (!motor) return false;
+    const auto c = std::find_if(picture.coordinates.begin(), picture.coordinates.end(),
+                                [&](const auto& x) { return x.name == motor->coordinate && x.v >= 0; });
+    if (c == picture.coordinates.end()) return false;
+    const auto& l = m.robot.limits;
+    const auto v = static_cast<std::size_t>(c->v);
+    const motor_command command(motor->law, {c->kind != "length", l.lower[v], l.upper[v], l.rate[v]});
+    const double start = command.at_start(q[c->q], u_[u]);
+    sliders_.push_back({std::string(name), u, command.lower(), command.upper(), start, command.unit()});
+    return true;
   }
   /// The next 1, 2 or 5 times a power of ten.
   static double rounded(double x) {

@@ -1,9 +1,7 @@
 #include "live/run_live.hpp"
 
-#include <kte/integrators/dormand_prince45.hpp>
 #include <kte/io/program.hpp>
 #include <kte/models/modes.hpp>
-#include <kte/robots/motors.hpp>
 
 #include <cmath>
 #include <set>
@@ -13,6 +11,7 @@
 #include "live/interruption.hpp"
 #include "live/way_to_page.hpp"
 #include "message.hpp"
+#include "simulate/motors.hpp"
 #include "text_format.hpp"
 
 namespace kte_tool {
@@ -26,16 +25,17 @@ void check_settings(const live_settings& o) {
   if (!(o.port >= 0 && o.port <= 65535) || o.port != std::floor(o.port))
     refuse("--port is a number up to 65535", o.port);
   if (!(o.speed >= 1e-3 && o.speed <= 1e3)) refuse("--speed is between 0.001 and 1000", o.speed);
-  if (!(o.tolerance > 0)) refuse("--tolerance must be greater than 0", o.tolerance);
+  check_settings(o.solver);
   if (o.end && !(*o.end > 0)) refuse("--time must be greater than 0", *o.end);
 }
 
-/// The motors that the file names.
-void take_motors(mechanism& m) {
-  if (m.model || m.robot.actuators.empty()) return;
-  const auto before = m.robot.warnings.size();
-  kte::add_motors(m.robot);
-  for (std::size_t i = before; i < m.robot.warnings.size(); ++i) say(texts_of({m.robot.warnings[i]}, m.file)[0]);
+/// The page is there without a browser, too.
+void open_if_possible(const std::filesystem::path& page) {
+  try {
+    open_in_browser(page);
+  } catch (const kte::bad_file& e) {
+    say(e.what());
+  }
 }
 
 }  // namespace
@@ -43,21 +43,20 @@ void take_motors(mechanism& m) {
 int run_live(const live_settings& o) {
   check_settings(o);
   auto m = read_and_warn(o.in);
-  take_motors(m);
+  if (!m.robot.actuators.empty()) take_motors(m);
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom: nothing can move");
-  const driven_chain driven(m.chain());
+  kte::page_pull hand;
+  driven_chain driven(m.chain());
+  driven.chain = kte::with_pulls(std::move(driven.chain), hand);
   std::optional<hand_inputs> inputs;
   plant p(
       driven.chain, [&](double, const plant::state& x, Eigen::VectorXd& u) { inputs->put(x, driven.chain.nq(), u); },
       false);
   if (m.model) kte::detail::restore_inputs(*m.model, p.model());
-  const Eigen::VectorXd q = kte::neutral_configuration(driven.chain), v = Eigen::VectorXd::Zero(driven.chain.dofs());
-  inputs.emplace(m, driven, p.model(), q);
-  const plant::state start = kte::settled(p.model(), 0.0, p.model().make_x(q, v));
-  kte::dormand_prince45<std::reference_wrapper<plant>, plant::state> solver(
-      std::ref(p), 0.0, start, {.absolute = o.tolerance, .relative = o.tolerance, .max_steps = 20000});
-  const auto of_model = kte::element_events(p.model());
-  const auto changes = kte::events(kte::detail::event_under_law(p, std::get<0>(of_model.list)));
+  const initial_state at_start(o.start, m, driven.chain);
+  inputs.emplace(m, driven, p.model(), at_start.q);
+  const plant::state start = kte::settled(p.model(), 0.0, p.model().make_x(at_start.q, at_start.v));
+  auto solver = make_solver(p, start, o.solver);
 
   kte::robot shown = m.robot;  // with shapes; its states are those of the chain that is simulated
   shown.chain = driven.chain;
@@ -71,25 +70,26 @@ int run_live(const live_settings& o) {
   kte::detail::write_standard_output(page.url() + '\n');
   say("the page is at the address above, for who knows it; Ctrl-C ends");
   std::optional<way_to_page> way;
-  if (o.open) open_in_browser(way.emplace(page.url()).file());
+  if (o.open) open_if_possible(way.emplace(page.url()).file());
 
   page.show(0, p.state_at(0, start));
   if (!o.end && !page.wait_for_page()) return 0;
-  while (page.wait(solver.time())) {
-    if (o.end && solver.time() >= *o.end) break;
+  while (page.wait(solver->time())) {
+    if (o.end && solver->time() >= *o.end) break;
     if (page.reset()) {
-      solver.restart(0.0, start);
+      solver = make_solver(p, start, o.solver);
       page.show(0, p.state_at(0, start));
       continue;
     }
     inputs->take(page);
+    hand = page.pull();
     try {
-      const double next = solver.time() + frame * page.speed();
-      solver.integrate(o.end ? std::min(next, *o.end) : next, changes);
-      page.show(solver.time(), p.state_at(solver.time(), solver.state()));
+      const double step = frame * page.speed(), next = solver->time() + step;
+      solver->advance(o.end ? std::min(next, *o.end) : next, step, [](double, const plant::state&) {});
+      page.show(solver->time(), p.state_at(solver->time(), solver->state()));
     } catch (const kte::error& e) {
       say(e.what());
-      page.say(e.what());
+      page.say(with_option_names(e.what()));
       page.pause();
     }
   }

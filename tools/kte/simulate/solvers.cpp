@@ -5,31 +5,42 @@
 #include <kte/integrators/prince_dormand87.hpp>
 #include <kte/integrators/runge_kutta4.hpp>
 #include <kte/integrators/semi_implicit_euler.hpp>
-#include <kte/models/vector_form.hpp>
 
-#include "command_line.hpp"
-#include "simulate/run_with.hpp"
+#include "simulate/method.hpp"
 #include "simulate/stiff_solvers.hpp"
+#include "text_format.hpp"
 
 namespace kte_tool {
 
-const char* const solvers_by_tolerance = "dormand_prince45, prince_dormand87, adams, bdf, rodas, kennedy_carpenter34";
-const char* const solvers_of_fixed_step = "runge_kutta4, semi_implicit_euler, implicit_midpoint";
+namespace {
+constexpr const char* by_tolerance = "dormand_prince45, prince_dormand87, adams, bdf, rodas, kennedy_carpenter34";
+constexpr const char* of_fixed_step = "runge_kutta4, semi_implicit_euler, implicit_midpoint";
+}  // namespace
 
-run_result run(plant& p, plant::state& x, const run_settings& s, const run_observer& observe) {
-  const kte::tolerances<double> exact{.absolute = s.tolerance, .relative = s.tolerance, .max_steps = 1'000'000'000};
-  const auto f = std::ref(p);
-  const auto& name = s.solver;
-  if (name == "dormand_prince45") return run_method<kte::dormand_prince45>(f, p, x, s, observe, exact);
-  if (name == "prince_dormand87") return run_method<kte::prince_dormand87>(f, p, x, s, observe, exact);
-  if (name == "runge_kutta4") return run_method<kte::runge_kutta4>(f, p, x, s, observe, s.step);
-  if (name == "semi_implicit_euler") return run_method<kte::semi_implicit_euler>(f, p, x, s, observe, s.step);
-  if (name == "adams") {
-    kte::vector_form flat(f);
-    return run_method<kte::adams>(std::ref(flat), p, x, s, observe, exact);
-  }
-  if (const auto result = run_stiff(p, x, s, observe, exact)) return *result;
-  throw usage_error("there is no solver '" + name + "', but " + solvers_by_tolerance + "; " + solvers_of_fixed_step);
+command& add_solver(command& c, solver_options& o) {
+  return c
+      .text("--solver", "NAME", o.name,
+            std::string("dormand_prince45 if left out. By tolerance: ") + by_tolerance +
+                ". Of a fixed step: " + of_fixed_step)
+      .number("--tolerance", "X", o.tolerance,
+              "absolute and relative, of each step; " + short_number(o.tolerance) + " if left out")
+      .number("--step", "S", o.step, "of solvers of a fixed step, s; 0.001 if left out");
+}
+
+void check_settings(const solver_options& o) {
+  for (const auto& [name, x] : {std::pair("--tolerance", o.tolerance), std::pair("--step", o.step)})
+    if (!(x > 0)) throw usage_error(std::string(name) + " must be greater than 0, not " + short_number(x));
+}
+
+std::unique_ptr<plant_solver> make_solver(plant& p, const plant::state& x, const solver_options& o) {
+  const kte::tolerances<double> exact{.absolute = o.tolerance, .relative = o.tolerance, .max_steps = o.max_steps};
+  if (o.name == "dormand_prince45") return method<kte::dormand_prince45>(p, x, exact);
+  if (o.name == "prince_dormand87") return method<kte::prince_dormand87>(p, x, exact);
+  if (o.name == "runge_kutta4") return method<kte::runge_kutta4>(p, x, o.step);
+  if (o.name == "semi_implicit_euler") return method<kte::semi_implicit_euler>(p, x, o.step);
+  if (o.name == "adams") return vector_method<kte::adams>(p, x, exact);
+  if (auto stiff = make_stiff_solver(p, x, o, exact)) return stiff;
+  throw usage_error("there is no solver '" + o.name + "', but " + by_tolerance + "; " + of_fixed_step);
 }
 
 }  // namespace kte_tool

@@ -1,29 +1,45 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "command_line.hpp"
 #include "simulate/plant.hpp"
 
 namespace kte_tool {
 
-struct run_settings {
-  std::string solver;
-  double end = 10, tolerance = 1e-9, step = 1e-3, every = 0.01;  ///< s but for the tolerance
+/// How a mechanism is integrated, as the command line says.
+struct solver_options {
+  std::string name = "dormand_prince45";
+  double tolerance = 1e-9, step = 1e-3;  ///< the step, s, is of solvers of a fixed one
+  long long max_steps = 1'000'000'000;   ///< from one call of `advance` to the next
 };
-struct run_result {
-  kte::step_statistics statistics;
-  long long events = 0;
-};
+/// --solver, --tolerance and --step.
+command& add_solver(command& c, solver_options& o);
+/// Throws `usage_error` for numbers that make no sense.
+void check_settings(const solver_options& o);
+
 /// Called at evenly spaced times.
 using run_observer = std::function<void(double t, const plant::state& x)>;
 
-/// From 0 to the end, from x, which then is the state there. Throws `usage_error` for a solver that there is not, and
-/// what integrators throw.
-run_result run(plant& p, plant::state& x, const run_settings& s, const run_observer& observe);
+/// A solver of a plant, whatever its method.
+class plant_solver {
+ public:
+  virtual ~plant_solver() = default;
+  /// To a time, with events where the laws of elements change; tells an observer all so many s, also of both ends.
+  /// Throws what integrators throw.
+  virtual void advance(double end, double every, const run_observer& observe) = 0;
+  virtual double time() const = 0;
+  virtual const plant::state& state() const = 0;
+  virtual kte::step_statistics statistics() const = 0;
+  long long events() const { return events_; }
 
-/// Their names: those that choose their steps by the tolerance, and those of a fixed step.
-extern const char* const solvers_by_tolerance;
-extern const char* const solvers_of_fixed_step;
+ protected:
+  long long events_ = 0;
+};
+
+/// From x at t = 0. Throws `usage_error` for a solver that there is not. The plant must outlive it.
+std::unique_ptr<plant_solver> make_solver(plant& p, const plant::state& x, const solver_options& o);
 
 }  // namespace kte_tool

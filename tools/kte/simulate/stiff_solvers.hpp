@@ -7,7 +7,7 @@
 namespace kte_tool {
 
 /// The methods for stiff systems; nothing for the names of others.
-std::optional<run_result> run_stiff(plant& p, plant::state& x, const run_settings& s, const run_observer& observe,
-                                    const kte::tolerances<double>& exact);
+std::unique_ptr<plant_solver> make_stiff_solver(plant& p, const plant::state& x, const solver_options& o,
+                                                const kte::tolerances<double>& exact);
 
 }  // namespace kte_tool

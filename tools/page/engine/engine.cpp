@@ -52,6 +52,20 @@ double* put(double* to, const Numbers& from) {
   return to;
 }
 
+void put_loads(const kte::page::acting& a) {
+  std::vector<double> all{static_cast<double>(a.loads().size())};
+  const auto add = [&all](const auto& w) {
+    all.insert(all.end(), {w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z});
+  };
+  for (const auto& e : a.loads()) {
+    all.insert(all.end(), {static_cast<double>(e.element), e.on_frame ? 1.0 : 0.0, static_cast<double>(e.which)});
+    add(e.load);
+  }
+  for (const auto& r : a.reactions()) add(r);
+  buffer.resize((std::max)(buffer.size(), all.size()));
+  put(buffer.data(), all);
+}
+
 }  // namespace
 
 #define KTE_EXPORT(name) extern "C" __attribute__((export_name(#name)))
@@ -84,7 +98,7 @@ KTE_EXPORT(kte_name) int name(std::size_t bytes) {
 }
 KTE_EXPORT(kte_track) int track() {
   const auto all = std::exchange(names, {});
-  return guarded([&] { loaded().shown().track(all); });
+  return guarded([&] { loaded().track(all); });
 }
 /// q, of so many numbers, to poses.
 KTE_EXPORT(kte_poses) int poses(std::size_t count) {
@@ -110,17 +124,35 @@ KTE_EXPORT(kte_step) int step(double t_end) {
     loaded().advance(t_end, [&first] { return std::exchange(first, false); });
   });
 }
-/// t, kinetic and potential energy, whether it is stiff, q and v.
+/// t, kinetic and potential energy, whether it is stiff, how many signals there are, q, v and signals.
 KTE_EXPORT(kte_state) int state() {
   return guarded([&] {
     auto& p = loaded();
     const auto& s = p.running();
     const auto& x = s.state();
     const auto e = p.shown().energy_at(s.time(), x);
-    buffer.resize((std::max)(buffer.size(), 4 + static_cast<std::size_t>(x.size())));
-    double* to = put(buffer.data(), std::array{s.time(), e.kinetic, e.potential, s.is_stiff() ? 1.0 : 0.0});
-    put(to, x);
+    const auto& m = p.shown().model();
+    const auto signals = kte::page::acting::signals_of(m, s.time(), x);
+    buffer.resize((std::max)(buffer.size(), 5 + static_cast<std::size_t>(x.size()) + signals.size()));
+    double* to = put(buffer.data(), std::array{s.time(), e.kinetic, e.potential, s.is_stiff() ? 1.0 : 0.0,
+                                               static_cast<double>(signals.size())});
+    put(put(to, x.head(m.nq() + m.dofs())), signals);
   });
+}
+/// q, v and signals, of so many numbers each, at a time to the loads in the mechanism: how many they are; of each the
+/// element, 1 on a frame and 0 on a coordinate, which of these, a force and a torque; of each track the reaction, a
+/// force and a torque. Without v and signals: at rest. Not free: where something else acted too.
+KTE_EXPORT(kte_loads) int loads(std::size_t nq, std::size_t nv, std::size_t signals, double t, int free) {
+  return guarded([&] {
+    auto& p = loaded();
+    put_loads(nv + signals == 0 && p.shown().model().dofs() > 0
+                  ? p.loads_at_rest(numbers(0, nq))
+                  : p.loads(t, numbers(0, nq), numbers(nq, nv), numbers(nq + nv, signals), free != 0));
+  });
+}
+/// The same of the simulation as it is now.
+KTE_EXPORT(kte_loads_now) int loads_now() {
+  return guarded([] { put_loads(loaded().loads_now()); });
 }
 /// The time of the simulation, s.
 KTE_EXPORT(kte_time) double time_reached() { return playing && playing->is_running() ? playing->running().time() : 0; }
@@ -130,8 +162,8 @@ KTE_EXPORT(kte_pull)
 int pull(double px, double py, double pz, double tx, double ty, double tz, double stiffness, double damping) {
   auto all = std::exchange(names, {});
   return guarded([&] {
-    loaded().pull(all.empty() ? std::optional<std::string>() : std::move(all.back()),
-                  {{px, py, pz}, {tx, ty, tz}, stiffness, damping});
+    loaded().pull(
+        {all.empty() ? std::string() : std::move(all.back()), {px, py, pz}, {tx, ty, tz}, stiffness, damping});
   });
 }
 KTE_EXPORT(kte_damping) int damping(double c) {

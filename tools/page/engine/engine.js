@@ -76,13 +76,43 @@ class Engine {
   }
   /// The time of the simulation, s.
   get time() { return this.#run("kte_time"); }
-  /// { t, q, v, energy: { kinetic, potential }, stiff }: the energy of the mechanism alone, J; whether a method for
-  /// stiff systems is at work.
+  /// { t, q, v, signals, energy: { kinetic, potential }, stiff }: signals as `loads` takes them; the energy of the
+  /// mechanism alone, J; whether a method for stiff systems is at work.
   state() {
     this.#call("kte_state");
     const nq = this.nq, nv = this.nv;
-    const [t, kinetic, potential, stiff] = this.#take(0, 4);
-    return { t, q: this.#take(4, nq), v: this.#take(4 + nq, nv), energy: { kinetic, potential }, stiff: stiff !== 0 };
+    const [t, kinetic, potential, stiff, signals] = this.#take(0, 5);
+    return { t, q: this.#take(5, nq), v: this.#take(5 + nq, nv), signals: this.#take(5 + nq + nv, signals), energy: { kinetic, potential }, stiff: stiff !== 0 };
+  }
+
+  /// What acts in the mechanism at q, v and signals: the numbers of inputs, of vectors (three each) and of internal states,
+  /// in the order in which they come first in the model. What is not known is NaN, and so are loads that depend on it.
+  /// Without v and signals at rest, with inputs as in the file. free = false: something else acted as well, and so
+  /// accelerations are not known.
+  ///
+  ///   loads      [{ element, frame or coordinate: which of those of the element, force, torque }]
+  ///   reactions  [{ force, torque }] of each tracked frame: of the joint or link that moves it on what is beyond
+  ///
+  /// On frames in axes of the world, at their origin; on coordinates of one number force[0], N or Nm, on others in the axes
+  /// of the frame that moves by them. A pull is the element after those of the model.
+  loads(q, v = [], signals = [], t = 0, free = true) {
+    this.#put_numbers([...q, ...v, ...signals]);
+    this.#call("kte_loads", q.length, v.length, signals.length, t, free ? 1 : 0);
+    return this.#take_loads();
+  }
+  /// The same of the simulation as it is now, damping included.
+  loads_now() {
+    this.#call("kte_loads_now");
+    return this.#take_loads();
+  }
+  #take_loads() {
+    const [count] = this.#take(0, 1), numbers = this.#take(1, 9 * count + 6 * this.tracks);
+    const load_at = (i) => ({ force: [...numbers.subarray(i, i + 3)], torque: [...numbers.subarray(i + 3, i + 6)] });
+    const loads = Array.from({ length: count }, (_, i) => {
+      const [element, on_frame, which] = numbers.subarray(9 * i, 9 * i + 3);
+      return { element, [on_frame ? "frame" : "coordinate"]: which, ...load_at(9 * i + 3) };
+    });
+    return { loads, reactions: Array.from({ length: this.tracks }, (_, k) => load_at(9 * count + 6 * k)) };
   }
 
   /// Pulls a point of a frame (in its axes, m) to a target in the world by a spring (N/m) with damping (N s/m). Called

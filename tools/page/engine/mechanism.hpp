@@ -6,13 +6,11 @@
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/model_reader.hpp>
 #include <kte/math/axis_angle.hpp>
-#include <kte/models/runtime_dynamics_model.hpp>
 
-#include "pulling.hpp"
+#include "acting.hpp"
+#include "damping.hpp"
 
 namespace kte::page {
-
-using dynamics_model = manipulator_dynamics_model<kte_map_chain>;
 
 /// The mechanism of a model file: poses of its frames, energies, and its chain with forces of whoever looks at it.
 class mechanism {
@@ -63,11 +61,11 @@ class mechanism {
   }
 
   /// The chain and a pull on a frame. Throws `unknown_name`.
-  kte_map_chain pulled(kte_map_chain c, const std::string& frame, const pull_numbers& numbers) const {
-    if (chain_.frame(frame).what() == kind::frame_2D)
-      c << connect(pull<kind::frame_2D>{{}, &numbers}, frame);
+  kte_map_chain pulled(kte_map_chain c, const page_pull& by) const {
+    if (chain_.frame(by.frame).what() == kind::frame_2D)
+      c << pull_2D(by.frame, by);
     else
-      c << connect(pull<kind::frame_3D>{{}, &numbers}, frame);
+      c << pull_3D(by.frame, by);
     return c;
   }
   /// The chain and damping of all coordinates.
@@ -93,6 +91,9 @@ class mechanism {
     return c;
   }
   const kte_map_chain& chain() const { return chain_; }
+  /// Loads in the model of a chain with these elements, and perhaps more.
+  acting acting_in(const dynamics_model& m) const { return {m, tracks_}; }
+  std::size_t track_count() const { return tracks_.size(); }
 
  private:
   void put(double t, const Eigen::VectorXd& x) { model_.setJointStates(t, x, state_); }

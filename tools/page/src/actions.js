@@ -31,7 +31,7 @@ export function listen(viewer) {
     step: (n) => viewer.scrub(viewer.sources.step(player.time, n)), share: (x) => viewer.scrub(player.time + x * player.length),
     first: () => viewer.scrub(player.start), last: () => viewer.scrub(player.end),
     orbit: camera((c, left, up) => c.orbit(left, up)), zoom: camera((c, factor) => c.zoom(factor)),
-    fit, help, search, theme: () => theme.toggle(),
+    fit, help, search, theme: () => theme.toggle(), forces: () => viewer.acting.show(!viewer.acting.on),
   });
   if (!picture) return;
   listen_to_pointer(viewer);
@@ -53,16 +53,26 @@ function fill_views(viewer) {
 const row_of = ({ kind, index, frame }) => (kind === 'joint' || kind === 'body' ? { kind, index } : { kind: 'frame', index: frame });
 
 function listen_to_pointer(viewer) {
-  const { picture, tree, simulating } = viewer;
-  viewer.pointer = new Pointer(by_id('canvas'), (event) => picture.pick(event), {
+  const { picture, tree, simulating, acting } = viewer;
+  const load_of = (hit) => (hit?.object.userData.kind === 'load' ? acting.item_of(hit.object.userData.index) : null);
+  // arrows are over all else
+  const pick = (event) => (acting.on && picture.stage.pick(event, acting.arrows.root)) || picture.pick(event);
+  viewer.pointer = new Pointer(by_id('canvas'), pick, {
     hover(hit) {
-      const of = hit ? { ...hit.object.userData } : null;
+      const load = load_of(hit);
+      if (acting.pointed !== load) acting.point(load);
+      const of = hit && !load ? { ...hit.object.userData } : null;
       tree.point(of && row_of(of));
       viewer.point_at(of);
     },
-    choose: (hit) => { if (hit) tree.choose_item(row_of(hit.object.userData)); },
+    choose(hit) {
+      const load = load_of(hit);
+      if (acting.pointed !== load) acting.point(load);
+      if (hit && !load) tree.choose_item(row_of(hit.object.userData));
+    },
     follow: (hit) => viewer.follow(hit ? hit.object.userData.frame : -1),
     pulls: () => simulating.running,
+    body: (event) => picture.pick(event),
     grab: (hit) => simulating.attempt(() => simulating.pull.grab(hit)) ?? false,
     move: (event) => simulating.attempt(() => simulating.pull.move(event)),
     release: () => simulating.attempt(() => simulating.pull.release()),

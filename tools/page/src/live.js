@@ -2,7 +2,7 @@
 
 import { decode_array } from './scene/base64.js';
 import { LiveRecording } from './scene/live_recording.js';
-import { shown } from './text.js';
+import { LivePull } from './simulation/live_pull.js';
 import { by_id } from './ui/element.js';
 import { LivePanel } from './ui/live_panel.js';
 import { Viewer } from './viewer.js';
@@ -15,13 +15,22 @@ export class LiveViewer extends Viewer {
     super(scene, say);
     this.columns = (scene.recordings[0]?.columns ?? []).map(({ name, unit }) => ({ name: String(name), unit: String(unit ?? '1') }));
     this.nq = scene.state.q.length;
+    this.nv = scene.state.v.length;
+    this.signal_count = this.sources.main?.signals.length ?? 0;
     this.controls = null;
     this.looks_back = false;   // at what was shown, while the program stands still
     this.speed = this.player.speed;
     this.waiting = new Map();  // what is to be sent to a place
-    this.simulation = { running: false, time: 0, poses: this.sources.tracks.slice(), q: this.sources.q.slice(), advance() {} };
-    this.pull = { active: false, grab: () => false, move() {}, release() {} };  // bodies stay with the program
-    this.panel = new LivePanel({ run: () => this.run_simulation(), tell: (what) => this.tell(what), move: (i, x) => this.tell_newest(`slider?index=${i}`, x) });
+    this.simulation = {
+      running: false, time: 0, poses: this.sources.tracks.slice(), q: this.sources.q.slice(), v: Float64Array.from(scene.state.v), signals: new Float64Array(this.signal_count),
+      advance() {}, loads: (engine) => this.live_loads(engine),
+    };
+    if (this.picture) {
+      this.pull = new LivePull(scene, this.poses, this.picture.stage, {
+        move: (request) => this.tell_newest('pull', request), release: () => this.tell_newest('pull', 'release'),
+      });
+    }
+    this.panel = new LivePanel({ run: () => this.run_simulation(), tell: (what) => this.tell(what), move: (i, x) => this.tell_newest(`slider ${i}`, `slider?index=${i}&value=${x}`), pulls: scene.pulls.length > 0 });
     by_id('tab-move').textContent = 'Live';
     by_id('panel-move').setAttribute('aria-label', 'Live');
     this.tabs.open('move');
@@ -67,16 +76,16 @@ export class LiveViewer extends Viewer {
     }
   }
 
-  // Of several numbers for one place, the last is sent when the one before has arrived.
-  async tell_newest(place, value) {
-    const busy = this.waiting.has(place);
-    this.waiting.set(place, value);
+  // Of several requests of one kind, the last is sent when the one before has been answered.
+  async tell_newest(kind, request) {
+    const busy = this.waiting.has(kind);
+    this.waiting.set(kind, request);
     if (busy) return;
-    for (let sent; sent !== this.waiting.get(place);) {
-      sent = this.waiting.get(place);
-      await this.tell(`${place}${place.includes('?') ? '&' : '?'}value=${sent}`);
+    for (let sent; this.waiting.has(kind) && sent !== this.waiting.get(kind);) {
+      sent = this.waiting.get(kind);
+      await this.tell(sent);
     }
-    this.waiting.delete(place);
+    this.waiting.delete(kind);
   }
 
   run_simulation() {
@@ -120,9 +129,10 @@ export class LiveViewer extends Viewer {
     }
   }
 
-  take_state({ t, rows, numbers }) {
-    const { simulation, scene, nq } = this, poses = 7 * scene.tracks;
-    const all = decode_array(Float32Array, numbers, poses + nq + this.columns.length, 'the state');
+  take_state({ t, rows, numbers, pull }) {
+    const { simulation, scene, nq, nv } = this, poses = 7 * scene.tracks;
+    const at = { q: poses, v: poses + nq, signals: poses + nq + nv, columns: poses + nq + nv + this.signal_count };
+    const all = decode_array(Float32Array, numbers, at.columns + this.columns.length, 'the state');
     this.panel.rows(rows);
     if (!all.subarray(0, poses + nq).every(Number.isFinite)) {
       this.panel.say(`From t = ${t} s the state is not finite: the mechanism is shown where it was last.`);
@@ -130,10 +140,13 @@ export class LiveViewer extends Viewer {
     }
     simulation.time = t;
     simulation.poses = Float64Array.from(all.subarray(0, poses));
-    simulation.q = Float64Array.from(all.subarray(poses, poses + nq));
+    simulation.q = Float64Array.from(all.subarray(at.q, at.v));
+    simulation.v = Float64Array.from(all.subarray(at.v, at.signals));
+    simulation.signals = Float64Array.from(all.subarray(at.signals, at.columns));
+    simulation.pull = pull;
     const begins = this.recording === undefined;
-    this.recording ??= new LiveRecording(scene, nq, this.columns);
-    this.recording.add(t, simulation.poses, simulation.q, all.subarray(poses + nq));
+    this.recording ??= new LiveRecording(scene, nq, nv, this.signal_count, this.columns);
+    this.recording.add(t, simulation.poses, simulation, pull !== null, all.subarray(at.columns));
     if (begins) this.begin_recording();
     this.panel.time(t);
     if (this.looks_back) return;
@@ -141,6 +154,21 @@ export class LiveViewer extends Viewer {
     simulation.running = !(this.controls?.paused ?? true);
     if (!simulation.running) this.refresh_plots();
     this.request();
+  }
+
+  pulled({ pull }) {
+    const frame = pull ? this.scene.frames.findIndex(({ name }) => name === pull.frame) : -1;
+    return frame < 0 ? null : { frame, point: pull.point };
+  }
+
+  // What acts in the program's newest state, with what it is pulled by.
+  live_loads(engine) {
+    const { q, v, signals, pull, time } = this.simulation;
+    if (pull) engine.pull(pull.frame, pull.point, pull.target, pull.stiffness, pull.damping);
+    else engine.pull(null);
+    const loads = engine.loads(q, v, signals, time);
+    engine.pull(null);
+    return loads;
   }
 
   begin_recording() {
@@ -179,7 +207,7 @@ export class LiveViewer extends Viewer {
     super.tick(now);
     if (this.player.speed !== this.speed) {
       this.speed = this.player.speed;
-      this.tell_newest('speed', this.speed);
+      this.tell_newest('speed', `speed?value=${this.speed}`);
     }
   }
 }

@@ -139,8 +139,9 @@ export class Picture {
     }
   }
 
+  // What of the mechanism is under the pointer.
   pick(event) {
-    return this.stage.pick(event, this.mechanism);
+    return this.stage.pick(event, this.mechanism.root);
   }
 
   draw(time, pull) {

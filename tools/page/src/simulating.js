@@ -28,7 +28,7 @@ export class Simulating {
     this.asked = true;
     by_id('engine-state').textContent = 'Loading kte\u2026';
     try {
-      this.begin(await load_simulation_engine(this.scene));
+      this.begin(await this.engine());
       by_id('engine-state').textContent = '';
     } catch (error) {
       by_id('engine-state').textContent = `No sliders and no simulation. ${error.message}`;
@@ -36,11 +36,22 @@ export class Simulating {
     this.viewer.request();
   }
 
+  // The engine with the scene's model, loaded once; throws an Error with a sentence for the user.
+  engine() {
+    this.loading ??= load_simulation_engine(this.scene).then((engine) => {
+      this.viewer.sources.engine = engine;
+      return engine;
+    });
+    return this.loading;
+  }
+
   begin(engine) {
     const { scene, viewer } = this;
-    viewer.sources.engine = engine;
     this.simulation = new Simulation(scene, engine);
-    if (viewer.picture) this.pull = new Pull(scene, viewer.poses, viewer.picture.stage, engine);
+    if (viewer.picture) {
+      this.pull = new Pull(scene, viewer.poses, viewer.picture.stage, engine);
+      this.simulation.pulled = () => this.pull.active;
+    }
     this.sliders = new Sliders(scene, (q) => this.pose(q));
     const mass = scene.bodies.reduce((sum, body) => sum + (body.mass ?? 0), 0) || 1;
     this.panel = new SimulationPanel(10 * mass * Math.max(1, scene.size ** 2), {

@@ -1,5 +1,6 @@
 // The page: its clock, its sources of poses, its picture and its panels, and what each tells the others.
 
+import { Acting } from './acting.js';
 import { listen } from './actions.js';
 import { Picture } from './picture.js';
 import { Player } from './player.js';
@@ -32,6 +33,7 @@ export class Viewer {
     this.sources.update(this.sources.main?.start ?? 0);
     this.begin_picture(say);
     this.simulating = new Simulating(this);
+    this.acting = new Acting(this);
     this.begin_panels();
     this.show_recordings();
     listen(this);
@@ -85,6 +87,7 @@ export class Viewer {
   // ---- what is shown
   set_theme(name) {
     this.picture?.set_theme(name);
+    this.acting?.arrows?.set_theme(name);
     if (this.plots) {
       fill_legend(this.scene, name);
       this.plots.theme = name;
@@ -137,6 +140,7 @@ export class Viewer {
     sources.other = other === main ? null : sources.recordings[other] ?? null;
     this.plots.set(sources.main, sources.other, wants_difference, this.theme.name);
     this.show_other();
+    this.acting.changed();
     if (this.picture && this.picture.trailed >= 0) this.trail(this.picture.trailed);
     this.set_range();
   }
@@ -178,6 +182,7 @@ export class Viewer {
   get pull() { return this.simulating.pull; }
   set pull(pull) { this.simulating.pull = pull; }
 
+  pulled() { return this.pull?.active ? this.pull : null; }
   load_engine() { this.simulating.load(); }
   run_simulation() { return this.simulating.run(); }
   advance_simulation(elapsed, now) { this.simulating.advance(elapsed, now); }
@@ -199,8 +204,9 @@ export class Viewer {
     this.last_tick = moving ? now : 0;
     if (moving) this.picture?.thrift.tell(elapsed);
     simulating.attempt_quietly(() => sources.update(player.time, simulating.simulation));
-    if (this.picture) this.picture.draw(player.time, simulating.pull);
-    else this.poses.update(sources.tracks);
+    this.poses.update(sources.tracks);
+    this.acting.update(now, player.time, simulating.simulation, this.poses.world);
+    this.picture?.draw(player.time, simulating.pull);
     this.transport.update(moving);
     this.plots.update(player.time);
     if (document.body.dataset.panel === 'move') simulating.update(sources.q);

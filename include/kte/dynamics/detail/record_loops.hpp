@@ -62,6 +62,33 @@ void for_each_friction(const Elements& c, State& s, const F& f) {
   }
 }
 
+/// The forces of virtual power on the coordinates for the motion of bodies, into the state, where there is nothing
+/// else.
+template <class State>
+void forces_of_moved_bodies(State& s) {
+  const auto& t = s.tree();
+  auto& w = s.work;
+  tree::transmit_wrenches(t.forest, w, engine::no_load{});
+  if (t.has_own_mass)
+    for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
+  for (const auto& r : t.forest.records) {
+    const auto k = static_cast<std::size_t>(r.first);
+    if (r.what == kind::gen) [[likely]]
+      s.template get<kind::gen>(r.slot).f = -w.force[k];
+    else
+      each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
+  }
+}
+/// The same at the rates of the state, without accelerations of coordinates.
+template <class Elements, class State>
+void bias_forces_of_bodies(const Elements& c, State& s) {
+  auto& w = s.work;
+  place_bodies(c, s), take_rates(s), take_bases(s);
+  std::fill(w.acceleration.begin(), w.acceleration.end(), typename State::scalar(0));
+  tree::move_bodies<false>(s.tree().forest, w);
+  forces_of_moved_bodies(s);
+}
+
 /// Inverse dynamics (RNEA): the forces of virtual power on the coordinates, into the state. At rates and accelerations
 /// of the state; of bodies alone, with bases that are accelerated or not. `moved`: forward dynamics has just been, of
 /// what is in the state, and where there are only bodies they are in place and move as they do.
@@ -77,17 +104,7 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
   if (t.only_bodies) {
     if (!moved) tree::move_bodies<false>(t.forest, w);
-    tree::transmit_wrenches(t.forest, w, engine::no_load{});
-    if (t.has_own_mass)
-      for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
-    for (const auto& r : t.forest.records) {
-      const auto k = static_cast<std::size_t>(r.first);
-      if (r.what == kind::gen) [[likely]]
-        s.template get<kind::gen>(r.slot).f = -w.force[k];
-      else
-        each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
-    }
-    return;
+    return forces_of_moved_bodies(s);
   }
   clear_coordinates(s);
   for (const auto& [coordinate, mass] : t.rotors) {

@@ -6,18 +6,18 @@ const length = 30, slack = 5;  // s
 
 export class LiveRecording extends GrowingRecording {
   // columns: [{name, unit}]
-  constructor(scene, nq, columns) {
-    super(scene, 'live', nq);
+  constructor(scene, nq, nv, signals, columns) {
+    super(scene, 'live', nq, nv, signals);
     this.kinds = columns;
     this.values = columns.map(() => []);
   }
 
   // A time that is not after the last begins anew.
-  add(time, track_poses, q, values) {
+  add(time, track_poses, state, assisted, values) {
     if (this.count > 0 && time < this.end) this.drop(this.count);
     else if (this.count > 0 && time === this.end) this.drop_last();
     else if (this.count > 0 && (time - this.start > length + slack || this.count === this.limit)) this.drop(this.first_after(time - length));
-    super.add(time, track_poses, q);
+    super.add(time, track_poses, state, assisted);
     this.values.forEach((column, i) => column.push(Number.isFinite(values[i]) ? values[i] : null));
     return true;
   }
@@ -34,14 +34,8 @@ export class LiveRecording extends GrowingRecording {
   }
 
   drop(n) {
-    const move = (array, size) => array.copyWithin(0, n * size, this.count * size);
-    move(this.t, 1);
-    move(this.positions, 3 * this.tracks);
-    move(this.rotations, 4 * this.tracks);
-    move(this.q, this.nq);
+    super.drop(n);
     for (const column of this.values) column.splice(0, n);
-    this.count -= n;
-    this.hint = 0;
   }
 
   get columns() { return this.kinds.map(({ name, unit }, i) => ({ name, unit, data: this.values[i].slice() })); }

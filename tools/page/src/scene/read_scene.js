@@ -56,6 +56,10 @@ function check_bodies_and_forces(scene) {
   });
 }
 
+function check_pulls(scene) {
+  scene.pulls.forEach((frame, i) => index(frame, scene.frames.length, `pulls[${i}]`));
+}
+
 function check_shapes(scene) {
   scene.shapes.forEach((shape, i) => {
     index(shape.frame, scene.frames.length, `shapes[${i}].frame`);
@@ -84,7 +88,7 @@ export function read_scene(text) {
   const scene = JSON.parse(text);
   if (scene === null) return null;
   if (scene.format !== 'kte-scene-1') throw new BadScene(`this page reads "kte-scene-1", not "${String(scene.format).slice(0, 80)}"`);
-  const lists = ['frames', 'coordinates', 'joints', 'links', 'bodies', 'forces', 'shapes', 'meshes', 'notes', 'recordings'];
+  const lists = ['frames', 'coordinates', 'joints', 'links', 'bodies', 'forces', 'pulls', 'shapes', 'meshes', 'notes', 'recordings'];
   for (const name of lists) scene[name] = list(scene, name);
   scene.tracks ??= 0;
   scene.planar = scene.dimension === 2;
@@ -94,6 +98,7 @@ export function read_scene(text) {
   check_frames(scene);
   check_links_and_joints(scene);
   check_bodies_and_forces(scene);
+  check_pulls(scene);
   check_shapes(scene);
   check_recordings(scene);
   return scene;

@@ -1,6 +1,6 @@
 // A recording of the scene. Its arrays are decoded when they are asked for first.
 
-import { decode_array } from './base64.js';
+import { decode_array, decode_base64 } from './base64.js';
 import { coordinate_parts } from './coordinate_parts.js';
 import { Samples } from './samples.js';
 
@@ -37,6 +37,7 @@ export class Recording extends Samples {
   constructor(scene, data, place) {
     const nq = scene.coordinates.reduce((n, c) => Math.max(n, c.q + c.size), scene.state.q.length);
     super(scene.tracks, nq);
+    this.nv = scene.state.v.length;
     this.name = String(data.name ?? '');
     this.count = data.count;
     this.data = data;
@@ -49,7 +50,7 @@ export class Recording extends Samples {
   }
 
   lazily(name, Type, count) {
-    const value = decode_array(Type, this.data[name], count, `${this.place}.${name}`);
+    const value = decode_array(Type, this.data[name] ?? '', count, `${this.place}.${name}`);
     Object.defineProperty(this, name, { value });
     return value;
   }
@@ -58,4 +59,11 @@ export class Recording extends Samples {
   get positions() { return this.lazily('positions', Float32Array, this.count * this.tracks * 3); }
   get rotations() { return this.lazily('rotations', Int16Array, this.count * this.tracks * 4); }
   get q() { return this.data.q ? this.lazily('q', Float32Array, this.count * this.nq) : null; }
+  get v() { return this.data.v ? this.lazily('v', Float32Array, this.count * this.nv) : null; }
+  // So many a row as there are.
+  get signals() {
+    const bytes = decode_base64(this.data.signals ?? '');
+    if (bytes.length % (4 * this.count)) throw new Error(`${this.place}.signals: ${bytes.length} bytes for ${this.count} rows`);
+    return this.lazily('signals', Float32Array, bytes.length / 4);
+  }
 }

@@ -1,7 +1,8 @@
 // Times with poses of all tracks (float32 positions, int16 quaternions) and what is between them.
 
 export class Samples {
-  // t: numbers in ascending order; positions: 3, rotations: 4 numbers a track and time; q: nq numbers a time, or null
+  // t: numbers in ascending order; positions: 3, rotations: 4 numbers a track and time; q, v: numbers a time, or null;
+  // signals: numbers a time, perhaps none
   constructor(tracks, nq) {
     this.tracks = tracks;
     this.nq = nq;
@@ -55,6 +56,17 @@ export class Samples {
     }
     if (square > 0) for (let n = 3; n < 7; ++n) out[o + n] /= Math.sqrt(square);
     else out[o + 3] = 1;
+  }
+
+  // What is known of the mechanism at sample i: q, v, signals (of the engine), free: whether nothing else acted on it; null
+  // where q was not recorded.
+  state_of(i) {
+    if (!this.q) return null;
+    const part = (all) => {
+      const width = all.length / this.t.length;
+      return Float64Array.from(all.subarray(width * i, width * (i + 1)));
+    };
+    return { t: this.t[i], q: part(this.q), v: this.v ? part(this.v) : null, signals: part(this.signals), free: !this.assisted?.[i] };
   }
 
   // Coordinates at `time`; false where they were not recorded.

@@ -6,13 +6,10 @@ import { to_local } from '../scene/pose.js';
 const rate = 9;             // rad/s of the whole mass on the spring
 const damping_ratio = 0.4;
 
-export class Pull {
-  // calls: scene, frame_poses, stage
-  constructor(scene, frame_poses, stage, engine) {
-    Object.assign(this, { scene, frame_poses, stage, engine });
-    const mass = scene.bodies.reduce((sum, body) => sum + (body.mass > 0 ? body.mass : 0), 0) || 1;
-    this.stiffness = mass * rate * rate;
-    this.damping = 2 * damping_ratio * mass * rate;
+// What is grabbed, and where it is drawn to.
+export class Hand {
+  constructor(scene, frame_poses, stage) {
+    Object.assign(this, { scene, frame_poses, stage });
     this.frame = -1;
     this.plane = new Plane();
     this.normal = new Vector3();
@@ -38,12 +35,8 @@ export class Pull {
     this.apply();
   }
 
-  apply() {
-    this.engine.pull(this.scene.frames[this.frame].name, [...this.point], this.target.toArray(), this.stiffness, this.damping);
-  }
-
   release() {
-    if (this.frame >= 0) this.engine.pull(null);
+    if (this.frame >= 0) this.end();
     this.frame = -1;
   }
 
@@ -58,5 +51,24 @@ export class Pull {
     out[1] = w[i + 1] + py + 2 * (s * cy + z * cx - x * cz);
     out[2] = w[i + 2] + pz + 2 * (s * cz + x * cy - y * cx);
     return out;
+  }
+}
+
+// By the engine of the page.
+export class Pull extends Hand {
+  constructor(scene, frame_poses, stage, engine) {
+    super(scene, frame_poses, stage);
+    this.engine = engine;
+    const mass = scene.bodies.reduce((sum, body) => sum + (body.mass > 0 ? body.mass : 0), 0) || 1;
+    this.stiffness = mass * rate * rate;
+    this.damping = 2 * damping_ratio * mass * rate;
+  }
+
+  apply() {
+    this.engine.pull(this.scene.frames[this.frame].name, [...this.point], this.target.toArray(), this.stiffness, this.damping);
+  }
+
+  end() {
+    this.engine.pull(null);
   }
 }

@@ -12,22 +12,27 @@ export class Simulation {
     this.engine = engine;
     this.running = false;
     this.damping = 0;
+    this.pulled = () => false;
     this.pace = 1;  // of what the clock and the speed ask for, the mean of late
   }
 
   start(q, v) {
     this.engine.start(q, v);
     this.engine.damping(this.damping);
-    this.recording = new GrowingRecording(this.scene, 'simulated here', q.length);
+    const { signals } = this.engine.state();
+    this.recording = new GrowingRecording(this.scene, 'simulated here', q.length, v.length, signals.length);
     this.read();
   }
 
   read() {
-    const { t, q, v, energy } = this.engine.state();
+    const state = this.engine.state(), { t, q, v, energy } = state;
     Object.assign(this, { time: t, q, v, energy: energy.kinetic + energy.potential });
     this.poses = this.engine.poses(q);
-    if (!this.recording.add(t, this.poses, q, this.energy)) this.running = false;
+    if (!this.recording.add(t, this.poses, state, this.damping > 0 || this.pulled(), this.energy)) this.running = false;
   }
+
+  // What acts now.
+  loads() { return this.engine.loads_now(); }
 
   set_damping(c) {
     this.damping = c;

@@ -4,11 +4,11 @@ const takes_text = (target) => target.matches?.('textarea, select, input:not([ty
 const takes_space = (target) => target.matches?.('button, summary, input, select, [role="treeitem"]');
 const takes_arrows = (target) => target.matches?.('input[type="range"]:not(#scrub), select, [role="treeitem"], [role="tab"], pre');
 
-// actions: play, step(n), share(x), first, last, faster(n), loop, orbit(left, up), zoom(factor), fit, search, theme, help
+// actions: play, step(n), share(x), first, last, faster(n), loop, orbit(left, up), zoom(factor), fit, search, theme, forces, help
 export function listen_to_keys(actions) {
   const turn = Math.PI / 24;
   const anywhere = {
-    f: actions.fit, l: actions.loop, t: actions.theme, '/': actions.search, '?': actions.help,
+    f: actions.fit, l: actions.loop, t: actions.theme, v: actions.forces, '/': actions.search, '?': actions.help,
     ',': () => actions.faster(-1), '.': () => actions.faster(1),
     w: () => actions.orbit(0, turn), s: () => actions.orbit(0, -turn), a: () => actions.orbit(-turn, 0), d: () => actions.orbit(turn, 0),
     '+': () => actions.zoom(1.15), '=': () => actions.zoom(1.15), '-': () => actions.zoom(1 / 1.15),

@@ -10,7 +10,7 @@ const all = [
   ['joints', 'Joints', (scene) => scene.joints.length > 0],
   ['ranges', 'Ranges and positions of joints', (scene) => scene.joints.length > 0],
   ['bodies', 'Bodies by their inertia', (scene) => scene.bodies.length > 0],
-  ['shaped bodies', 'Inertia of bodies with shapes', (scene) => scene.bodies.length > 0 && scene.shapes.some((s) => s.role !== 'collision')],
+  ['shaped bodies', 'Inertia of bodies with shapes, and large ones', (scene) => scene.bodies.length > 0 && scene.shapes.some((s) => s.role !== 'collision')],
   ['forces', 'Springs, dampers, beams, contacts', (scene) => scene.forces.length > 0],
   ['frames', 'Axes of all frames', (scene) => scene.frames.length > 0],
   ['labels', 'Names of frames', (scene) => scene.frames.length > 0],

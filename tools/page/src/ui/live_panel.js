@@ -4,8 +4,8 @@ import { number, shown, with_unit } from '../text.js';
 import { by_id, element } from './element.js';
 
 export class LivePanel {
-  // run(): pauses and goes on; tell(what): sends a button; move(i, x): a slider
-  constructor({ run, tell, move }) {
+  // run(): pauses and goes on; tell(what): sends a button; move(i, x): a slider; pulls: whether bodies can be pulled
+  constructor({ run, tell, move, pulls }) {
     this.move = move;
     const button = (text, title, onclick, name) => element('button', { type: 'button', text, title, onclick, id: `live-${name}` });
     this.run = element('button', { type: 'button', class: 'main', text: 'Pause', id: 'live-run', onclick: run });
@@ -15,6 +15,7 @@ export class LivePanel {
     this.kept = element('p', { class: 'hint', id: 'live-recording' });
     this.save = element('a', { href: 'recording.csv', download: 'recording.csv', text: 'Save as CSV' });
     by_id('simulation').append(element('div', { class: 'buttons' }, ...this.buttons), this.status, this.kept);
+    if (pulls) by_id('simulation').append(element('p', { class: 'hint', text: 'While it runs, drag a body to pull it.' }));
     this.box = by_id('sliders');
     this.sliders = [];
     this.row_count = 0;
@@ -79,7 +80,8 @@ export class LivePanel {
       return { input, output };
     });
     this.box.replaceChildren(...sliders.map((s, i) => element('div', { class: 'slider' },
-      element('span', { class: 'name', text: shown(s.name), title: shown(s.name, 400) }), this.sliders[i].output, this.sliders[i].input)));
+      element('span', { class: 'name', text: shown(s.name), title: shown(s.name, 400) }), this.sliders[i].output, this.sliders[i].input,
+      element('span', { class: 'end', text: number(s.lower) }), element('span', { class: 'end', text: number(s.upper) }))));
   }
 
   // Not where the user is moving it.

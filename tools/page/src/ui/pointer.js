@@ -3,14 +3,14 @@
 const still = 4;  // pixels that a click may move
 
 export class Pointer {
-  // pick(event): what of the mechanism is there; calls: hover(hit), choose(hit), follow(hit), grab(hit): true if pulled, move(event), release()
+  // pick(event): what of the mechanism is there; calls: hover(hit), choose(hit), follow(hit), body(event): what there is to pull, grab(hit): true if pulled, move(event), release()
   constructor(canvas, pick, calls) {
     this.pulling = false;
     // before the camera's controls hear of it
     canvas.addEventListener('pointerdown', (event) => {
       this.down = { x: event.clientX, y: event.clientY };
       if (event.button !== 0 || !calls.pulls()) return;
-      const hit = pick(event);
+      const hit = calls.body(event);
       if (!hit || !calls.grab(hit)) return;
       this.pulling = true;
       canvas.setPointerCapture(event.pointerId);

@@ -27,6 +27,7 @@ export class Tree {
     this.indent = Math.min(13, 110 / this.rows.reduce((most, entry) => Math.max(most, entry.depth), 1));
     this.query = '';
     by_id('search').addEventListener('input', (event) => this.search(event.target.value));
+    by_id('search').addEventListener('keydown', (event) => this.key_in_search(event));
     this.list.addEventListener('mouseleave', () => pointed(null));
     this.list.addEventListener('keydown', (event) => this.key(event));
     this.draw();
@@ -140,6 +141,15 @@ export class Tree {
     this.draw();
     this.choose(entry);
     entry.item?.scrollIntoView({ block: 'nearest' });
+  }
+
+  // To what was found.
+  key_in_search(event) {
+    const first = this.drawn[0];
+    if (!first || event.isComposing || !['ArrowDown', 'Enter'].includes(event.key)) return;
+    event.preventDefault();
+    if (event.key === 'Enter') this.choose(first);
+    this.focus(first);
   }
 
   key(event) {

@@ -28,7 +28,8 @@ export function add_bodies(mechanism) {
     } else {
       group.add(part(sphere(), materials.of('mass'), of, 0.55 * unit));
     }
-    // where a shape stands for the body, its inertia is of a layer of its own
-    mechanism.add_to_frame(shaped.has(body.frame) ? 'shaped bodies' : 'bodies', body.frame, group);
+    // where a shape stands for the body, or shapes would be hidden in it, its inertia is of a layer of its own
+    const aside = shaped.has(body.frame) || (shaped.size > 0 && largest > 0.6 * scene.size);
+    mechanism.add_to_frame(aside ? 'shaped bodies' : 'bodies', body.frame, group);
   });
 }

@@ -2,7 +2,7 @@
 
 import { Box3, Matrix4, Quaternion, Sphere, Vector3 } from 'three';
 
-// Not axes, planes, collision shapes, and inertias larger than the mechanism.
+// Not axes, planes, long ranges of joints, collision shapes, and inertias larger than the mechanism.
 function counts(scene, { kind, index }) {
   if (kind === 'shape') return scene.shapes[index].type !== 'plane' && scene.shapes[index].role !== 'collision';
   if (kind === 'body') return Math.max(...scene.bodies[index].ellipsoid) < 0.6 * scene.size;
@@ -18,7 +18,7 @@ function local_boxes(mechanism) {
     inverse.copy(node.matrixWorld).invert();
     const whole = new Box3();
     node.traverse((object) => {
-      if (!object.isMesh || !counts(scene, object.userData)) return;
+      if (!object.isMesh || object.parent.userData.far || !counts(scene, object.userData)) return;
       if (!object.geometry.boundingBox) object.geometry.computeBoundingBox();
       box.copy(object.geometry.boundingBox).applyMatrix4(relative.multiplyMatrices(inverse, object.matrixWorld));
       whole.union(box);

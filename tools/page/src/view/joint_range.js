@@ -57,6 +57,7 @@ export function add_length_range(mechanism, joint, of, axis, seat) {
       group.add(stop);
     }
     [low, high] = [joint.lower, joint.upper];
+    group.userData.far = high - low > 2 * mechanism.scene.size;
   }
   const mark = part(cylinder(), materials.of('needle'), of, [0.62 * unit, 0.62 * unit, 0.16 * unit]);
   group.add(mark);

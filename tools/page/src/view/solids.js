@@ -20,6 +20,8 @@ export const cylinder = () => once('cylinder', () => new CylinderGeometry(1, 1, 
 export const rod = () => once('rod', () => new CylinderGeometry(1, 1, 1, 14).rotateX(Math.PI / 2).translate(0, 0, 0.5));
 export const cone = () => once('cone', () => new ConeGeometry(1, 1, 20).rotateX(Math.PI / 2).translate(0, 0, 0.5));
 export const torus = () => once('torus', () => new TorusGeometry(1, 0.16, 10, 40));
+// Three quarters of a turn about z from x, radius 1.
+export const arc = () => once('arc', () => new TorusGeometry(1, 0.06, 8, 40, 1.5 * Math.PI));
 export const disc = () => once('disc', () => new CylinderGeometry(1, 1, 0.06, 32).rotateX(Math.PI / 2));
 
 // A flat ring from angle `from` to `to` about z, angles from x.

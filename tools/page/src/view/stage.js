@@ -116,14 +116,14 @@ export class Stage {
     return this.raycaster.ray;
   }
 
-  // The first visible piece of the mechanism under the pointer: {object, point}, or null.
-  pick(event, mechanism) {
+  // The first visible piece of what hangs on `root` that is under the pointer: {object, point}, or null.
+  pick(event, root) {
     this.aim(event);
     const shown = (object) => {
       for (let o = object; o; o = o.parent) if (!o.visible) return false;
       return true;
     };
-    const hits = this.raycaster.intersectObject(mechanism.root, true);
+    const hits = this.raycaster.intersectObject(root, true);
     return hits.find((hit) => shown(hit.object) && hit.object.userData.frame >= 0) ?? null;
   }
 }

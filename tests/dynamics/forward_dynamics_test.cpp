@@ -1,13 +1,19 @@
 #include "catch.hpp"
 #include "chain/models.hpp"
-#include "random.hpp"
+#include "dynamics/double_error.hpp"
+#include "dynamics/small_chains.hpp"
+#include "eigenvalues.hpp"
+#include "robots/iiwa14.hpp"
 
-// Mechanisms with a formula.
+// Forward dynamics after inverse dynamics, of mechanisms with a formula, at 50 digits. More: reference_test.cpp,
+// serial_chains_test.cpp, articulated_*_test.cpp.
 
 using namespace kte;
-using models::base, models::joint, models::tip;
+using models::base, models::pendulum;
+using test::small_chains::random_vector;
 
 namespace {
+
 // clang-format off
 inline constexpr struct q1_    final : coord_key<"q1">       {} q1;
 inline constexpr struct q2_    final : coord_key<"q2">       {} q2;
@@ -18,9 +24,33 @@ inline constexpr struct end2_  final : frame_2D_key<"end2">  {} end2;
 inline constexpr struct wall_  final : coord_key<"wall">     {} wall;
 inline constexpr struct motor_ final : input_key<"motor">    {} motor;
 // clang-format on
+
+template <class Chain>
+void check_after_inverse_dynamics(const Chain& c, unsigned seed) {
+  constexpr int n = Chain::dofs;
+  using V = joint_vector<double, n>;
+  random_numbers random(seed);
+  for (int round = 0; round < 200; ++round) {
+    const V q = random_vector<double, n>(random, 3), v = random_vector<double, n>(random, 2),
+            a = random_vector<double, n>(random, 5);
+    const V tau = inverse_dynamics(c, q, v, a);
+    const V again = forward_dynamics(c, q, v, tau);
+    // A solve loses the condition of M at most.
+    const Eigen::VectorXd eigenvalues = test::eigenvalues_of(mass_matrix(c, q));
+    const double condition = eigenvalues[n - 1] / eigenvalues[0];
+    CHECK((again - a).norm() < 20 * 2.2e-16 * condition * std::max(a.norm(), tau.norm() / eigenvalues[n - 1]));
+  }
+}
+
 }  // namespace
 
-TEST_CASE("double pendulum") {
+TEST_CASE("forward dynamics after inverse dynamics", "[laws]") {
+  check_after_inverse_dynamics(pendulum, 1);
+  check_after_inverse_dynamics(models::tree, 2);
+  check_after_inverse_dynamics(robots::iiwa14, 3);
+}
+
+TEST_CASE("forward dynamics of a double pendulum") {
   constexpr double m1 = 1.3, m2 = 0.7, l1 = 0.9, l2 = 1.2, g = 9.81;
   constexpr auto c =
       chain(revolute_joint_2D(q1, base, arm1), rigid_link_2D(arm1, end1, along_x(l1)), inertia_2D(end1, point_mass(m1)),
@@ -45,7 +75,7 @@ TEST_CASE("double pendulum") {
   }
 }
 
-TEST_CASE("masses and springs in a row, in one dimension") {
+TEST_CASE("forward dynamics of masses and springs in a row") {
   constexpr auto c = chain(base_gen(wall), inertia_gen(q1, 2.0), inertia_gen(q2, 3.0), spring_gen(wall, q1, 1.0, 10.0),
                            spring_gen(q1, q2, 1.0, 20.0), damper_gen(q1, q2, 0.5), driving_actuator_gen(q2, motor));
   STATIC_REQUIRE(decltype(c)::dofs == 2);
@@ -60,7 +90,7 @@ TEST_CASE("masses and springs in a row, in one dimension") {
   CHECK(y[1] == within_relative((-20 * (0.5 - 1) + 6) / 3, 4e-16));
 }
 
-TEST_CASE("a base that moves") {
+TEST_CASE("forward dynamics on a base that moves") {
   // In an accelerated, turning base a body at rest in it needs a force of m (a + al x r + w x (w x r)).
   constexpr auto c = chain(prismatic_joint_2D(q1, base, arm1, axis::x), inertia_2D(arm1, point_mass(2.0)));
   auto s = make_state(c);
@@ -68,22 +98,28 @@ TEST_CASE("a base that moves") {
   s[base].ang_velocity = 3.0;
   s[base].ang_acceleration = 7.0;
   s[q1].q = 0.5;
-  CHECK(inverse_dynamics(c, s)[0] == 2 * (1.0 - 9.0 * 0.5));
   CHECK(forward_dynamics(c, s)[0] == -(1.0 - 9.0 * 0.5));
-  s[base].position = {10.0, 20.0};
-  s[base].rotation = rotation_by(0.5);
-  const auto p = forward_kinematics(c, s, arm1);
-  CHECK(p.position.x == within(10 + 0.5 * std::cos(0.5), 2e-15));
-  CHECK(p.position.y == within(20 + 0.5 * std::sin(0.5), 4e-15));  // half an ulp on either side
 }
 
-TEST_CASE("two joints that share a coordinate") {
-  // A parallel gripper: both fingers by one coordinate, in opposite directions.
-  constexpr auto c = chain(prismatic_joint_2D(q1, base, arm1, axis::x), inertia_2D(arm1, point_mass(2.0)),
-                           prismatic_joint_2D(q1, base, arm2, axis::y), inertia_2D(arm2, point_mass(3.0)),
-                           prismatic_joint_2D(q1, arm1, end1, axis::x), inertia_2D(end1, point_mass(5.0)));
-  STATIC_REQUIRE(decltype(c)::dofs == 1);
-  // Speeds 1, 1 and 2 for a unit rate: 2 + 3 + 5 4
-  CHECK(mass_matrix(c, std::array{0.3})(0, 0) == 25.0);
-  CHECK(inverse_dynamics(c, std::array{0.3}, std::array{0.0}, std::array{1.0})[0] == 25.0);
+TEST_CASE("forward dynamics of static and runtime chains agree") {
+  const auto model = models::element_by_element(models::tree);
+  auto s = model.make_state();
+  random_numbers random(4);
+  for (int round = 0; round < 100; ++round) {
+    const auto q = random_vector<double, 3>(random, 3), v = random_vector<double, 3>(random, 2),
+               x = random_vector<double, 3>(random, 9);
+    const auto a = forward_dynamics(models::tree, q, v, x);
+    CHECK((a - forward_dynamics(model, s, q, v, x)).norm() < 1e-13 * a.norm());  // condition of M: 200
+  }
+}
+
+TEST_CASE("forward dynamics in double precision against 50 digits") {
+  random_numbers random(6);
+  for (int round = 0; round < 20; ++round) {
+    const auto q = random_vector<double, 7>(random, 3), v = random_vector<double, 7>(random, 2),
+               x = random_vector<double, 7>(random, 5);
+    const auto exact =
+        forward_dynamics(robots::iiwa14, test::at_50_digits(q), test::at_50_digits(v), test::at_50_digits(x));
+    CHECK(test::error_of_double(forward_dynamics(robots::iiwa14, q, v, x), exact) < 1e-13);  // any state
+  }
 }

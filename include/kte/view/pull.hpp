@@ -1,0 +1,89 @@
+#pragma once
+
+#include <kte/contract/no_parameters.hpp>
+#include <kte/contract/transmission.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/view/page_pull.hpp>
+
+#include <string_view>
+
+/// How bodies of a running simulation are pulled by the pointer in a page (docs/live.md).
+namespace kte {
+
+namespace core {
+
+/// The force of a pull on its point r, of a frame whose pose is p, R, while it is the frame that is pulled:
+///
+///   F = k (R^T (t - p) - r) - c (v + w x r),  T = r x F          (1)
+///
+/// In the plane, what r and t have out of it does not matter. The pull belongs to the program, which changes it at any
+/// time.
+template <kind Dim, class Name>
+struct pull : no_parameters {
+  static constexpr type_name type{"pull", Dim};
+  static constexpr std::array<port, 1> ports{{{Dim, access::on, "frame"}}};
+  static constexpr bool reads_positions = true;
+
+  const page_pull* by;
+  Name frame;
+
+  template <class Frame>
+  constexpr auto doForce(const Frame& x) const {
+    const bool here = by->frame == frame;
+    const double k = here ? by->stiffness : 0, c = here ? by->damping : 0;
+    const auto r = flat(by->point), t = flat(by->target);
+    const auto stretch = transpose(x.rotation) * (t - x.position) - r;
+    const auto force = k * stretch - c * (x.velocity + cross(x.ang_velocity, r));
+    return make_loads(wrench{force, cross(r, force)});  // (1)
+  }
+
+ private:
+  static constexpr auto flat(const vec3<>& p) {
+    if constexpr (Dim == kind::frame_2D) {
+      return vec3{p.x, p.y, zero};
+    } else {
+      return p;
+    }
+  }
+};
+
+}  // namespace core
+
+/// An element by which a page pulls `frame`, a key or a text, while `by`, which lives as long as the chain, names it.
+template <class F>
+constexpr auto pull_2D(const F& frame, const page_pull& by) {
+  if constexpr (key_type<F>) {
+    return connect(core::pull<kind::frame_2D, std::string_view>{{}, &by, F::name}, frame);
+  } else {
+    return connect(core::pull<kind::frame_2D, std::string>{{}, &by, std::string(frame)}, frame);
+  }
+}
+template <class F>
+constexpr auto pull_3D(const F& frame, const page_pull& by) {
+  if constexpr (key_type<F>) {
+    return connect(core::pull<kind::frame_3D, std::string_view>{{}, &by, F::name}, frame);
+  } else {
+    return connect(core::pull<kind::frame_3D, std::string>{{}, &by, std::string(frame)}, frame);
+  }
+}
+
+/// The chain with such an element on each frame that a joint moves.
+inline kte_map_chain with_pulls(kte_map_chain c, const page_pull& by) {
+  for (const kind k : {kind::frame_2D, kind::frame_3D}) {
+    const auto at = static_cast<std::size_t>(k);
+    const auto names = c.wiring().names[at];
+    const auto writers = c.wiring().writers[at];
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (writers[i] < 0) continue;
+      const auto& e = c.wiring().elements[static_cast<std::size_t>(writers[i])];
+      if (!e.stiff || !is_coordinate(e.ports.front().what)) continue;
+      if (k == kind::frame_2D)
+        c << pull_2D(names[i], by);
+      else
+        c << pull_3D(names[i], by);
+    }
+  }
+  return c;
+}
+
+}  // namespace kte
