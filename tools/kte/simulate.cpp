@@ -1,5 +1,5 @@
-#include <kte/dynamics/runtime.hpp>
-#include <kte/dynamics/runtime_bodies.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/dynamics/energy.hpp>
 #include <kte/io/memory_table.hpp>
 #include <kte/io/model_inputs.hpp>
 #include <kte/io/program.hpp>
