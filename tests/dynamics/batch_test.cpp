@@ -65,7 +65,8 @@ double gap(const std::vector<T>& batched, std::size_t k, const X& x) {
   return static_cast<double>(difference / size);
 }
 
-/// Either result is within 5 eps of the truth, the largest number being 1: inverse_dynamics_test.cpp finds 1e-15 for double.
+/// Either result is within 5 eps of the truth, the largest number being 1: inverse_dynamics_test.cpp finds 1e-15 for
+/// double.
 template <class T>
 constexpr double by_rounding = 10 * static_cast<double>(std::numeric_limits<T>::epsilon());
 

@@ -53,10 +53,8 @@ TEST_CASE("values go outward from parents to children", "[both]") {
   const toy_bodies bodies;
   std::vector<numbers> kept(7);
   kept[0] = {100.0, 0.0, 0.0}, kept[1] = {200.0, 0.0, 0.0};
-  const auto values =
-      looped<toy_bodies>{bodies}.outward<numbers>(kept.data(), [](const auto& b, const numbers& parent) {
-        return plus(parent, b.id());
-      });
+  const auto values = looped<toy_bodies>{bodies}.outward<numbers>(
+      kept.data(), [](const auto& b, const numbers& parent) { return plus(parent, b.id()); });
   CHECK(kept[2] == numbers{100.0, 1.0, 0.0});
   CHECK(kept[3] == numbers{101.01, 2.0, 1.01});
   CHECK(kept[4] == numbers{103.01, 3.0, 2.0});
@@ -65,10 +63,10 @@ TEST_CASE("values go outward from parents to children", "[both]") {
   CHECK(values.at(2) == kept[4]);
 
   std::vector<numbers> again(7);
-  looped<toy_bodies>{bodies}.descend<numbers>(
-      again.data(), values, [](const auto&, const numbers& value, const numbers& parent) -> numbers {
-        return {parent.x + value.z, value.x, parent.z + 1.0};
-      });
+  looped<toy_bodies>{bodies}.descend<numbers>(again.data(), values,
+                                              [](const auto&, const numbers& value, const numbers& parent) -> numbers {
+                                                return {parent.x + value.z, value.x, parent.z + 1.0};
+                                              });
   CHECK(again[4] == numbers{3.01, 103.01, 3.0});
   CHECK(again[5] == numbers{3.0, 103.0, 2.0});
   CHECK(again[6] == numbers{4.01, 204.01, 1.0});

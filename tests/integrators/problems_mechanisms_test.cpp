@@ -13,7 +13,8 @@ using namespace kte::problems;
 using namespace kte::test;
 
 TEST_CASE("the pendulum reaches its references", "[laws]") {
-  check_references<problems::pendulum>(1e-9, {1e-11, 2e-9, 5e-8});  // [218, 2200, 11000; 9, 1e2, 5e2; 2e-12, 4e-10, 9e-9]
+  check_references<problems::pendulum>(1e-9,
+                                       {1e-11, 2e-9, 5e-8});  // [218, 2200, 11000; 9, 1e2, 5e2; 2e-12, 4e-10, 9e-9]
 }
 TEST_CASE("the double pendulum reaches its references") {
   // [400, 1800, 3700; 1e1, 6e1, 8e2; 2e-12, 3e-11, 6e-10]
