@@ -494,6 +494,8 @@ class Robust(PageTest):
         self.assertTrue(self.window.run("return document.getElementById('message').hidden"), self.text('#message'))
         self.window.run('''
             for (const tab of ['plots', 'move', 'show', 'notes']) document.getElementById(`tab-${tab}`).click();
+            document.getElementById('loads-on').click();
+            document.getElementById('loads-list').open = true;
             for (const box of document.querySelectorAll('#layers input')) if (!box.checked) box.click();
             document.getElementById('tab-plots').click();
             document.getElementById('columns').open = true;
@@ -502,6 +504,10 @@ class Robust(PageTest):
         drawn = self.window.run('return kte_page.drawn')
         self.window.wait(f'kte_page.drawn > {drawn} + 1')
         self.assertIsNone(self.window.run('return window.harmed'))
+        self.window.wait("document.querySelectorAll('button.load').length > 10")
+        self.window.run("document.getElementById('tab-show').click(); document.querySelector('button.load').focus()")
+        self.window.wait("document.getElementById('load-label').textContent.includes('</script>')")
+        self.assertEqual(self.window.run("return document.querySelectorAll('.loads script, .loads img, #load-label *').length"), 0)
         self.assertEqual(self.window.run("return document.querySelectorAll('#tree script, #tree img, h1 *, #details img').length"), 0)
         self.assertEqual(self.text('#title'), scenes.hostile_names[0])
         rows = self.window.run("return [...document.querySelectorAll('#tree .name')].map((e) => e.textContent)")

@@ -108,9 +108,35 @@ def sprung(v=True, signals=True, model=True, **changes):
     return scene
 
 
+def released():
+    """The same as it moves by itself, integrated by Runge and Kutta: the scene, and of each sample its angle and rate."""
+    def acceleration(angle, rate):
+        (sx, sy, _), (dx, dy, _) = forces_on_tip(angle, rate)
+        return motor + math.cos(angle) * (sy + dy - 9.81) - math.sin(angle) * (sx + dx)  # of 1 kg at 1 m
+
+    steps, h = 40, 0.02 / 40
+    states = [(-0.3, 0.0)]
+    while len(states) < 101:
+        x, v = states[-1]
+        for _ in range(steps):
+            k1, l1 = v, acceleration(x, v)
+            k2, l2 = v + h / 2 * l1, acceleration(x + h / 2 * k1, v + h / 2 * l1)
+            k3, l3 = v + h / 2 * l2, acceleration(x + h / 2 * k2, v + h / 2 * l2)
+            k4, l4 = v + h * l3, acceleration(x + h * k3, v + h * l3)
+            x, v = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), v + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+        states.append((x, v))
+    run = recording('released', [0.02 * i for i in range(101)], [[([0, 0, 0], still), ([0, 0, 0], about_z(x))] for x, _ in states],
+                    [[x] for x, _ in states], v=[[v] for _, v in states], signals=[[motor]] * 101)
+    return sprung(recordings=[run]), states, acceleration
+
+
 def sprung_forces(t):
     """Of the spring and the damper on the tip at a time."""
-    tip, rate = pendulum_tip(t), -2.4 * math.sin(2 * t)
+    return forces_on_tip(pendulum_angle(t), -2.4 * math.sin(2 * t))
+
+
+def forces_on_tip(angle, rate):
+    tip = [math.cos(angle), math.sin(angle), 0]
     d = [h - x for h, x in zip(hook, tip)]
     length = math.hypot(*d)
     e = [x / length for x in d]

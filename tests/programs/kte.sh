@@ -114,6 +114,7 @@ printf 'motor\n1\n' >torque.csv
 gives 1 "torque.csv:1: 'motor' is no input; there are tau_0 to tau_0" "$kte" simulate pendulum.json --input torque.csv
 gives 1 "has no extension of a table" "$kte" simulate pendulum.json --record swing.txt2
 gives 1 "cannot open 'none/a.csv'" "$kte" simulate pendulum.json --record none/a.csv
+gives 2 'a recording has 1e+08 rows at most' "$kte" simulate pendulum.json --every 1e-12 --record swing.csv
 gives 2 '--time must be greater than 0' "$kte" simulate pendulum.json --time -1
 gives 2 '--step: '"'0x'"' is not a number' "$kte" simulate pendulum.json --step 0x
 for command in simulate view live; do
@@ -149,7 +150,7 @@ if ! grep -q 'rows of the recording' long.html; then wrong 'a long recording is 
 gives 0 'wrote long.html' "$kte" view pendulum.json long.csv -o long.html
 if grep -q 'rows of the recording' long.html; then wrong 'a recording is thinned out'; fi
 printf 't,x\n0,1\n' >none.csv
-gives 1 "no columns of coordinates by which the mechanism moves: 'q'" "$kte" view pendulum.json none.csv
+gives 1 "none.csv: the table has no columns of coordinates by which the mechanism moves: 'q'" "$kte" view pendulum.json none.csv
 gives 1 "cannot run 'xdg-open'" env PATH=/nowhere "$kte" view pendulum.json --open
 mkdir browser && printf '#!/bin/sh\nprintf "%%s\\n" "$@" >>"$0.log"\n' >browser/xdg-open && chmod +x browser/xdg-open
 gives 0 'kte: wrote -a; touch called.html' env PATH="$PWD/browser:$PATH" "$kte" view pendulum.json --open -o '-a; touch called.html'
@@ -157,7 +158,7 @@ if ! grep -qxF "$PWD/-a; touch called.html" browser/xdg-open.log; then wrong 'xd
 gives 0 'kte: wrote swing.svg' "$kte" plot swing.csv q energy/total
 if ! grep -q '<svg' swing.svg; then wrong 'no SVG'; fi
 gives 0 'kte: wrote other.svg' "$kte" plot swing.npy -o other.svg
-gives 1 "cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
+gives 1 "swing.csv: cannot plot 'nothing', which is no column" "$kte" plot swing.csv nothing
 gives 2 "'swing.pdf' is no name of a picture: these end in .svg or .png" "$kte" plot swing.csv q -o swing.pdf
 gives 0 'kte: wrote units.svg' "$kte" plot swing.csv q q/v --of pendulum.json -o units.svg
 for text in 'q (rad)' 'q/v (rad/s)'; do

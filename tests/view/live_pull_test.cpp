@@ -63,10 +63,10 @@ TEST_CASE("a static chain is pulled where it has an element for that") {
   using namespace models;
   constexpr auto chain = kte::chain(revolute_joint_2D(q, base, joint), rigid_link_2D(joint, tip, along_x(0.5)),
                                     inertia_2D(tip, point_mass(1.0)), pull_2D(tip, hand));
-  const std::array<double, 1> zero{0};
-  CHECK(forward_dynamics(chain, zero, zero, zero)[0] == within(20 * 1 * 0.5 / 0.25, 1e-13));
+  const std::array<double, 1> at{0};
+  CHECK(forward_dynamics(chain, at, at, at)[0] == within(20 * 1 * 0.5 / 0.25, 1e-13));
   hand.frame = "joint";
-  CHECK(forward_dynamics(chain, zero, zero, zero)[0] == 0);
+  CHECK(forward_dynamics(chain, at, at, at)[0] == 0);
 }
 
 TEST_CASE("pages pull frames, and let them go") {

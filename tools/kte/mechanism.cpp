@@ -81,8 +81,11 @@ mechanism read_mechanism(const reading& o) {
   return m;
 }
 
-mechanism read_and_warn(const reading& o) {
+mechanism read_and_warn(const reading& o, bool with_motors) {
   auto m = read_mechanism(o);
+  if (with_motors)
+    std::erase_if(m.robot.warnings,
+                  [](const auto& n) { return n.text.find("by kte::add_motors alone") != n.text.npos; });
   for (const auto& text : texts_of(m.robot.warnings, m.file)) say(text);
   return m;
 }

@@ -23,6 +23,7 @@ inline std::string with_option_names(std::string_view message) {
       replacement{"by kte::add_motors alone", "by motors alone, as of kte live and kte simulate --motors"},
       replacement{" (read_options::max_bytes)", ""},
       replacement{" (read_options::max_items)", ""},
+      replacement{" (or give a table_format)", ""},
       replacement{"kte::clik needs none", "--numeric needs none"}};
   std::string out(message);
   for (const auto& r : all)

@@ -50,7 +50,13 @@ int plot(plot_options& o) {
   if (o.dpi && !(*o.dpi >= 10 && *o.dpi <= 2400))
     throw usage_error("--dpi is between 10 and 2400, not " + short_number(*o.dpi));
   if (!o.of.empty()) o.plot.units = units_of(o.of);
-  const auto svg = kte::plot(kte::read_table(o.recording), o.columns, o.plot);
+  const auto svg = [&o, table = kte::read_table(o.recording)] {
+    try {
+      return kte::plot(table, o.columns, o.plot);
+    } catch (const kte::unknown_name& e) {
+      throw kte::bad_file("kte: " + o.recording + ": " + std::string(e.what()).substr(5));
+    }
+  }();
   if (png)
     write_png(o.out, svg, o.dpi.value_or(300));
   else

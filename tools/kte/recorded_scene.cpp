@@ -1,6 +1,6 @@
 #include "recorded_scene.hpp"
 
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/state_vectors.hpp>
 #include <kte/view/scene_of.hpp>
 
 #include "option_names.hpp"

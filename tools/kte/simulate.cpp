@@ -1,4 +1,3 @@
-#include <kte/dynamics/runtime.hpp>
 #include <kte/dynamics/energy.hpp>
 #include <kte/io/memory_table.hpp>
 #include <kte/io/model_inputs.hpp>
@@ -144,6 +143,10 @@ void check_settings(const simulate_options& o) {
     if (!(x > 0)) throw usage_error(std::string(name) + " must be greater than 0, not " + short_number(x));
   };
   positive("--time", o.end), positive("--every", o.every), check_settings(o.solver);
+  constexpr double most_rows = 1e8;
+  if (!o.record.empty() && o.end / o.every > most_rows)
+    throw usage_error("a recording has " + short_number(most_rows) + " rows at most: --every " + short_number(o.every) +
+                      " of --time " + short_number(o.end) + " are more");
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
   if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
   if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
@@ -158,7 +161,7 @@ struct drives {
 
 int simulate(simulate_options& o) {
   check_settings(o);
-  auto m = read_and_warn(o.in);
+  auto m = read_and_warn(o.in, o.motors);
   if (o.motors) {
     if (m.model) throw kte::bad_argument("kte: --motors is of files of robots; a model file has the motors it has");
     take_motors(m);

@@ -1,6 +1,7 @@
 #include "start.hpp"
 
-#include <kte/dynamics/runtime.hpp>
+#include <kte/dynamics/configuration_space.hpp>
+#include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include "state_input.hpp"
 

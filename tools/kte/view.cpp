@@ -36,8 +36,14 @@ int view(view_options& o) {
   const auto m = read_and_warn(o.in);
   if (o.out.empty()) o.out = std::filesystem::path(o.in.file).stem().string() + ".html";
   std::vector<kte::scene> all;
-  for (const auto& path : o.recordings)
-    all.push_back(scene_of(m, kte::read_table(path), std::filesystem::path(path).filename().string()));
+  for (const auto& path : o.recordings) {
+    auto table = kte::read_table(path);
+    try {
+      all.push_back(scene_of(m, std::move(table), std::filesystem::path(path).filename().string()));
+    } catch (const kte::unknown_name& e) {
+      throw kte::bad_file("kte: " + path + ": " + std::string(e.what()).substr(5));
+    }
+  }
   kte::write_page(o.out, all.empty() ? scene_of(m, o.start) : kte::joined(all), page);
   say("wrote " + o.out);
   if (o.open) open_in_browser(o.out);

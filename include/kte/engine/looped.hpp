@@ -70,7 +70,7 @@ struct looped {
       if (is_usual(i)) [[likely]]
         assign(hand, step(bodies.body(i), hand));
       else
-        outward_apart(i, step, hand);
+        in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { outward_apart(i, step, x); });
       assign(kept[at_hand], hand);
     }
     return kept_values<Value, Hand, Step>{kept + bases};
@@ -89,7 +89,7 @@ struct looped {
       if (is_usual(i)) [[likely]]
         assign(hand, step(bodies.body(i), values.template of<usual>(i), hand));
       else
-        descend_apart(i, values, step, hand);
+        in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { descend_apart(i, values, step, x); });
       assign(kept[at_hand], hand);
     }
   }
@@ -127,7 +127,7 @@ struct looped {
         const auto met = meet(b, hand);
         if (!ends) assign(hand, hand_on(b, values.template of<usual>(i), met));
       } else {
-        inward_apart(i, values, meet, hand_on, ends, hand);
+        in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { inward_apart(i, values, meet, hand_on, ends, x); });
       }
       at_hand = parent >= bases && parent + 1 == bases + i;
       if (!ends && !at_hand) assign(sums[parent], sums[parent] + hand);
@@ -141,6 +141,14 @@ struct looped {
       return true;
     else
       return bodies.usual(i);
+  }
+  /// f of a copy: what a function gets by reference stays in memory all along.
+  template <class Hand, class F>
+  KTE_INLINE static void in_memory(Hand& hand, const F& f) {
+    Hand copy{};
+    assign(copy, hand);
+    f(copy);
+    assign(hand, copy);
   }
   template <class Step, class Hand>
   [[gnu::noinline]] void outward_apart(int i, const Step step, Hand& hand) const {

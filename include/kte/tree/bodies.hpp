@@ -171,15 +171,16 @@ class record_bodies {
   int bases_, count_;
 };
 
-/// The same where axes of joints do not matter.
+/// The same with one kind for all joints of one axis, where axes matter little.
 template <class P, class S>
-class placed_bodies : public record_bodies<P, S> {
+class one_axis_bodies : public record_bodies<P, S> {
  public:
   using record_bodies<P, S>::record_bodies;
   KTE_INLINE bool usual(int i) const { return this->records_[i].moves != joint::several; }
+  KTE_INLINE jointed_body<along_and_about_z, P, S> body(int i) const { return {this->records_[i], this->spots_[i]}; }
   template <class F>
   KTE_INLINE void with_body(int i, const F& f) const {
-    f(jointed_body<unit_axes<3, 4, 5>, P, S>{this->records_[i], this->spots_[i]});
+    with_several_axes(this->records_[i], this->spots_[i], free_joint{}, f);
   }
 };
 /// The same with joints that may be locked, and with masses on their coordinates.

@@ -2,58 +2,18 @@
 
 #include <kte/engine/looped.hpp>
 #include <kte/recursions/composite_body.hpp>
+#include <kte/recursions/world_placement.hpp>
 #include <kte/tree/bodies.hpp>
 #include <kte/tree/columns.hpp>
 
 namespace kte::tree {
 
-/// Of a body of several axes, from the axes `a` of its parent in the world to its own, and those of its joint. Apart,
-/// that what is seldom needed does not take registers from the rest.
-template <class P, class S>
-[[gnu::noinline]] void place_by_several(const record<P>& r, const spot<S>& at, mat3<vec3<S>>& a, world_axis<S>* axis) {
-  const placed seat{r, at};
-  a = {seat.in_of_several(a.x), seat.in_of_several(a.y), seat.in_of_several(a.z)};
-  const std::array<vec3<S>, 3> unit{vec3<S>{a.x.x, a.y.x, a.z.x}, vec3<S>{a.x.y, a.y.y, a.z.y},
-                                    vec3<S>{a.x.z, a.y.z, a.z.z}};
-  for (int k = 0; k < r.axes; ++k) {
-    const std::size_t n = r.axis[static_cast<std::size_t>(k)];
-    axis[k] = n < 3 ? world_axis<S>{unit[n], {}} : world_axis<S>{{}, unit[n - 3]};
-  }
-}
-/// Axes of all bodies in the world, their origins, and the axes of their joints.
+/// Axes of all bodies in the world, their origins, and the axes of their joints; from those of bases.
 template <class P, class S>
 void place_in_world(const forest<P>& f, memory<P, S>& m) {
-  const int bases = f.bases;
-  // The place of the body before stays in registers: most bodies stand on it.
-  mat3<vec3<S>> a{};
-  vec3<S> position{};
-  int at_hand = -1;
-  for (std::size_t i = 0; i < f.records.size(); ++i) {
-    const record<P>& r = f.records[i];
-    const placed at{r, m.spots[i]};
-    if (r.parent != at_hand) {
-      const world_place<S>& base = m.world[static_cast<std::size_t>(r.parent)];
-      a = base.rotation, position = base.position;
-    }
-    at_hand = bases + static_cast<int>(i);
-    const vec3<S> step = a * at.at.position;
-    position = position + step;
-    world_axis<S>* const axis = &m.axes[static_cast<std::size_t>(r.first)];
-    if (r.moves == joint::several) [[unlikely]] {
-      mat3<vec3<S>> in_memory = a;
-      place_by_several(r, m.spots[i], in_memory, axis);
-      a = in_memory;
-    } else {
-      a = at.axes_in(a);
-      const vec3<S> z{a.x.z, a.y.z, a.z.z};
-      if (r.moves == joint::revolute) [[likely]]
-        *axis = {{}, z};
-      else
-        *axis = {r.slides * z, r.turns * z};
-    }
-    world_place<S>& x = m.world[static_cast<std::size_t>(at_hand)];
-    x.rotation = a, x.step = step, x.position = position;
-  }
+  const one_axis_bodies<P, S> bodies(f, m.spots);
+  engine::world_placements<world_place<S>>(engine::looped<one_axis_bodies<P, S>>{bodies}, m.world.data(),
+                                           m.axes.data());
 }
 
 /// The inertia of each body with all that it carries, at its origin in its axes; with `Bases` those of bases in theirs.
@@ -61,8 +21,9 @@ template <bool Bases, class P, class S>
 void carry_bodies(const forest<P>& f, memory<P, S>& m) {
   if constexpr (Bases)
     for (std::size_t b = 0; b < f.base_weight.size(); ++b) engine::assign(m.carried[b], f.base_weight[b]);
-  const placed_bodies<P, S> bodies(f, m.spots);
-  engine::composite_inertias<Bases, dense_composite<S>>(engine::looped<placed_bodies<P, S>>{bodies}, m.carried.data());
+  const one_axis_bodies<P, S> bodies(f, m.spots);
+  engine::composite_inertias<Bases, dense_composite<S>>(engine::looped<one_axis_bodies<P, S>>{bodies},
+                                                        m.carried.data());
 }
 
 /// The wrench that accelerates what a body carries along axis k of its joint, in axes of the body.

@@ -73,22 +73,6 @@ void place_in_duals(const mat3<vec3<S>>& rotation, const vec3<D>& turned, world_
   const mat3<vec3<S>> axes = transpose(rotation);
   to.rotation = transpose(mat3<vec3<D>>{row(axes.x), row(axes.y), row(axes.z)});
 }
-/// As `motion_of_frame` of tree/frame_motion.hpp.
-template <class S, int N, class P>
-auto motion_of_frame(const world_place<dual<S, N>>& place, const body_motion<dual<S, N>>& b,
-                     const pose<mat3<vec3<P>>, vec3<P>>& at) {
-  using D = dual<S, N>;
-  const mat3<vec3<P>> axes = transpose(at.rotation);
-  const mat3<vec3<D>>& r = place.rotation;
-  const vec3<D> p = constants<D>(at.position), turning = dual_cross(b.ang_velocity, p);
-  const vec3<D> faster = dual_cross(b.ang_acceleration, p) + dual_cross(b.ang_velocity, turning);
-  return motion{vec3<D>(place.position + vec3<D>{dot(r.x, at.position), dot(r.y, at.position), dot(r.z, at.position)}),
-                mat3<vec3<D>>{product(axes, r.x), product(axes, r.y), product(axes, r.z)},
-                product(axes, vec3<D>(b.velocity + turning)),
-                product(axes, b.ang_velocity),
-                product(axes, vec3<D>(b.acceleration + faster)),
-                product(axes, b.ang_acceleration)};
-}
 /// A rotation of a body in its parent as a matrix.
 template <class P, class S>
 mat3<vec3<S>> rotation_in_parent(const placed<P, S>& at) {
@@ -185,3 +169,25 @@ void transmit_in_duals(const forest<P>& f, const memory<P, S>& m, dual_memory<D>
 }
 
 }  // namespace kte::tree
+
+namespace kte::engine {
+
+/// As `motion_of_frame` of tree/frame_motion.hpp.
+template <class S, int N, class P>
+auto motion_of_frame(const tree::world_place<dual<S, N>>& place, const tree::body_motion<dual<S, N>>& b,
+                     const pose<mat3<vec3<P>>, vec3<P>>& at) {
+  using D = dual<S, N>;
+  using tree::constants, tree::dual_cross, tree::product;
+  const mat3<vec3<P>> axes = transpose(at.rotation);
+  const mat3<vec3<D>>& r = place.rotation;
+  const vec3<D> p = constants<D>(at.position), turning = dual_cross(b.ang_velocity, p);
+  const vec3<D> faster = dual_cross(b.ang_acceleration, p) + dual_cross(b.ang_velocity, turning);
+  return motion{vec3<D>(place.position + vec3<D>{dot(r.x, at.position), dot(r.y, at.position), dot(r.z, at.position)}),
+                mat3<vec3<D>>{product(axes, r.x), product(axes, r.y), product(axes, r.z)},
+                product(axes, vec3<D>(b.velocity + turning)),
+                product(axes, b.ang_velocity),
+                product(axes, vec3<D>(b.acceleration + faster)),
+                product(axes, b.ang_acceleration)};
+}
+
+}  // namespace kte::engine

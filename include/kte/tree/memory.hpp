@@ -3,6 +3,7 @@
 #include <kte/frames/articulated.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/recursions/articulated_body.hpp>
+#include <kte/recursions/world_placement.hpp>
 #include <kte/tree/direction.hpp>
 #include <kte/tree/record.hpp>
 
@@ -39,12 +40,8 @@ template <class S>
 struct world_axis {
   vec3<S> linear, angular;
 };
-/// Axes of a body in the world; its origin seen from that of its parent, and from the world's.
 template <class S>
-struct world_place {
-  mat3<vec3<S>> rotation;
-  vec3<S> step, position;
-};
+using world_place = engine::world_placement<mat3<vec3<S>>, vec3<S>, vec3<S>>;
 /// Unit vectors of a body, as rows, and its origin from that of its parent, in axes of the world.
 template <class S>
 struct seen_body {

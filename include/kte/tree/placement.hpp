@@ -15,15 +15,6 @@ template <class S>
 [[gnu::noinline]] vec3<S> rotated_back(const mat3<vec3<S>>& r, const vec3<S>& u) {
   return transpose(r) * u;
 }
-template <class S>
-[[gnu::noinline]] sym3<S> rotated(const mat3<vec3<S>>& r, const sym3<S>& a) {
-  return congruence(r, a);
-}
-template <class S>
-[[gnu::noinline]] mat3<vec3<S>> rotated(const mat3<vec3<S>>& r, const mat3<vec3<S>>& a) {
-  return transpose(r * transpose(r * a));
-}
-
 /// v in the axes in which the unit vectors are that are the rows of a matrix.
 template <class S, class Row>
 KTE_INLINE Row combined(const mat3<Row>& units, const vec3<S>& v) {
@@ -36,31 +27,20 @@ struct placed {
   const record<P>& r;
   const spot<S>& at;
 
-  /// To axes of the parent: vectors u (of numbers, or of lanes of them), and A to R A R^T.
+  /// To axes of the parent: vectors of numbers, or of lanes of them.
   template <class L>
   KTE_INLINE vec3<L> out(vec3<L> u) const {
     if (r.moves == joint::several) [[unlikely]]
       u = rotated(at.rotation, u);
     return seat(u);
   }
-  KTE_INLINE sym3<S> out(sym3<S> a) const {
-    if (r.moves == joint::several) [[unlikely]]
-      a = rotated(at.rotation, a);
-    return seat(a);
-  }
-  KTE_INLINE mat3<vec3<S>> out(mat3<vec3<S>> a) const {
-    if (r.moves == joint::several) [[unlikely]]
-      a = rotated(at.rotation, a);
-    return seat(a);
-  }
-  /// To axes of the body; of one of several axes, inline.
+  /// To axes of the body.
   KTE_INLINE vec3<S> in(const vec3<S>& u) const {
     const vec3<S> x = to_seat(u);
     if (r.moves == joint::several) [[unlikely]]
       return rotated_back(at.rotation, x);
     return x;
   }
-  KTE_INLINE vec3<S> in_of_several(const vec3<S>& u) const { return transpose(at.rotation) * to_seat(u); }
   /// R A: from the unit vectors of the body, as rows, to those of the parent; and back.
   template <class Row>
   KTE_INLINE mat3<Row> units_out(mat3<Row> a) const {
@@ -77,8 +57,6 @@ struct placed {
       a = turned(a, transpose(at.rotation));
     return a;
   }
-  /// A R, for the axes of the parent as columns of A: those of the body.
-  KTE_INLINE mat3<vec3<S>> axes_in(const mat3<vec3<S>>& a) const { return {in(a.x), in(a.y), in(a.z)}; }
   KTE_INLINE dense_wrench<S> out(const dense_wrench<S>& w) const {
     const vec3<S> f = out(w.force);
     return {f, out(w.torque) + cross(at.position, f)};

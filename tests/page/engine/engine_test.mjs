@@ -179,6 +179,7 @@ test("springs, dampers, limits, motors and weights as their formulas have them",
 });
 test("the reaction of a link moves its end", () => {
   const c = begin("pendulum"), q = 0.4, w = -0.3, [a] = engine.accelerations([q], [w]);
+  near(engine.loads([q], [w]).accelerations, [a], 1e-14, "acceleration");
   const { force, torque } = engine.loads([q], [w]).reactions[c.frames.indexOf("tip")];
   const [x, y] = [0.5 * Math.cos(q), 0.5 * Math.sin(q)];
   near(force, [-a * y - w * w * x, a * x - w * w * y + 9.81, 0], 1e-12, "reaction");

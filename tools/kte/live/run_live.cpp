@@ -42,7 +42,7 @@ void open_if_possible(const std::filesystem::path& page) {
 
 int run_live(const live_settings& o) {
   check_settings(o);
-  auto m = read_and_warn(o.in);
+  auto m = read_and_warn(o.in, true);
   if (!m.robot.actuators.empty()) take_motors(m);
   if (m.chain().dofs() == 0) throw kte::bad_argument("kte: " + m.file + " has no degrees of freedom: nothing can move");
   kte::page_pull hand;

@@ -28,7 +28,8 @@ class acting {
   /// At x = (q, v, z), with inputs as the model has them.
   void at(double t, const Eigen::VectorXd& x) {
     model_.setJointStates(t, x, state_);
-    set_accelerations(state_, model_.computeStateRate(t, x).segment(model_.dofs(), model_.dofs()).eval());
+    accelerations_ = model_.computeStateRate(t, x).segment(model_.dofs(), model_.dofs());
+    set_accelerations(state_, accelerations_);
     pass();
   }
   /// Of what was recorded: v, and the numbers of inputs, vectors and internal states. What is not known is NaN, and so
@@ -53,7 +54,8 @@ class acting {
     if (free && x.allFinite() && u.allFinite()) return model_.setInput(u), at(t, x);
     set_positions(state_, x.head(model_.nq()).eval());
     set_velocities(state_, x.segment(model_.nq(), model_.dofs()).eval());
-    set_accelerations(state_, Eigen::VectorXd::Constant(model_.dofs(), unknown).eval());
+    accelerations_.setConstant(model_.dofs(), unknown);
+    set_accelerations(state_, accelerations_);
     put_signals(t, u, z);
     pass();
   }
@@ -73,6 +75,7 @@ class acting {
     return all;
   }
 
+  const Eigen::VectorXd& accelerations() const { return accelerations_; }
   const std::vector<exerted>& loads() const { return loads_; }
   /// By which the joint or link that moves each frame acts on what is beyond it, in axes of the world.
   const std::vector<load>& reactions() const { return reactions_; }
@@ -154,6 +157,7 @@ class acting {
   dynamics_model model_;
   std::vector<handle> frames_;
   runtime_state state_;
+  Eigen::VectorXd accelerations_;
   std::vector<exerted> loads_;
   std::vector<load> reactions_, before_;
 };

@@ -62,6 +62,7 @@ void put_loads(const kte::page::acting& a) {
     add(e.load);
   }
   for (const auto& r : a.reactions()) add(r);
+  all.insert(all.end(), a.accelerations().begin(), a.accelerations().end());
   buffer.resize((std::max)(buffer.size(), all.size()));
   put(buffer.data(), all);
 }
@@ -141,7 +142,7 @@ KTE_EXPORT(kte_state) int state() {
 }
 /// q, v and signals, of so many numbers each, at a time to the loads in the mechanism: how many they are; of each the
 /// element, 1 on a frame and 0 on a coordinate, which of these, a force and a torque; of each track the reaction, a
-/// force and a torque. Without v and signals: at rest. Not free: where something else acted too.
+/// force and a torque; the accelerations. Without v and signals: at rest. Not free: where something else acted too.
 KTE_EXPORT(kte_loads) int loads(std::size_t nq, std::size_t nv, std::size_t signals, double t, int free) {
   return guarded([&] {
     auto& p = loaded();

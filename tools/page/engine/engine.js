@@ -92,6 +92,7 @@ class Engine {
   ///
   ///   loads      [{ element, frame or coordinate: which of those of the element, force, torque }]
   ///   reactions  [{ force, torque }] of each tracked frame: of the joint or link that moves it on what is beyond
+  ///   accelerations  of all coordinates
   ///
   /// On frames in axes of the world, at their origin; on coordinates of one number force[0], N or Nm, on others in the axes
   /// of the frame that moves by them. A pull is the element after those of the model.
@@ -106,13 +107,14 @@ class Engine {
     return this.#take_loads();
   }
   #take_loads() {
-    const [count] = this.#take(0, 1), numbers = this.#take(1, 9 * count + 6 * this.tracks);
+    const [count] = this.#take(0, 1), nv = this.nv, end = 9 * count + 6 * this.tracks, numbers = this.#take(1, end + nv);
     const load_at = (i) => ({ force: [...numbers.subarray(i, i + 3)], torque: [...numbers.subarray(i + 3, i + 6)] });
     const loads = Array.from({ length: count }, (_, i) => {
       const [element, on_frame, which] = numbers.subarray(9 * i, 9 * i + 3);
       return { element, [on_frame ? "frame" : "coordinate"]: which, ...load_at(9 * i + 3) };
     });
-    return { loads, reactions: Array.from({ length: this.tracks }, (_, k) => load_at(9 * count + 6 * k)) };
+    const accelerations = numbers.slice(end);
+    return { loads, accelerations, reactions: Array.from({ length: this.tracks }, (_, k) => load_at(9 * count + 6 * k)) };
   }
 
   /// Pulls a point of a frame (in its axes, m) to a target in the world by a spring (N/m) with damping (N s/m). Called

@@ -2,6 +2,7 @@
 
 import { decode_array } from './scene/base64.js';
 import { LiveRecording } from './scene/live_recording.js';
+import { loads_of_sample } from './scene/recorded_rates.js';
 import { LivePull } from './simulation/live_pull.js';
 import { by_id } from './ui/element.js';
 import { LivePanel } from './ui/live_panel.js';
@@ -163,10 +164,10 @@ export class LiveViewer extends Viewer {
 
   // What acts in the program's newest state, with what it is pulled by.
   live_loads(engine) {
-    const { q, v, signals, pull, time } = this.simulation;
+    const { recording, scene, nv } = this, { q, signals, pull, time } = this.simulation;
     if (pull) engine.pull(pull.frame, pull.point, pull.target, pull.stiffness, pull.damping);
     else engine.pull(null);
-    const loads = engine.loads(q, v, signals, time);
+    const loads = loads_of_sample(recording, scene.coordinates, nv, recording.count - 1, true, (v, free) => engine.loads(q, v, signals, time, free));
     engine.pull(null);
     return loads;
   }

@@ -1,6 +1,7 @@
 // Forces and torques as arrows: what acts at each instant, by the engine, and how long its arrows are.
 
 import { element_key, load_items, loads_between, loads_by_key, rotated } from './scene/load_items.js';
+import { loads_of_sample } from './scene/recorded_rates.js';
 
 const longest = 0.35, widest = 0.14;  // of the mechanism's size: the arrow of a typical large force, the arc of such a torque
 const instants = 24;                  // at which it is looked for
@@ -31,25 +32,28 @@ export class Loads {
 
   get shown_items() { return this.items.filter((item) => this.groups[item.group]); }
 
-  // Loads by key at the time of the player, and whether velocities are known.
+  // Loads by key at the time of the player, and what is in doubt.
   at(time, simulation) {
     const { engine, sources } = this;
-    if (!engine) return { loads: new Map(), moving: true };
-    if (sources.mode === 'simulate') return { loads: loads_by_key(simulation.loads(engine)), moving: true };
-    if (sources.mode === 'pose' || !sources.main) return { loads: loads_by_key(engine.loads(sources.q)), moving: true };
+    if (!engine) return { loads: new Map(), doubt: '' };
+    if (sources.mode === 'simulate') {
+      const { acting, doubt } = simulation.loads(engine);
+      return { loads: loads_by_key(acting), doubt };
+    }
+    if (sources.mode === 'pose' || !sources.main) return { loads: loads_by_key(engine.loads(sources.q)), doubt: '' };
     const recording = sources.main, i = recording.index_at(time), f = recording.fraction(time, i);
-    if (!recording.q) return { loads: new Map(), moving: false };
-    const first = this.of_sample(recording, i);
-    return { loads: f > 0 ? loads_between(first, this.of_sample(recording, i + 1), f) : first, moving: recording.v !== null };
+    if (!recording.q) return { loads: new Map(), doubt: 'no velocities' };
+    const first = this.of_sample(recording, i), next = f > 0 ? this.of_sample(recording, i + 1) : first;
+    return { loads: loads_between(first.loads, next.loads, f), doubt: first.doubt || next.doubt };
   }
 
   of_sample(recording, i) {
     const known = this.kept.find((one) => one.recording === recording && one.i === i && one.t === recording.t[i]);
-    if (known) return known.loads;
-    const { t, q, v, signals, free } = recording.state_of(i);
-    const loads = loads_by_key(this.engine.loads(q, v ?? new Float64Array(this.scene.state.v.length).fill(NaN), signals, t, free));
-    this.kept = [...this.kept.slice(-1), { recording, i, t: recording.t[i], loads }];
-    return loads;
+    if (known) return known;
+    const { coordinates, state } = this.scene, { t, q, signals, free } = recording.state_of(i);
+    const { acting, doubt } = loads_of_sample(recording, coordinates, state.v.length, i, free, (v, alone) => this.engine.loads(q, v, signals, t, alone));
+    this.kept = [...this.kept.slice(-1), { recording, i, t, loads: loads_by_key(acting), doubt }];
+    return this.kept.at(-1);
   }
 
   // now: ms of the clock of the screen; world: poses of all frames at that time.
@@ -57,8 +61,8 @@ export class Loads {
     this.arrows = [];
     this.unknown = [];
     if (!this.on) return;
-    const { loads, moving } = this.at(time, simulation);
-    this.moving = moving;
+    const { loads, doubt } = this.at(time, simulation);
+    this.doubt = doubt;
     for (const item of this.shown_items) {
       const { force, torque } = item.read(loads, world);
       if (![...force, ...torque].every(Number.isFinite)) {
@@ -109,7 +113,7 @@ export class Loads {
       const constant = this.shown_items.filter((item) => item.group === 'weights').map((item) => item.read());
       const wanted = new Set(this.groups.elements ? this.items.filter((item) => item.group === 'elements').map((item) => this.scene.forces[item.index].element) : []);
       for (let k = 0; k < instants; ++k) {
-        const loads = this.of_sample(recording, Math.floor((k * (recording.count - 1)) / instants));
+        const { loads } = this.of_sample(recording, Math.floor((k * (recording.count - 1)) / instants));
         take([...constant, ...[...loads].filter(([key]) => (key.startsWith('reaction') ? this.groups.reactions : wanted.has(Number(key.split(' ')[0])))).map(([, load]) => load)]);
       }
     }

@@ -32,7 +32,7 @@ export class Simulation {
   }
 
   // What acts now.
-  loads() { return this.engine.loads_now(); }
+  loads() { return { acting: this.engine.loads_now(), doubt: '' }; }
 
   set_damping(c) {
     this.damping = c;

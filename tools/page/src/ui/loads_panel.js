@@ -6,6 +6,13 @@ import { by_id, element } from './element.js';
 
 const most_in_list = 300, most_names = 4, list_every = 200;  // ms
 
+const reasons = {
+  '': 'They depend on inputs or internal states that were not recorded.',
+  'no velocities': 'The recording has no velocities, on which they depend.',
+  velocities: 'They depend on velocities, and those here are not the rates of the coordinates.',
+  accelerations: 'They depend on accelerations, and something acts here that is not in the model.',
+};
+
 // "12.3 N, 0.4 N m", of what is drawn
 export function magnitude(arrow, loads) {
   const parts = [['force', 'N'], ['torque', 'N\u00a0m']].filter(([what]) => loads.is_seen(arrow[what], what));
@@ -65,13 +72,12 @@ export class LoadsPanel {
   }
 
   sentence(why) {
-    const { unknown, moving, groups: wanted } = this.loads;
+    const { unknown, doubt, groups: wanted } = this.loads;
     if (why && (wanted.elements || wanted.reactions)) return why;
     if (unknown.length === 0) return '';
     const names = [...new Set(unknown.map((item) => shown(item.name, 60)))];
     const rest = names.length > most_names ? ` and ${names.length - most_names} more` : '';
-    const reason = moving ? 'They depend on inputs, internal states or accelerations that were not recorded.' : 'The recording has no velocities, on which they depend.';
-    return `Not known here: ${names.slice(0, most_names).join('; ')}${rest}. ${reason}`;
+    return `Not known here: ${names.slice(0, most_names).join('; ')}${rest}. ${reasons[doubt]}`;
   }
 
   // A row for each item that is shown.

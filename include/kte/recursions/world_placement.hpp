@@ -1,0 +1,44 @@
+#pragma once
+
+#include <kte/engine/body.hpp>
+
+/// Where bodies stand in the world, and the axes of their joints there.
+namespace kte::engine {
+
+/// Of a body: its axes as columns of a matrix, its origin from that of its parent and from that of the world, in axes
+/// of the world.
+template <class R, class P, class Q>
+struct world_placement {
+  using geometry = world_placement;
+  R rotation;
+  P step;
+  Q position;
+};
+template <class R, class P, class Q>
+world_placement(R, P, Q) -> world_placement<R, P, Q>;
+
+/// Outward: A_i = A R,   p_i = p + A r          of a body at R, r on a parent at A, p
+template <body B, class W>
+KTE_INLINE constexpr auto placed_in_world(const B& b, const W& parent) {
+  const auto& a = parent.rotation;
+  const auto step = a * b.position();
+  return world_placement{mat3{b.in(a.x), b.in(a.y), b.in(a.z)}, step, parent.position + step};
+}
+/// The axes of a joint in axes of the world: A s_k, to axes[0], ...
+template <int K = 0, body_with_axes B, class R, class Axis>
+KTE_INLINE constexpr void axes_in_world(const B& b, const R& rotation, Axis* axes) {
+  const auto s = b.template axis<K>();
+  assign(axes[K].linear, rotation * s.linear), assign(axes[K].angular, rotation * s.angular);
+  if constexpr (K + 1 < B::axes) axes_in_world<K + 1>(b, rotation, axes);
+}
+/// All bodies and axes, from the placements of bases in `kept`.
+template <class Hand, class Driver, class Kept, class Axis>
+KTE_INLINE void world_placements(const Driver& d, const Kept& kept, Axis* axes) {
+  (void)d.template outward<Hand>(kept, [axes](const body_with_axes auto& b, const auto& parent) KTE_INLINE_LAMBDA {
+    const auto x = placed_in_world(b, parent);
+    axes_in_world(b, x.rotation, axes + b.first());
+    return x;
+  });
+}
+
+}  // namespace kte::engine
