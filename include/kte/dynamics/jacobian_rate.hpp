@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/axes_of_rates.hpp>
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/detail/follower_rates.hpp>
 #include <kte/dynamics/detail/moved_in_world.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
