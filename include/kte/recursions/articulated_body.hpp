@@ -76,10 +76,10 @@ KTE_INLINE constexpr auto velocity_wrench(const B& b, const W& w) {
   return wrench{fresh(f), plus_cross(cross(w, inertia * w), c, f)};
 }
 
-/// A body whose joint is about to yield along its first axis.
+/// A body whose joint is about to be eliminated along an axis.
 template <class I, class W, class U, class G, class S>
-struct yielding {
-  using geometry = yielding;
+struct axis_elimination {
+  using geometry = axis_elimination;
   I inertia;
   W bias;
   U u;
@@ -87,31 +87,31 @@ struct yielding {
   S rate;
 };
 template <class I, class W, class U, class G, class S>
-yielding(I, W, U, G, S) -> yielding<I, W, U, G, S>;
+axis_elimination(I, W, U, G, S) -> axis_elimination<I, W, U, G, S>;
 
-/// The number of axis K, if nothing is left along it when it yields; else -1.
+/// The number of axis K, if nothing is left along it when it is eliminated; else -1.
 template <body_with_axes B, int K>
-inline constexpr int given_up = [] {
+inline constexpr int eliminated_component = [] {
   using axis = std::remove_cvref_t<decltype(std::declval<const B&>().template axis<K>())>;
   return typed_constant<decltype(std::declval<const B&>().template mass<K>())> ? unit_axis<axis> : -1;
 }();
-/// Without what is given up along axis K and all later ones.
+/// Without the components along axis K and all later ones that are eliminated.
 template <body_with_axes B, int K, class A>
 KTE_INLINE constexpr auto without_axes(const A& a) {
   if constexpr (K == B::axes) {
     return a;
   } else {
-    return without_axes<B, K + 1>(without<given_up<B, K>>(a));
+    return without_axes<B, K + 1>(without<eliminated_component<B, K>>(a));
   }
 }
-/// What an axis s leaves of I^A and of p^A, to which `more` is added:
+/// I^A and p^A after the elimination of an axis s; `more` is added to p^A:
 ///
 ///   I' = I - U U^T D^-1,   p' = p + U u D^-1          (2)
 ///
 /// Along a unit axis without a further mass I' is nothing and p' is tau: so it is put, without rounding.
 template <int K, body_with_axes B, class Y, class V, class S>
-KTE_INLINE constexpr auto left_by(const B& b, const Y& y, const V& more, const S& force) {
-  constexpr int n = given_up<B, K>;
+KTE_INLINE constexpr auto after_elimination(const B& b, const Y& y, const V& more, const S& force) {
+  constexpr int n = eliminated_component<B, K>;
   const auto inertia = kte::detail::less_dyad(y.inertia, y.u, y.gain);
   const auto bias = (y.bias + more) + wrench{y.rate * y.u.force, y.rate * y.u.torque};
   if constexpr (n < 0) {
@@ -128,11 +128,11 @@ KTE_INLINE constexpr S least_inertia(const A& s, const I& linear, const J& angul
   return S(16) * std::numeric_limits<S>::epsilon() *
          as<S>(dot(s.linear, s.linear) * linear + dot(s.angular, s.angular) * angular);
 }
-/// The axes of a joint yield from the last, one by one; the first is left to `seen_by_parent`, which bodies on bases do
-/// without. `bad` becomes the first axis that has nothing to move, unless it is one already.
+/// Eliminates the axes of a joint from the last, one by one; the first is left to `seen_by_parent`, which bodies on
+/// bases do without. `bad` becomes the first axis that has nothing to move, unless it is one already.
 template <int K, body_with_axes B, class I, class W, class L, class A, class Force, class S>
-KTE_INLINE constexpr auto yield(const B& b, const I& inertia, const W& bias, const L& linear, const A& angular,
-                                const Force& force, axis_factors<S>* factors, int& bad) {
+KTE_INLINE constexpr auto eliminate_axes(const B& b, const I& inertia, const W& bias, const L& linear, const A& angular,
+                                         const Force& force, axis_factors<S>* factors, int& bad) {
   const auto s = b.template axis<K>();
   const auto u = accelerating_wrench(inertia, s.linear, s.angular);
   const S d = as<S>(power(s, u) + b.template mass<K>());
@@ -143,12 +143,12 @@ KTE_INLINE constexpr auto yield(const B& b, const I& inertia, const W& bias, con
   const wrench gain{inverse * u.force, inverse * u.torque};
   assign(factors[K].gain, gain);
   factors[K].rate = as<S>(rate), factors[K].inverse = inverse;
-  const yielding y{fresh(inertia), fresh(bias), fresh(u), fresh(gain), rate};
+  const axis_elimination y{fresh(inertia), fresh(bias), fresh(u), fresh(gain), rate};
   if constexpr (K == 0) {
     return y;
   } else {
-    const auto rest = left_by<K>(b, y, no_wrench, force(K));
-    return yield<K - 1>(b, rest.inertia, rest.bias, linear, angular, force, factors, bad);
+    const auto rest = after_elimination<K>(b, y, no_wrench, force(K));
+    return eliminate_axes<K - 1>(b, rest.inertia, rest.bias, linear, angular, force, factors, bad);
   }
 }
 /// I^A and p^A of a body about the origin of its parent and in its axes.
@@ -165,14 +165,14 @@ KTE_INLINE constexpr auto pulled_back(const B& b, const articulated_body<I, W>& 
 template <body_with_axes B, class C, class Y, class Force>
 KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, const Force& force) {
   if constexpr (B::always_free) {
-    const auto left = left_by<0>(b, y, no_wrench, force(0)).inertia;
+    const auto left = after_elimination<0>(b, y, no_wrench, force(0)).inertia;
     const auto more = accelerating_wrench(left, c.linear, c.angular);
-    return pulled_back(b, articulated_body{left, left_by<0>(b, y, more, force(0)).bias}, c.centripetal);
+    return pulled_back(b, articulated_body{left, after_elimination<0>(b, y, more, force(0)).bias}, c.centripetal);
   } else {
     using S = typename B::scalar;
     dense<S, decltype(articulated_body{y.inertia, y.bias})> left;
     if (b.free())
-      assign(left, left_by<0>(b, y, no_wrench, force(0)));
+      assign(left, after_elimination<0>(b, y, no_wrench, force(0)));
     else
       assign(left, articulated_body{y.inertia, y.bias});
     return pulled_back(
@@ -181,12 +181,12 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
   }
 }
 
-/// The axes of a joint yield, if it is free.
+/// The same, if the joint is free to move.
 template <body_with_axes B, class X, class Force, class S>
-KTE_INLINE constexpr auto yielded(const B& b, const X& x, const Force& force, axis_factors<S>* factors, int& bad) {
+KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force, axis_factors<S>* factors, int& bad) {
   const auto all_axes = [&]() KTE_INLINE_LAMBDA {
-    return yield<B::axes - 1>(b, x.inertia, x.bias, trace(x.inertia.linear), trace(x.inertia.angular), force, factors,
-                              bad);
+    return eliminate_axes<B::axes - 1>(b, x.inertia, x.bias, trace(x.inertia.linear), trace(x.inertia.angular), force,
+                                       factors, bad);
   };
   if constexpr (B::always_free) {
     return all_axes();
@@ -208,7 +208,7 @@ KTE_INLINE constexpr auto accelerated(const B& b, const axis_factors<S>* factors
   if constexpr (K == B::axes) {
     return fresh(a);
   } else {
-    constexpr int n = given_up<B, K>;
+    constexpr int n = eliminated_component<B, K>;
     const auto s = b.template axis<K>();
     const S x = as<S>(factors[K].rate - power(without_axes<B, K>(a), factors[K].gain));
     change[K] = n < 0 ? x : as<S>(x - (dot(s.linear, a.linear) + dot(s.angular, a.angular)));
@@ -248,7 +248,7 @@ KTE_INLINE int articulate(const Driver& d, const Kept& kept, const Biases& biase
         return articulated_body{to_articulated(b.composite()), own(b, m)};
       },
       [=, &bad](const body_with_axes auto& b, const auto& x)
-          KTE_INLINE_LAMBDA { return yielded(b, x, force(b), factors + b.first(), bad); },
+          KTE_INLINE_LAMBDA { return eliminated(b, x, force(b), factors + b.first(), bad); },
       [=](const body_with_axes auto& b, const auto& m, const auto& y)
           KTE_INLINE_LAMBDA { return seen_by_parent(b, m, y, force(b)); });
   return bad;

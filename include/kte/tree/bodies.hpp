@@ -46,13 +46,13 @@ struct free_joint {
   static constexpr bool always = true, free = true;
   static constexpr zero_t mass{};
 };
-struct lockable_joint {
+struct prescribable_joint {
   static constexpr bool always = false;
   static constexpr zero_t mass{};
   bool free;
 };
 template <class P>
-struct geared_joint {
+struct joint_with_rotor {
   static constexpr bool always = false;
   bool free;
   P mass;
@@ -196,11 +196,11 @@ class articulated_bodies : public record_bodies<P, S> {
     const spot<S>& at = this->spots_[i];
     const bool free = free_[i] != 0;
     if (r.moves == joint::several)
-      with_several_axes(r, at, lockable_joint{free}, f);
+      with_several_axes(r, at, prescribable_joint{free}, f);
     else if (r.moves == joint::prismatic && free && mass_[r.first] == P(0))
       f(jointed_body<along_z, P, S>{r, at});
     else
-      f(jointed_body<along_and_about_z, P, S, geared_joint<P>>{r, at, {free, mass_[r.first]}});
+      f(jointed_body<along_and_about_z, P, S, joint_with_rotor<P>>{r, at, {free, mass_[r.first]}});
   }
 
  private:
