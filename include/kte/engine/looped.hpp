@@ -95,7 +95,7 @@ struct looped {
   }
 
   /// From children to parents. A body carries own(rigid body, kept value) and what its children hand on;
-  ///   meet(body, carried)                       what its joint makes of it
+  ///   meet(body, carried, ends)                 what its joint makes of it; `ends`: nothing is handed on
   ///   hand_on(body, kept value, what was met)   what its parent carries of it; not of bodies on bases
   /// `sums`: of slots; with `Keep` what all bodies carry is left there. `Hand`: its type at hand, which may have typed
   /// constants for some numbers. With `Bases` it is also added to what `sums` has of bases.
@@ -124,7 +124,7 @@ struct looped {
       const bool ends = !Bases && parent < bases;
       if (is_usual(i)) [[likely]] {
         const auto b = bodies.body(i);
-        const auto met = meet(b, hand);
+        const auto met = meet(b, hand, ends);
         if (!ends) assign(hand, hand_on(b, values.template of<usual>(i), met));
       } else {
         in_memory(hand, [&](Hand& x) KTE_INLINE_LAMBDA { inward_apart(i, values, meet, hand_on, ends, x); });
@@ -167,7 +167,7 @@ struct looped {
                                       Hand& hand) const {
     if constexpr (!one_kind)
       bodies.with_body(i, [&](const body auto& b) {
-        const auto met = meet(b, fresh(hand));
+        const auto met = meet(b, fresh(hand), ends);
         if (!ends) assign(hand, hand_on(b, values.template of<std::remove_cvref_t<decltype(b)>>(i), met));
       });
   }

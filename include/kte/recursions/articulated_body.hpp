@@ -50,7 +50,7 @@ struct axis_factors {
 /// (1)  c = w x (w x p) seen from the parent, 2 (R^T w) x v_J + w_J x v_J, (R^T w) x w_J; and of joints that are not
 /// free
 ///      S q_ddot besides
-template <body_with_axes B, class M, class S>
+template <body B, class M, class S>
 KTE_INLINE constexpr auto bias_motion_of(const B& b, const M& parent, const S* rate, const S* change) {
   const auto& w = parent.ang_velocity;
   const auto [v_j, w_j] = b.along_axes(rate);
@@ -161,8 +161,15 @@ KTE_INLINE constexpr auto pulled_back(const B& b, const articulated_body<I, W>& 
       shifted(p, i),
       wrench{fresh(force), plus_cross(b.out(x.bias.torque) + transpose(i.coupling) * centripetal, p, force)}};
 }
+/// The same of numbers, in a function for all that call it.
+template <body B, class X, class S>
+[[gnu::noinline]] X pulled_back_apart(const B& b, const X& x, const vec3<S>& centripetal) {
+  X seen;
+  assign(seen, pulled_back(b, x, centripetal));
+  return seen;
+}
 /// What a parent carries of a body.
-template <body_with_axes B, class C, class Y, class Force>
+template <body B, class C, class Y, class Force>
 KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, const Force& force) {
   if constexpr (B::always_free) {
     const auto left = after_elimination<0>(b, y, no_wrench, force(0)).inertia;
@@ -171,13 +178,12 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
   } else {
     using S = typename B::scalar;
     dense<S, decltype(articulated_body{y.inertia, y.bias})> left;
-    if (b.free())
-      assign(left, after_elimination<0>(b, y, no_wrench, force(0)));
-    else
-      assign(left, articulated_body{y.inertia, y.bias});
-    return pulled_back(
-        b, articulated_body{left.inertia, left.bias + accelerating_wrench(left.inertia, c.linear, c.angular)},
-        c.centripetal);
+    assign(left, articulated_body{y.inertia, y.bias});
+    if constexpr (body_with_axes<B>)
+      if (b.free()) assign(left, after_elimination<0>(b, y, no_wrench, force(0)));
+    articulated_body<articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>, wrench<vec3<S>, vec3<S>>> x;
+    assign(x, articulated_body{left.inertia, left.bias + accelerating_wrench(left.inertia, c.linear, c.angular)});
+    return pulled_back_apart(b, x, as<S>(c.centripetal));
   }
 }
 
@@ -200,6 +206,43 @@ KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force,
   }
 }
 
+/// The same of a joint of several unit axes that are known by number, all of them, on I^A as a matrix of 6 x 6. Where
+/// nothing is handed on (`ends`), an axis needs no more than the rows of those before it.
+template <body B, class X, class Force, class S>
+auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_factors<S>* factors, bool ends, int& bad) {
+  if (!b.free()) return fresh(x);
+  const auto& [a, h, j] = x.inertia;
+  S m[6][6]{{a.xx, a.xy, a.xz, h.x.x, h.x.y, h.x.z}, {a.xy, a.yy, a.yz, h.y.x, h.y.y, h.y.z},
+            {a.xz, a.yz, a.zz, h.z.x, h.z.y, h.z.z}, {h.x.x, h.y.x, h.z.x, j.xx, j.xy, j.xz},
+            {h.x.y, h.y.y, h.z.y, j.xy, j.yy, j.yz}, {h.x.z, h.y.z, h.z.z, j.xz, j.yz, j.zz}};
+  const auto& [f, t] = x.bias;
+  S p[6]{as<S>(f.x), as<S>(f.y), as<S>(f.z), as<S>(t.x), as<S>(t.y), as<S>(t.z)};
+  const S least = S(16) * std::numeric_limits<S>::epsilon(), linear = trace(a), angular = trace(j);
+  for (int k = b.axis_count(); k-- > 0;) {
+    const int n = b.axis_number(k);
+    const S d = m[n][n], tau = as<S>(force(k));
+    if (bad < 0 && !all(d > least * (n < 3 ? linear : angular))) [[unlikely]]
+      bad = b.first() + k;
+    const S inverse = S(1) / d, rate = inverse * (tau - p[n]);
+    S u[6], gain[6];
+    for (int c = 0; c < 6; ++c) u[c] = m[n][c], gain[c] = inverse * u[c], p[c] += rate * u[c];
+    for (int l = 0; l < (ends ? k : 6); ++l) {
+      const int row = ends ? b.axis_number(l) : l;
+      for (int c = 0; c < 6; ++c) m[row][c] -= u[row] * gain[c];
+    }
+    factors[k] = {{{gain[0], gain[1], gain[2]}, {gain[3], gain[4], gain[5]}}, rate, inverse};
+    for (int c = 0; c < 6; ++c) m[n][c] = m[c][n] = S(0);  // nothing at all is left
+    p[n] = tau;
+  }
+  X left;
+  assign(left.inertia, articulated{sym3{m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]},
+                                   mat3{vec3{m[0][3], m[0][4], m[0][5]}, vec3{m[1][3], m[1][4], m[1][5]},
+                                        vec3{m[2][3], m[2][4], m[2][5]}},
+                                   sym3{m[3][3], m[3][4], m[3][5], m[4][4], m[4][5], m[5][5]}});
+  assign(left.bias, wrench{vec3{p[0], p[1], p[2]}, vec3{p[3], p[4], p[5]}});
+  return left;
+}
+
 /// q_ddot = u D^-1 - (U D^-1)^T a',   a = a' + s q_ddot          (3)
 ///
 /// Along a unit axis without a further mass a is u D^-1 - (U D^-1)^T (rest of a'), whatever a' is.
@@ -215,16 +258,31 @@ KTE_INLINE constexpr auto accelerated(const B& b, const axis_factors<S>* factors
     return accelerated<K + 1>(b, factors, without<n>(a) + x * s, change);
   }
 }
-template <class S, body_with_axes B, class A>
+/// The same of axes that are known by number.
+template <class S, body B>
+void accelerate_by_number(const B& b, const axis_factors<S>* factors, motion_vector<vec3<S>, vec3<S>>& a, S* change) {
+  S* const all[]{&a.linear.x, &a.linear.y, &a.linear.z, &a.angular.x, &a.angular.y, &a.angular.z};
+  for (int k = 0; k < b.axis_count(); ++k) {
+    S& along = *all[b.axis_number(k)];
+    const S before = along;
+    along = S(0);
+    along = factors[k].rate - power(a, factors[k].gain);
+    change[k] = along - before;
+  }
+}
+template <class S, body B, class A>
 KTE_INLINE constexpr auto accelerated_if_free(const B& b, const axis_factors<S>* factors, const A& a, S* change) {
   if constexpr (B::always_free) {
     return accelerated<0>(b, factors, a, change);
   } else {
     dense<S, A> x;
-    if (b.free())
-      assign(x, accelerated<0>(b, factors, a, change));
-    else
-      assign(x, a);
+    assign(x, a);
+    if (b.free()) {
+      if constexpr (body_with_axes<B>)
+        assign(x, accelerated<0>(b, factors, a, change));
+      else
+        accelerate_by_number(b, factors, x, change);
+    }
     return x;
   }
 }
@@ -232,7 +290,7 @@ KTE_INLINE constexpr auto accelerated_if_free(const B& b, const axis_factors<S>*
 /// Outward, (1), from the angular velocities of bases in `kept`.
 template <class Hand, class Driver, class Kept, class S>
 KTE_INLINE auto bias_motions(const Driver& d, const Kept& kept, const S* rate, const S* change) {
-  return d.template outward<Hand>(kept, [=](const body_with_axes auto& b, const auto& parent) KTE_INLINE_LAMBDA {
+  return d.template outward<Hand>(kept, [=](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
     return bias_motion_of(b, parent, rate + b.first(), change + b.first());
   });
 }
@@ -247,9 +305,13 @@ KTE_INLINE int articulate(const Driver& d, const Kept& kept, const Biases& biase
       [=](const auto& b, const auto& m) KTE_INLINE_LAMBDA {
         return articulated_body{to_articulated(b.composite()), own(b, m)};
       },
-      [=, &bad](const body_with_axes auto& b, const auto& x)
-          KTE_INLINE_LAMBDA { return eliminated(b, x, force(b), factors + b.first(), bad); },
-      [=](const body_with_axes auto& b, const auto& m, const auto& y)
+      [=, &bad](const body auto& b, const auto& x, bool ends) KTE_INLINE_LAMBDA {
+        if constexpr (body_with_axes<std::remove_cvref_t<decltype(b)>>)
+          return eliminated(b, x, force(b), factors + b.first(), bad);
+        else
+          return eliminated_by_number(b, x, force(b), factors + b.first(), ends, bad);
+      },
+      [=](const body auto& b, const auto& m, const auto& y)
           KTE_INLINE_LAMBDA { return seen_by_parent(b, m, y, force(b)); });
   return bad;
 }
@@ -271,14 +333,13 @@ KTE_INLINE int articulate_at_rest(const Driver& d, const Kept& kept, axis_factor
 template <class Hand, class Driver, class Kept, class Biases, class S>
 KTE_INLINE void accelerate(const Driver& d, const Kept& kept, const Biases& biases, const axis_factors<S>* factors,
                            S* change) {
-  d.template descend<Hand>(
-      kept, biases, [=](const body_with_axes auto& b, const auto& m, const auto& parent) KTE_INLINE_LAMBDA {
-        const motion_vector a{
-            b.in(plus_cross(parent.acceleration + m.centripetal, parent.ang_acceleration, b.position())) + m.linear,
-            b.in(parent.ang_acceleration) + m.angular};
-        const auto found = accelerated_if_free(b, factors + b.first(), a, change + b.first());
-        return body_motion{skip{}, m.ang_velocity, found.linear, found.angular};
-      });
+  d.template descend<Hand>(kept, biases, [=](const body auto& b, const auto& m, const auto& parent) KTE_INLINE_LAMBDA {
+    const motion_vector a{
+        b.in(plus_cross(parent.acceleration + m.centripetal, parent.ang_acceleration, b.position())) + m.linear,
+        b.in(parent.ang_acceleration) + m.angular};
+    const auto found = accelerated_if_free(b, factors + b.first(), a, change + b.first());
+    return body_motion{skip{}, m.ang_velocity, found.linear, found.angular};
+  });
 }
 
 }  // namespace kte::engine

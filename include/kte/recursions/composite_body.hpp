@@ -7,7 +7,7 @@
 namespace kte::engine {
 
 /// A composite inertia about the origin of the parent and in its axes.
-template <body_with_axes B, class I>
+template <body B, class I>
 KTE_INLINE constexpr auto inertia_seen_by_parent(const B& b, const I& i) {
   const auto h = b.out(i.moment);
   const auto& p = b.position();
@@ -20,9 +20,8 @@ template <bool Bases, class Hand, class Driver, class Kept>
 KTE_INLINE void composite_inertias(const Driver& d, const Kept& kept) {
   d.template inward<true, Hand, Bases>(
       kept, kept_constant<nothing>{}, [](const auto& b, nothing) KTE_INLINE_LAMBDA { return fresh(b.composite()); },
-      [](const body_with_axes auto&, const auto& i) KTE_INLINE_LAMBDA { return fresh(i); },
-      [](const body_with_axes auto& b, nothing, const auto& i)
-          KTE_INLINE_LAMBDA { return inertia_seen_by_parent(b, i); });
+      [](const body auto&, const auto& i, bool) KTE_INLINE_LAMBDA { return fresh(i); },
+      [](const body auto& b, nothing, const auto& i) KTE_INLINE_LAMBDA { return inertia_seen_by_parent(b, i); });
 }
 
 }  // namespace kte::engine

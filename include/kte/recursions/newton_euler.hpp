@@ -60,7 +60,7 @@ template <bool Keep, class Driver, class Kept, class Motions, class Own, class S
 KTE_INLINE void transmit(const Driver& d, const Kept& kept, const Motions& m, const Own& own, S* force) {
   d.template inward<Keep, wrench<vec3<S>, vec3<S>>, false>(
       kept, m, own,
-      [=](const body auto& b, const auto& w) KTE_INLINE_LAMBDA {
+      [=](const body auto& b, const auto& w, bool) KTE_INLINE_LAMBDA {
         S* const to = force + b.first();
         b.powers_along(w, [to](int k, const auto& x) KTE_INLINE_LAMBDA { to[k] = as<S>(x); });
         return fresh(w);

@@ -34,9 +34,9 @@ KTE_INLINE constexpr void axes_in_world(const B& b, const R& rotation, Axis* axe
 /// All bodies and axes, from the placements of bases in `kept`.
 template <class Hand, class Driver, class Kept, class Axis>
 KTE_INLINE void world_placements(const Driver& d, const Kept& kept, Axis* axes) {
-  (void)d.template outward<Hand>(kept, [axes](const body_with_axes auto& b, const auto& parent) KTE_INLINE_LAMBDA {
+  (void)d.template outward<Hand>(kept, [axes](const body auto& b, const auto& parent) KTE_INLINE_LAMBDA {
     const auto x = placed_in_world(b, parent);
-    axes_in_world(b, x.rotation, axes + b.first());
+    b.axes_in_world(x.rotation, axes + b.first());
     return x;
   });
 }

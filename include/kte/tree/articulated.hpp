@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/engine/looped.hpp>
-#include <kte/tree/bodies.hpp>
+#include <kte/tree/newton_euler.hpp>
 
 /// Forward dynamics of the records of a tree by articulated bodies (recursions/articulated_body.hpp).
 namespace kte::tree {
@@ -25,14 +25,15 @@ auto bias_motions(const forest<P>& f, memory<P, S>& m) {
   return engine::bias_motions<bias_motion<S>>(engine::looped<articulated_bodies<P, S>>{bodies}, m.biases.data(),
                                               m.rate.data(), m.acceleration.data());
 }
-/// Articulated inertias and bias forces of all bodies under `force` on axes and load(body), into `factors`. Returns the
-/// first axis met that has nothing to move, or -1. After `bias_motions`.
-template <class P, class S, class Biases, class Load>
-int articulate(const forest<P>& f, memory<P, S>& m, const Biases& biases, const Load& load) {
+/// Articulated inertias and bias forces of all bodies under `force` on axes and `loads`, which are zero where no
+/// element acts on frames, into `factors`. Returns the first axis met that has nothing to move, or -1. After
+/// `bias_motions`.
+template <class P, class S, class Biases>
+int articulate(const forest<P>& f, memory<P, S>& m, const Biases& biases) {
   const articulated_bodies<P, S> bodies(f, m);
   return engine::articulate<articulated_body<S>>(
       engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(), biases,
-      [load](const auto& b, const auto& x)
+      [load = load_of_slot<S>{m.loads.data()}](const auto& b, const auto& x)
           KTE_INLINE_LAMBDA { return engine::velocity_wrench(b, x.ang_velocity) - load(b); },
       [force = m.force.data()](const auto& b)
           KTE_INLINE_LAMBDA { return [of_joint = force + b.first()](int k) KTE_INLINE_LAMBDA { return of_joint[k]; }; },

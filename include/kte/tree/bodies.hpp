@@ -2,7 +2,7 @@
 
 #include <kte/engine/body.hpp>
 #include <kte/frames/articulated.hpp>
-#include <kte/tree/memory.hpp>
+#include <kte/tree/placement.hpp>
 
 /// The records of a tree as bodies of recursions (engine/body.hpp), a type for each kind of joint.
 namespace kte::tree {
@@ -29,27 +29,14 @@ struct along_and_about_z {
     return engine::motion_vector{vec3{zero, zero, r.slides}, vec3{zero, zero, r.turns}};
   }
 };
-/// Unit axes of the body: 0, 1, 2 along x, y, z; 3, 4, 5 about them.
-template <int... N>
-struct unit_axes {
-  static constexpr int axes = sizeof...(N);
-  template <int K, class P>
-  KTE_INLINE static constexpr auto axis(const record<P>&) {
-    constexpr int numbers[]{N...}, n = numbers[K];
-    return engine::motion_vector{vec3<constant<n == 0>, constant<n == 1>, constant<n == 2>>{},
-                                 vec3<constant<n == 3>, constant<n == 4>, constant<n == 5>>{}};
-  }
-};
-
 /// Joints that are free to move, with no masses on their coordinates; and others.
 struct free_joint {
   static constexpr bool always = true, free = true;
   static constexpr zero_t mass{};
 };
-struct prescribable_joint {
-  static constexpr bool always = false;
+struct joint_at_hand {
+  static constexpr bool always = false, free = true;
   static constexpr zero_t mass{};
-  bool free;
 };
 template <class P>
 struct joint_with_rotor {
@@ -89,35 +76,72 @@ struct jointed_body {
   KTE_INLINE const auto& composite() const { return r.weight; }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
   KTE_INLINE static constexpr zero3 in(zero3) { return {}; }
+  template <class R>
+  KTE_INLINE void axes_in_world(const R& rotation, world_axis<S>* axes_of_joint) const {
+    engine::axes_in_world(*this, rotation, axes_of_joint);
+  }
   template <class U>
   KTE_INLINE auto in(const U& u) const {
     vec3<S> x;
     engine::assign(x, u);
     if (r.turned) engine::assign(x, in_z(r.before, x));
-    if constexpr (axes == 1)
-      return in_z(at.angle, in_x(r.tilt, x));
-    else
-      return transpose(at.rotation) * in_z(at.angle, in_x(r.tilt, x));
+    return in_z(at.angle, in_x(r.tilt, x));
   }
   template <class A>
   KTE_INLINE auto out(const A& a) const {
     engine::dense<S, A> x;
-    if constexpr (axes == 1)
-      engine::assign(x, out_x(r.tilt, out_z(at.angle, a)));
-    else
-      engine::assign(x, out_x(r.tilt, out_z(at.angle, turned(at.rotation, a))));
+    engine::assign(x, out_x(r.tilt, out_z(at.angle, a)));
     if (r.turned) engine::assign(x, out_z(r.before, x));
     return x;
   }
+};
+/// The same of a joint of several unit axes, which are known by number.
+template <class P, class S>
+struct several_axes_body {
+  using scalar = S;
+  const record<P>& r;
+  const spot<S>& at;
+  bool is_free = true;
+
+  static constexpr bool always_free = false;
+  KTE_INLINE bool free() const { return is_free; }
+  KTE_INLINE int first() const { return r.first; }
+  KTE_INLINE int axis_count() const { return r.axes; }
+  KTE_INLINE int axis_number(int k) const { return r.axis[static_cast<std::size_t>(k)]; }
+  KTE_INLINE auto along_axes(const S* x) const {
+    engine::motion_vector<vec3<S>, vec3<S>> sum{};
+    tree::along_axes(r, x, sum.linear, sum.angular);
+    return sum;
+  }
+  template <class Put>
+  KTE_INLINE void powers_along(const dense_wrench<S>& w, const Put& put) const {
+    tree::powers_along(r, w, r.axes, put);
+  }
+  KTE_INLINE const vec3<S>& position() const { return at.position; }
+  KTE_INLINE const auto& inertia() const { return r.body; }
+  KTE_INLINE const auto& composite() const { return r.weight; }
+  KTE_INLINE void axes_in_world(const mat3<vec3<S>>& a, world_axis<S>* axes) const {
+    const std::array<vec3<S>, 3> unit{vec3<S>{a.x.x, a.y.x, a.z.x}, vec3<S>{a.x.y, a.y.y, a.z.y},
+                                      vec3<S>{a.x.z, a.y.z, a.z.z}};
+    for (int k = 0; k < r.axes; ++k) {
+      const auto n = static_cast<std::size_t>(axis_number(k));
+      axes[k] = n < 3 ? world_axis<S>{unit[n], {}} : world_axis<S>{{}, unit[n - 3]};
+    }
+  }
+  KTE_INLINE static constexpr skip in(skip) { return {}; }
+  KTE_INLINE vec3<S> in(vec3<S> u) const {
+    if (r.turned) u = in_z(r.before, u);
+    return transpose(at.rotation) * in_z(at.angle, in_x(r.tilt, u));
+  }
+  KTE_INLINE vec3<S> out(const vec3<S>& u) const { return seat(vec3<S>(at.rotation * u)); }
+  KTE_INLINE sym3<S> out(const sym3<S>& a) const { return seat(as<S>(congruence(at.rotation, a))); }
+  KTE_INLINE mat3<vec3<S>> out(const mat3<vec3<S>>& a) const { return seat(as<S>(turned_by(at.rotation, a))); }
 
  private:
-  template <class... U>
-  KTE_INLINE static auto turned(const mat3<vec3<S>>& rotation, const vec3<U...>& u) {
-    return rotation * u;
-  }
-  template <class A>
-  KTE_INLINE static auto turned(const mat3<vec3<S>>& rotation, const A& a) {
-    return turned_by(rotation, a);
+  template <class X>
+  KTE_INLINE X seat(const X& x) const {
+    const X y = out_x(r.tilt, out_z(at.angle, x));
+    return r.turned ? out_z(r.before, y) : y;
   }
 };
 /// The body without its joint.
@@ -128,17 +152,6 @@ struct rigid_record {
   KTE_INLINE const auto& inertia() const { return r.body; }
   KTE_INLINE const auto& composite() const { return r.weight; }
 };
-
-/// f(body) of a record whose joint has several axes.
-template <class P, class S, class Freedom, class F>
-KTE_INLINE void with_several_axes(const record<P>& r, const spot<S>& at, const Freedom& freedom, const F& f) {
-  if (r.axes == 6)
-    f(jointed_body<unit_axes<0, 1, 2, 3, 4, 5>, P, S, Freedom>{r, at, freedom});
-  else if (r.axis[0] == 3)
-    f(jointed_body<unit_axes<3, 4, 5>, P, S, Freedom>{r, at, freedom});
-  else
-    f(jointed_body<unit_axes<0, 1, 5>, P, S, Freedom>{r, at, freedom});
-}
 
 /// All records of a tree, as engine/looped.hpp sees them.
 template <class P, class S>
@@ -158,9 +171,7 @@ class record_bodies {
     const record<P>& r = records_[i];
     const spot<S>& at = spots_[i];
     if (r.moves == joint::several)
-      with_several_axes(r, at, free_joint{}, f);
-    else if (r.moves == joint::prismatic)
-      f(jointed_body<along_z, P, S>{r, at});
+      f(several_axes_body<P, S>{r, at});
     else
       f(jointed_body<along_and_about_z, P, S>{r, at});
   }
@@ -180,7 +191,7 @@ class one_axis_bodies : public record_bodies<P, S> {
   KTE_INLINE jointed_body<along_and_about_z, P, S> body(int i) const { return {this->records_[i], this->spots_[i]}; }
   template <class F>
   KTE_INLINE void with_body(int i, const F& f) const {
-    with_several_axes(this->records_[i], this->spots_[i], free_joint{}, f);
+    f(several_axes_body<P, S>{this->records_[i], this->spots_[i]});
   }
 };
 /// The same with joints that may be locked, and with masses on their coordinates.
@@ -196,9 +207,9 @@ class articulated_bodies : public record_bodies<P, S> {
     const spot<S>& at = this->spots_[i];
     const bool free = free_[i] != 0;
     if (r.moves == joint::several)
-      with_several_axes(r, at, prescribable_joint{free}, f);
+      f(several_axes_body<P, S>{r, at, free});
     else if (r.moves == joint::prismatic && free && mass_[r.first] == P(0))
-      f(jointed_body<along_z, P, S>{r, at});
+      f(jointed_body<along_z, P, S, joint_at_hand>{r, at});
     else
       f(jointed_body<along_and_about_z, P, S, joint_with_rotor<P>>{r, at, {free, mass_[r.first]}});
   }

@@ -86,10 +86,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
   }
   for (std::size_t k = 0; k < t.forest.row.size(); ++k)
     w.force[k] = t.forest.row[k] < s.dofs() ? w.forces[t.forest.row[k]] : S(0);
-  const int bad = t.on_frames.empty() && t.late.empty()
-                      ? tree::articulate(t.forest, w, biases, engine::no_load{})
-                      : tree::articulate(t.forest, w, biases, tree::load_of_slot<S>{w.loads.data()});
-  if (bad >= 0) [[unlikely]]
+  if (const int bad = tree::articulate(t.forest, w, biases); bad >= 0) [[unlikely]]
     blame_axis(c, s, bad);
   if (!t.on_frames.empty() || !t.late.empty()) take_rates(s);  // accelerations of what does not yield
   tree::accelerate(t.forest, w, biases);
