@@ -41,6 +41,7 @@ cat >arm.mjcf <<'END'
 </mujoco>
 END
 if command -v python3 >/dev/null; then
+  : >out  # of the program before
   "$kte" live arm.mjcf --configuration up --speed 0.001 >out 2>errors &
   program=$!
   python3 - out >sliders <<'END' || wrong 'no event of the page'
@@ -58,7 +59,7 @@ with urllib.request.urlopen(url + 'events', timeout=10) as events:
 for s in seen['sliders']: print(s['name'], s['lower'], s['upper'], s['value'], s['unit'])
 numbers = base64.b64decode(seen['numbers'])
 numbers = struct.unpack(f'<{len(numbers) // 4}f', numbers)
-print(*(round(x, 3) for x in numbers[-6:-4]))  # q, before q and v of each coordinate
+print(*(round(x, 3) for x in numbers[-4::2]))  # the columns q and v of each coordinate are the last
 END
   kill "$program" && wait "$program"
   printf '%s\n' 'geared -1 2 0 × 40 N m' 'servo -2.5 2.5 -0.75 rad' 'damping 0 10 0 1/s' '0.5 -0.75' >expected
@@ -69,6 +70,7 @@ fi
 
 # It waits for a page, and signals end it.
 for signal in INT TERM; do
+  : >out
   "$kte" live arm.urdf >out 2>errors &
   program=$!
   for _ in 1 2 3 4 5 6 7 8 9 10; do
