@@ -161,13 +161,6 @@ KTE_INLINE constexpr auto pulled_back(const B& b, const articulated_body<I, W>& 
       shifted(p, i),
       wrench{fresh(force), plus_cross(b.out(x.bias.torque) + transpose(i.coupling) * centripetal, p, force)}};
 }
-/// The same of numbers, in a function for all that call it.
-template <body B, class X, class S>
-[[gnu::noinline]] X pulled_back_apart(const B& b, const X& x, const vec3<S>& centripetal) {
-  X seen;
-  assign(seen, pulled_back(b, x, centripetal));
-  return seen;
-}
 /// What a parent carries of a body.
 template <body B, class C, class Y, class Force>
 KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, const Force& force) {
@@ -181,9 +174,9 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
     assign(left, articulated_body{y.inertia, y.bias});
     if constexpr (body_with_axes<B>)
       if (b.free()) assign(left, after_elimination<0>(b, y, no_wrench, force(0)));
-    articulated_body<articulated<sym3<S>, mat3<vec3<S>>, sym3<S>>, wrench<vec3<S>, vec3<S>>> x;
-    assign(x, articulated_body{left.inertia, left.bias + accelerating_wrench(left.inertia, c.linear, c.angular)});
-    return pulled_back_apart(b, x, as<S>(c.centripetal));
+    return pulled_back(
+        b, articulated_body{left.inertia, left.bias + accelerating_wrench(left.inertia, c.linear, c.angular)},
+        c.centripetal);
   }
 }
 

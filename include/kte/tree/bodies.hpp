@@ -34,10 +34,6 @@ struct free_joint {
   static constexpr bool always = true, free = true;
   static constexpr zero_t mass{};
 };
-struct joint_at_hand {
-  static constexpr bool always = false, free = true;
-  static constexpr zero_t mass{};
-};
 template <class P>
 struct joint_with_rotor {
   static constexpr bool always = false;
@@ -209,7 +205,7 @@ class articulated_bodies : public record_bodies<P, S> {
     if (r.moves == joint::several)
       f(several_axes_body<P, S>{r, at, free});
     else if (r.moves == joint::prismatic && free && mass_[r.first] == P(0))
-      f(jointed_body<along_z, P, S, joint_at_hand>{r, at});
+      f(jointed_body<along_z, P, S>{r, at});
     else
       f(jointed_body<along_and_about_z, P, S, joint_with_rotor<P>>{r, at, {free, mass_[r.first]}});
   }
