@@ -171,9 +171,14 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const C& c, const Y& y, con
   } else {
     using S = typename B::scalar;
     dense<S, decltype(articulated_body{y.inertia, y.bias})> left;
-    assign(left, articulated_body{y.inertia, y.bias});
-    if constexpr (body_with_axes<B>)
-      if (b.free()) assign(left, after_elimination<0>(b, y, no_wrench, force(0)));
+    if constexpr (body_with_axes<B>) {
+      if (b.free())
+        assign(left, after_elimination<0>(b, y, no_wrench, force(0)));
+      else
+        assign(left, articulated_body{y.inertia, y.bias});
+    } else {
+      assign(left, articulated_body{y.inertia, y.bias});
+    }
     return pulled_back(
         b, articulated_body{left.inertia, left.bias + accelerating_wrench(left.inertia, c.linear, c.angular)},
         c.centripetal);
