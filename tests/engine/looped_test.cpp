@@ -80,7 +80,7 @@ TEST_CASE("what bodies carry goes inward, and branches add up") {
   const auto inward = [&]<bool Keep, bool Bases>(std::bool_constant<Keep>, std::bool_constant<Bases>) {
     looped<toy_bodies>{bodies}.inward<Keep, numbers, Bases>(
         sums.data(), kept_array<numbers>{own.data()}, [](const auto&, const numbers& value) { return value; },
-        [&met](const auto& b, const numbers& carried) {
+        [&met](const auto& b, const numbers& carried, bool) {
           met[static_cast<std::size_t>(b.number)] = carried.x;
           return carried;
         },

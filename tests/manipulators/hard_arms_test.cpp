@@ -161,7 +161,7 @@ TEST_CASE("arms with parallel axes miss what is too near to them or too far by n
 }
 
 TEST_CASE("limits of less than a turn across pi, and of two turns") {
-  const auto c = iiwa14();
+  const auto c = arms::iiwa14();
   auto limits = unlimited(c);
   limits.lower = {2, -2, -4.5, -2, 2.5, -2, -5}, limits.upper = {4.5, 2, -2, 2, 5, 2, -2};
   const model arm(c, "tool", limits);
@@ -279,7 +279,7 @@ TEST_CASE("axes that almost lie as formulas have them, within a tolerance") {
 TEST_CASE("derivatives of the answers of every family are those of the Jacobian") {
   using number = dual<double, 1>;
   const vec3<> u{0.2, -0.4, 0.7}, w{-0.5, 0.3, 0.1};
-  for (const auto& c : {plain_3R3R(), ur5(), bent(), ur5_with_offset(), iiwa14(), arms::panda(), arms::era()}) {
+  for (const auto& c : {plain_3R3R(), ur5(), bent(), ur5_with_offset(), arms::iiwa14(), arms::panda(), arms::era()}) {
     const model arm(c, "tool");
     numbers q(7);
     q << 0.3, 0.4, -0.7, 0.9, 0.6, 0.5, 0.2;
@@ -310,7 +310,7 @@ TEST_CASE("answers in float and in long double") {
   const auto ask = [](auto scalar, double margin, double same) {
     using S = decltype(scalar);
     random_numbers random(13);
-    for (const auto& c : {plain_3R3R(), ur5(), ur5_with_offset(), iiwa14()}) {
+    for (const auto& c : {plain_3R3R(), ur5(), ur5_with_offset(), arms::iiwa14()}) {
       const model arm(c, "tool");
       for (int k = 0; k < 20; ++k) {
         const auto q = random_posture(random, arm.dofs());
