@@ -24,15 +24,16 @@
 ///   kte/adapters/odeint.hpp            chains for Boost.Numeric.Odeint
 ///   kte/testing/element_laws.hpp       tests for elements of one's own
 ///   kte/static.hpp                     the half of this header that static chains need, without exceptions and RTTI
-// These have sentences for the compiler: little stands above them so.
+// Included first, so that little stands above the sentences that they have for the compiler.
 // clang-format off
 #include <kte/contract/checks.hpp>
 #include <kte/contract/gravity.hpp>
 #include <kte/static_chain/state.hpp>
 #include <kte/contract/transmission.hpp>
 #include <kte/detail/raise.hpp>
-// clang-format on
 #include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+// clang-format on
 #include <kte/static.hpp>
 
 #ifdef KTE_COMPILED

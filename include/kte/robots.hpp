@@ -1,6 +1,11 @@
 #pragma once
 
-/// Robots from URDF, MJCF and SDF, to URDF and MJCF, and what is odd about them (needs tinyxml2; docs/robots.md).
+/// Robots from URDF, MJCF and SDF, to URDF and MJCF, and what is odd about them (needs tinyxml2; docs/robots.md);
+/// with the algorithms that are asked for most.
+#include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/check_robot.hpp>
 #include <kte/robots/load_robot.hpp>
 #include <kte/robots/mjcf_writer.hpp>

@@ -68,5 +68,5 @@ TEST_CASE("loads whose moment is no finite number") {
   auto t = long_arm.make_state();
   CHECK_THROWS_AS(external_forces(long_arm, t, q, {{"tip", {0, 0, 1e200}}}), bad_argument);
   CHECK_THROWS_AS(centroidal_map(long_arm, t, q), bad_argument);
-  CHECK_THROWS_AS(centre_of_mass_jacobian(long_arm, t, q), bad_argument);
+  CHECK(centre_of_mass_jacobian(long_arm, t, q).cwiseAbs().maxCoeff() == 1e155);  // needs no moment
 }
