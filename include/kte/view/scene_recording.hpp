@@ -93,9 +93,19 @@ class scene_recording : public recorded_scene {
     put(x.position.x), put(x.position.y), put(0);
     put(c), put(-s), put(0), put(s), put(c), put(0), put(0), put(0), put(1);
   }
+  /// Whether a static chain has nothing of a kind.
+  template <kind K, class State>
+  static constexpr bool has_none = [] {
+    if constexpr (requires { typename State::wiring; })
+      return State::wiring::count(K) == 0;
+    else
+      return false;
+  }();
   template <kind K, class State, class Put>
   static void put_signal(int slot, const State& s, const Put& put) {
-    if constexpr (K == kind::input)
+    if constexpr (has_none<K, State>)
+      return;
+    else if constexpr (K == kind::input)
       put(s.template get<K>(slot));
     else if constexpr (K == kind::internal)
       put(s.template get<K>(slot).z);
