@@ -125,19 +125,11 @@ struct several_axes_body {
     }
   }
   KTE_INLINE static constexpr skip in(skip) { return {}; }
-  KTE_INLINE vec3<S> in(vec3<S> u) const {
-    if (r.turned) u = in_z(r.before, u);
-    return transpose(at.rotation) * in_z(at.angle, in_x(r.tilt, u));
-  }
-  KTE_INLINE vec3<S> out(const vec3<S>& u) const { return seat(vec3<S>(at.rotation * u)); }
-  KTE_INLINE sym3<S> out(const sym3<S>& a) const { return seat(as<S>(congruence(at.rotation, a))); }
-  KTE_INLINE mat3<vec3<S>> out(const mat3<vec3<S>>& a) const { return seat(as<S>(turned_by(at.rotation, a))); }
-
- private:
-  template <class X>
-  KTE_INLINE X seat(const X& x) const {
-    const X y = out_x(r.tilt, out_z(at.angle, x));
-    return r.turned ? out_z(r.before, y) : y;
+  KTE_INLINE vec3<S> in(const vec3<S>& u) const { return transpose(at.rotation) * placed<P, S>{r, at}.to_seat(u); }
+  KTE_INLINE vec3<S> out(const vec3<S>& u) const { return placed<P, S>{r, at}.seat(vec3<S>(at.rotation * u)); }
+  template <class A>
+  KTE_INLINE A out(const A& a) const {
+    return placed<P, S>{r, at}.seat(as<S>(turned_by(at.rotation, a)));
   }
 };
 /// The body without its joint.
@@ -190,7 +182,7 @@ class one_axis_bodies : public record_bodies<P, S> {
     f(several_axes_body<P, S>{this->records_[i], this->spots_[i]});
   }
 };
-/// The same with joints that may be locked, and with masses on their coordinates.
+/// The same with joints whose motion may be prescribed, and with masses on their coordinates.
 template <class P, class S>
 class articulated_bodies : public record_bodies<P, S> {
  public:

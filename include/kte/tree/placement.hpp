@@ -62,11 +62,7 @@ struct placed {
     return {f, out(w.torque) + cross(at.position, f)};
   }
 
- private:
-  template <class Row>
-  KTE_INLINE static mat3<Row> turned(const mat3<Row>& a, const mat3<vec3<S>>& r) {
-    return {combined(a, r.x), combined(a, r.y), combined(a, r.z)};
-  }
+  /// Across the seat and a turn about z alone.
   KTE_INLINE vec3<S> to_seat(vec3<S> u) const {
     if (r.turned) u = in_z(r.before, u);
     return in_z(at.angle, in_x(r.tilt, u));
@@ -75,6 +71,12 @@ struct placed {
   KTE_INLINE X seat(const X& x) const {
     const X y = out_x(r.tilt, out_z(at.angle, x));
     return r.turned ? out_z(r.before, y) : y;
+  }
+
+ private:
+  template <class Row>
+  KTE_INLINE static mat3<Row> turned(const mat3<Row>& a, const mat3<vec3<S>>& r) {
+    return {combined(a, r.x), combined(a, r.y), combined(a, r.z)};
   }
 };
 template <class P, class S>
