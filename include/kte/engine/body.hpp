@@ -72,11 +72,17 @@ KTE_INLINE constexpr auto sum_along_axes(const B& b, const S* x) {
     return x[K] * b.template axis<K>() + sum_along_axes<K + 1>(b, x);
   }
 }
-/// put(k, s_k^T w)
-template <int K = 0, body_with_axes B, class W, class Put>
+/// put(k, s_k^T w) for the axes from K to End - 1
+template <int K, int End, body_with_axes B, class W, class Put>
 KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
-  put(K, power(b.template axis<K>(), w));
-  if constexpr (K + 1 < B::axes) each_power<K + 1>(b, w, put);
+  if constexpr (K < End) {
+    put(K, power(b.template axis<K>(), w));
+    each_power<K + 1, End>(b, w, put);
+  }
+}
+template <body_with_axes B, class W, class Put>
+KTE_INLINE constexpr void each_power(const B& b, const W& w, const Put& put) {
+  each_power<0, B::axes>(b, w, put);
 }
 /// The wrench at the origin of a body seen from its parent: f = R f, n = R n + p x f.
 template <body B, class W>

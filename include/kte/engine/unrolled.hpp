@@ -52,11 +52,15 @@ struct unrolled {
     });
   }
 
-  /// From a body to its base: value = step(body, value) of each body on the way.
+  /// From a body to its base: value = step(body, value) of each body on the way; of its ancestors alone.
   template <body B, class Value, class Step>
   KTE_INLINE constexpr void to_base(const B& b, const Value& value, const Step& step) const {
-    const auto next = step(b, value);
-    bodies.with_parent(b, [&](const auto& parent) KTE_INLINE_LAMBDA { this->to_base(parent, next, step); });
+    ancestors(b, step(b, value), step);
+  }
+  template <body B, class Value, class Step>
+  KTE_INLINE constexpr void ancestors(const B& b, const Value& value, const Step& step) const {
+    bodies.with_parent(
+        b, [&](const auto& parent) KTE_INLINE_LAMBDA { this->ancestors(parent, step(parent, value), step); });
   }
 
  private:
