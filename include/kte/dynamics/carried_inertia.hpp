@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/centre_of_mass.hpp>
-#include <kte/dynamics/unrolled/mass_properties.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/mass_properties.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <vector>

@@ -61,7 +61,7 @@ concept body_with_axes = body<B> && requires(const B& b) {
   { B::axes } -> std::convertible_to<int>;
   { B::always_free } -> std::convertible_to<bool>;
   { b.free() } -> std::convertible_to<bool>;
-} && (B::axes == 0 || requires(const B& b) { b.template axis<0>(), b.template mass<0>(); });
+} &&(B::axes == 0 || requires(const B& b) { b.template axis<0>(), b.template mass<0>(); });
 
 /// S x
 template <int K = 0, body_with_axes B, class S>

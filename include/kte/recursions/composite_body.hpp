@@ -24,8 +24,8 @@ KTE_INLINE void composite_inertias(const Driver& d, const Kept& kept) {
       [](const body auto& b, nothing, const auto& i) KTE_INLINE_LAMBDA { return inertia_seen_by_parent(b, i); });
 }
 
-/// The composite inertia of all that a frame carries, about its origin and in its axes; meet(body, inertia) is called of
-/// each body on it with what the body carries.
+/// The composite inertia of all that a frame carries, about its origin and in its axes; meet(body, inertia) is called
+/// of each body on it with what the body carries.
 template <class Frame, class Driver, class Meet>
 KTE_INLINE constexpr auto composite_inertia_of(const Driver& d, const Meet& meet) {
   return d.template carried<Frame>(
@@ -64,7 +64,8 @@ KTE_INLINE constexpr void mass_columns(const Driver& d, const B& b, const I& com
 template <class Driver, class Diagonal, class Put>
 KTE_INLINE constexpr void mass_matrix(const Driver& d, const Diagonal& diagonal, const Put& put) {
   d.template inward<false, nothing, false>(
-      nothing{}, kept_constant<nothing>{}, [](const auto& b, nothing) KTE_INLINE_LAMBDA { return fresh(b.composite()); },
+      nothing{}, kept_constant<nothing>{},
+      [](const auto& b, nothing) KTE_INLINE_LAMBDA { return fresh(b.composite()); },
       [&](const body auto& b, const auto& i, bool) KTE_INLINE_LAMBDA {
         mass_columns(d, b, i, diagonal, put);
         return fresh(i);

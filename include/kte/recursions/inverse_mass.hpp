@@ -11,8 +11,8 @@
 /// No sum is larger than the geometric mean of two numbers of the diagonal.
 namespace kte::engine {
 
-/// A load W at a body and force(k) on the axes of its joint: what is left on each axis, from the last on, put(k, e), and
-/// the load that is left:
+/// A load W at a body and force(k) on the axes of its joint: what is left on each axis, from the last on, put(k, e),
+/// and the load that is left:
 ///
 ///   e_k = f_k + s_k^T W,   W' = W - U_k D_k^-1 e_k          (2)
 ///

@@ -59,8 +59,7 @@ class articulated_chain;
 
 template <class S, class Chain, class Given, std::size_t... E>
 class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
-    : public local_motion<Chain, Given>,
-      protected early_loads<local_types<Chain, Given>, E>... {
+    : public local_motion<Chain, Given>, protected early_loads<local_types<Chain, Given>, E>... {
   using motion_type = local_motion<Chain, Given>;
 
  public:
@@ -118,9 +117,8 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
         d, engine::nothing{}, rate_biases{*this},
         [this](const auto& part, engine::nothing) KTE_INLINE_LAMBDA { return no_wrench - load_of(part); },
         [this, &tau]<class B>(const B&) KTE_INLINE_LAMBDA {
-          return [this, &tau]<int K>(std::integral_constant<int, K>) KTE_INLINE_LAMBDA {
-            return force_on_axis<B, K>(tau);
-          };
+          return [this, &tau]<int K>(std::integral_constant<int, K>)
+                     KTE_INLINE_LAMBDA { return force_on_axis<B, K>(tau); };
         },
         factors_.data(), unmoved_);
   }

@@ -22,7 +22,8 @@ struct axes_of_dofs {
   template <std::size_t I>
   static constexpr int axes = gives_way<Chain, I> ? joint_dofs<core_of<Chain, I>> : 0;
   template <std::size_t I>
-  static constexpr int row = Chain::wiring::template at<coordinate_kind<core_of<Chain, I>>, Chain::wiring::slot(I, 0)>.v;
+  static constexpr int row =
+      Chain::wiring::template at<coordinate_kind<core_of<Chain, I>>, Chain::wiring::slot(I, 0)>.v;
 };
 template <class Chain>
 struct axes_of_joints {
@@ -91,7 +92,9 @@ struct fixed_part {
   const Motion& motion;
 
   KTE_INLINE constexpr decltype(auto) core() const { return motion.chain().template core<I>(); }
-  KTE_INLINE constexpr auto ang_velocity() const { return motion.template get<Frame::what, Frame::slot>().ang_velocity; }
+  KTE_INLINE constexpr auto ang_velocity() const {
+    return motion.template get<Frame::what, Frame::slot>().ang_velocity;
+  }
   KTE_INLINE constexpr auto composite() const {
     if constexpr (has_mass<typename Motion::types::template core<I>, S>) {
       return core().template mass<S>();
@@ -107,8 +110,7 @@ struct no_part {
 };
 
 /// The tree of them, as engine/unrolled.hpp sees it.
-template <class S, class Motion, class Axes,
-          template <class, class, std::size_t, class> class Body = typed_body>
+template <class S, class Motion, class Axes, template <class, class, std::size_t, class> class Body = typed_body>
 struct typed_bodies {
   using wiring = typename Motion::wiring;
   template <std::size_t I>

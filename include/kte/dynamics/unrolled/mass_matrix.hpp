@@ -96,8 +96,10 @@ class unrolled_mass {
     } else if constexpr (has_mass<core_t<I>, S>) {
       M(b, b) = as<S>(M(b, b) + chain_.template core<I>().template mass<S>());
     } else if constexpr (has_output<core_t<I>> && types::template output_kind<I> == kind::gen) {
-      constexpr int e = axes::template row_of_coordinate<kind::gen, types::template output_slot<I>>;  // q_e' = ratio q_b': both its row and column
-      const auto& q_b = motion_.template get<kind::gen, wiring::slot(I, 0)>();  // count for b too
+      constexpr int e =
+          axes::template row_of_coordinate<kind::gen, types::template output_slot<I>>;  // q_e' = ratio q_b': both its
+                                                                                        // row and column
+      const auto& q_b = motion_.template get<kind::gen, wiring::slot(I, 0)>();          // count for b too
       const auto ratio = chain_.template core<I>().doMotion(unit_rate<kind::gen, 0>(q_b)).q_dot;
       for (int c = 0; c < coordinates; ++c) M(b, c) = as<S>(M(b, c) + ratio * M(e, c));
       for (int c = 0; c < coordinates; ++c) M(c, b) = as<S>(M(c, b) + ratio * M(c, e));
