@@ -1,5 +1,5 @@
 // mistakes: 7
-// expect: error: .*kte: .at.position.* places the seat of a joint in its base; this element is not a joint
+// expect: error: .*kte: .at.position.* places a joint in its base; this element is not a joint
 // expect: spring
 // expect: rigid_link
 // expect: error: .*kte: this joint has a place in its base already: .at.. comes once

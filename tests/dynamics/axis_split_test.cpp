@@ -176,7 +176,7 @@ wide error_of_joint(const Core& core, const C& at, const M& m, draw& random) {
   detail::joint_response<double, n> response;
   bool good = true;
   const auto b = detail::carried_by_joint<double>(
-      core, at, c, detail::burden{body, load}, [&f]<int K>() { return f[K]; }, m, response, good);
+      core, at, c, detail::articulated_frame{body, load}, [&f]<int K>() { return f[K]; }, m, response, good);
   CHECK(good);
   const detail::acceleration base{random.vector(), random.vector()};
   const auto x = core.relative(detail::position_only(at));
@@ -282,7 +282,7 @@ TEST_CASE("an axis that moves next to nothing") {
     const articulated<sym3<>, mat3<>, sym3<>> body{
         {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {}, {1.0, 0.0, 0.0, 1.0, 0.0, inertia}};
     (void)detail::carried_by_joint<double>(
-        core::revolute_joint<solid, vec3<>>({0.0, 0.0, 1.0}), at, still, detail::burden{body, no_wrench},
+        core::revolute_joint<solid, vec3<>>({0.0, 0.0, 1.0}), at, still, detail::articulated_frame{body, no_wrench},
         []<int>() { return 0.0; }, m, response, good);
     return good;
   };

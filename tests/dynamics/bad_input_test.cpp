@@ -239,7 +239,7 @@ TEST_CASE("a call that throws leaves the state as it was") {
     refused(x, [&] { forward_kinematics(c, x, q, "tip"); });
     refused(x, [&] { jacobian(c, x, q, "tip"); });
     refused(x, [&] { static_forces(c, x, q); });
-    refused(x, [&] { centroidal_map(c, x, q); });
+    refused(x, [&] { centroidal_momentum_matrix(c, x, q); });
   };
   const auto of_v = [&](kte::runtime_state& x, const vector& q, const vector& v) {
     refused(x, [&] { nonlinear_effects(c, x, q, v); });

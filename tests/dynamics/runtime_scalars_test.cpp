@@ -1,4 +1,3 @@
-#include <kte/dynamics/carried_inertia.hpp>
 #include <kte/dynamics/coriolis_matrix.hpp>
 #include <kte/dynamics/derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
@@ -10,6 +9,7 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/momentum_rate.hpp>
 #include <kte/dynamics/relative_motion.hpp>
+#include <kte/dynamics/subtree_inertia.hpp>
 #include <kte/elements/line_point_mindist.hpp>
 #include <kte/elements/position_measure.hpp>
 #include <kte/math/dual.hpp>
@@ -21,7 +21,7 @@
 #include "digits50.hpp"
 #include "random.hpp"
 
-// Runtime chains in other scalars than double: the same loops over records, each against 50 digits.
+// Runtime chains in other scalars than double: the same loops over body nodes, each against 50 digits.
 
 using namespace kte;
 using kte::test::digits50;
@@ -69,7 +69,7 @@ results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const 
   add(jacobian(c, s, q, "hand")), add(jacobian(c, s, q, "shank", in_world_axes));
   const auto hand = forward_kinematics(c, s, q, "hand");
   add_vector(hand.position), add_vector(hand.rotation.x), add_vector(hand.rotation.y);
-  add(centroidal_map(c, s, q));
+  add(centroidal_momentum_matrix(c, s, q));
   add_vector(centre_of_mass(c, s, q).position), add_vector(centre_of_mass_velocity(c, s, q, v));
   add_vector(centroidal_momentum(c, s, q, v).angular);
   const auto rate = centroidal_momentum_rate(c, s, q, v, a);  // whose moments nearly cancel here
@@ -77,7 +77,7 @@ results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const 
   add(centre_of_mass_jacobian(c, s, q));
   add(coriolis_matrix(c, s, q, v)), add(jacobian_rate(c, s, q, v, "hand", at_world_origin));
   add(relative_jacobian(c, s, q, "hand", "shank")), add_vector(relative_pose(c, s, q, "hand", "shank").position);
-  add_vector(carried_inertia(c, s, q, "trunk").moment);
+  add_vector(subtree_inertia(c, s, q, "trunk").moment);
   return all;
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("what needs loads to be those of motions refuses virtual models") {
   CHECK_THROWS_MATCHES(mass_matrix_inverse(c, s, x), bad_argument, named);
   CHECK_THROWS_MATCHES(inverse_dynamics_derivatives(c, s, x, x, x), bad_argument, named);
   CHECK_THROWS_MATCHES(external_forces(c, s, x, {{"palm", {1, 0, 0}}}), bad_argument, named);
-  CHECK_THROWS_MATCHES(centroidal_map(c, s, x), bad_argument, named);
+  CHECK_THROWS_MATCHES(centroidal_momentum_matrix(c, s, x), bad_argument, named);
   kte_map_chain wheel;
   wheel << inertia_gen("q", 0.5) << virtual_kte_interface_gen("q", "ghost") << inertia_gen("ghost", 0.1);
   auto t = wheel.make_state();

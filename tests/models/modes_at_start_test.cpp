@@ -90,7 +90,7 @@ TEST_CASE("a brake that is pulled apart is open, and a mode that is none counts 
   // nor does it hold what is at rest
   model.input("grip") = -5;
   const auto x = settled(model, 0.0, model.make_x(std::array{0.0, 0.0}, std::array{0.0, 0.0}));
-  CHECK(model.capacity(0.0, x, model.holders()[1].element) == 0);
+  CHECK(model.capacity(0.0, x, model.locks()[1].element) == 0);
 }
 
 TEST_CASE("what holds a coordinate that another moves is named when the model is made") {

@@ -243,12 +243,12 @@ TEST_CASE("what one joint does may hold another that was let go") {
   manipulator_dynamics_model model(c);
   model.input("push") = 10;
   const auto start = settled(model, 0.0, model.make_x(std::array{0.0, 0.0}, std::array{0.0, 0.0}));
-  const int at_q = static_cast<int>(model.holders()[0].mode), at_s = model.holders()[1].mode;
+  const int at_q = static_cast<int>(model.locks()[0].mode), at_s = model.locks()[1].mode;
   CHECK(start[at_q] == within(mode::held, 0));  // 2 N on the slab are 20 Nm, less than 25
   CHECK(start[at_s] == within(mode::forward, 0));
   const Eigen::VectorXd rate = model(0.0, start);
-  CHECK(rate[2 + model.holders()[0].row] == within(0, 0));
-  CHECK(rate[2 + model.holders()[1].row] == within(8, 1e-14));
+  CHECK(rate[2 + model.locks()[0].row] == within(0, 0));
+  CHECK(rate[2 + model.locks()[1].row] == within(8, 1e-14));
 }
 
 TEST_CASE("a brake pressed by a law of time, of a controlled model") {

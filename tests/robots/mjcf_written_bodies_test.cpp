@@ -92,7 +92,8 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
                        says("kte: joint 'trunk': it floats in a link that moves, 'arm', which MJCF cannot say"));
   kte_map_chain p;
   p << free_joint_3D("trunk", "ground", "body").at(vec3<>{0, 0, 1}, robot_pose{}.rotation);
-  CHECK_THROWS_MATCHES(to_mjcf(p), bad_argument, says("kte: joint 'trunk': its seat stands elsewhere than the world"));
+  CHECK_THROWS_MATCHES(to_mjcf(p), bad_argument,
+                       says("kte: joint 'trunk': its placement stands elsewhere than the world"));
   const std::string mimic = "<limit effort='1' velocity='1'/><mimic joint='q' multiplier='2' offset='0.5'/>";
   const auto follower = made(heavy("a") + heavy("b") + heavy("c") + joint_text("q", "continuous", "a", "b") +
                              joint_text("f", "prismatic", "b", "c", mimic));

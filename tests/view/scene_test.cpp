@@ -106,7 +106,7 @@ TEST_CASE("bodies are drawn as ellipsoids of equal inertia") {
   CHECK(half[2] == within(a, 1e-15));
 }
 
-TEST_CASE("joints by their kinds, with seats, axes in the base and ranges by stops") {
+TEST_CASE("joints by their kinds, with placements, axes in the base and ranges by stops") {
   kte_map_chain c;
   c << free_joint_3D("pose", "world", "trunk")
     << prismatic_joint_3D("x", "trunk", "slider", axis::x).at(along_z(0.2), quarter_turn_z)

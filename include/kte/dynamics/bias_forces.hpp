@@ -112,10 +112,10 @@ const runtime_vector<S>& nonlinear_effects_of(const kte_map_chain& c, basic_runt
     return inverse_dynamics(c, s);
   }
   bias_forces_of_bodies(runtime_elements{c}, s);
-  take_needed_forces(s);
+  take_generalized_forces(s);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] {
     const rates_aside aside(s, false);
-    blame("a force", s);
+    diagnose("a force", s);
   });
   return s.work.forces;
 }

@@ -19,7 +19,7 @@ namespace kte {
 ///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
 ///
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than records say.
+/// acts by more than body nodes hold.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;

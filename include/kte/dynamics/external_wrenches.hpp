@@ -64,7 +64,7 @@ Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   return x;
 }
 template <class... Core>
-inline constexpr bool no_reactions_read = (!reads_reaction<Core> && ...);
+inline constexpr bool no_load_dependent_friction = (!load_dependent_friction<Core> && ...);
 
 /// A load on a frame of a runtime chain.
 template <class S>
@@ -98,7 +98,7 @@ runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>
     put_jacobian(c, s, w.frame, false, j);
     sum += j.transpose() * w.load;
   }
-  check_result(sum, static_cast<std::size_t>(sum.size()), blame_state{"a force", s});
+  check_result(sum, static_cast<std::size_t>(sum.size()), diagnose_state{"a force", s});
   return sum;
 }
 }  // namespace detail
@@ -115,7 +115,7 @@ runtime_vector<S> external_forces(const kte_map_chain& c, basic_runtime_state<S>
 template <class Gravity, class... E, indexable Q, key_type... Frames>
 auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wrench_on_frame<Frames>&... loads) {
   static_assert(
-      detail::no_reactions_read<typename E::core_type...>,
+      detail::no_load_dependent_friction<typename E::core_type...>,
       "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the "
       "chain");
   static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);

@@ -17,7 +17,7 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
   if constexpr (is_unrolled<Chain, S>) {
     local_articulated<S, Chain, Given>(c, g).accelerate(tau, a);
   } else {
-    a = accelerations_by_records<S>(c, g, tau);
+    a = accelerations_by_tree<S>(c, g, tau);
   }
 }
 /// By articulated bodies where the chain is a tree of joints, otherwise by the factorised mass matrix.
@@ -35,7 +35,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   } else {
     a = tau + generalized_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = local_mass_matrix<S>(c, at, base);
-    solve_in_place(m, a, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
+    solve_in_place(m, a, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
     check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
   }
   return a;

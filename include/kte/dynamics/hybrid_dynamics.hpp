@@ -92,7 +92,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
       if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
     auto m = detail::local_mass_matrix<S>(c, at, base);
     detail::solve_partly_known(m, r.a, accelerations::is_known,
-                               [&at](int row) { detail::blame_mass<wiring>(row, true, at.q); });
+                               [&at](int row) { detail::diagnose_mass<wiring>(row, true, at.q); });
     detail::check_accelerations<wiring>(r.a, g, force);
   }
   r.tau = detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},

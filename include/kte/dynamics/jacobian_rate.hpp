@@ -48,7 +48,7 @@ auto jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
   six_by_dofs<S, chain_type::dofs> rate;
   for (Eigen::Index i = 0; i < rate.size(); ++i) rate.data()[i] = moving.data()[i].derivative[0];
   check_result(rate.data(), static_cast<std::size_t>(rate.size()), [&]() {
-    blame<typename chain_type::wiring>("a rate", each<S, Q>{q}, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("a rate", each<S, Q>{q}, each<S, V>{v}, same<zero_t>{}, "a");
   });
   return rate;
 }
@@ -63,7 +63,7 @@ auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   return bias_of<S>(motion_at<Frame>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest}), axes, [&]() {
-    blame<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   });
 }
 
@@ -76,22 +76,22 @@ jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_ma
                                                                     const runtime_frame& x) {
   using six_rows = basic_runtime_jacobian<S>;
   const auto& t = s.tree();
-  const auto& place = t.forest.frame(x.what, x.index);
+  const auto& place = t.body_tree.frame(x.what, x.index);
   refuse_following(c, s, x);
   place_ancestors(runtime_elements{c}, s, place.slot);
   take_rates(s);
   jacobian_with_rate<six_rows> j{six_rows::Zero(6, t.plan.coordinates), six_rows::Zero(6, t.plan.coordinates)};
   const auto add = [&t](six_rows& to, int k, const vec3<S>& u, const vec3<S>& w) {
-    auto column = to.col(t.forest.row[static_cast<std::size_t>(k)]);
+    auto column = to.col(t.body_tree.row[static_cast<std::size_t>(k)]);
     column[0] += u.x, column[1] += u.y, column[2] += u.z, column[3] += w.x, column[4] += w.y, column[5] += w.z;
   };
   tree::dense_pose<S> seen;
   tree::world_axis<S> moves;
   const int base =
-      tree::jacobian_rate_columns(t.forest, s.work, place, seen, moves,
+      tree::jacobian_rate_columns(t.body_tree, s.work, place, seen, moves,
                                   [&](int k, const vec3<S>& u, const vec3<S>& w, const vec3<S>& u_dot,
                                       const vec3<S>& w_dot) { add(j.value, k, u, w), add(j.rate, k, u_dot, w_dot); });
-  hand_on_with_rates(runtime_elements{c}, s, [&j](int to, int from, const S& ratio, const S& rate) {
+  pull_back_followers_with_rates(runtime_elements{c}, s, [&j](int to, int from, const S& ratio, const S& rate) {
     j.rate.col(to) += ratio * j.rate.col(from) + rate * j.value.col(from);
     j.value.col(to) += ratio * j.value.col(from);
   });
@@ -104,14 +104,14 @@ jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_ma
     const mat3<vec3<S>>& r = m.rotation;
     change_axes<Axes>(j, frame_in_world<S>{r, m.position, r * m.velocity, r * m.ang_velocity});
   });
-  check_result(j.rate.data(), static_cast<std::size_t>(j.rate.size()), [&s] { blame("a rate", s); });
+  check_result(j.rate.data(), static_cast<std::size_t>(j.rate.size()), [&s] { diagnose("a rate", s); });
   return j;
 }
 template <class Axes, class S>
 linear_angular<S> bias_acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   const rates_aside aside(s, false);
   return with_motion_in_world(c, s, x, [&s](const auto& m) {
-    return bias_of<S>(m, Axes{}, blame_state{"an acceleration", s});
+    return bias_of<S>(m, Axes{}, diagnose_state{"an acceleration", s});
   });
 }
 template <class S>

@@ -18,7 +18,7 @@ namespace kte {
 ///   mass_matrix(c, s)       of both, at the positions of a state
 ///
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than records say.
+/// acts by more than body nodes hold.
 template <class Gravity, class... E, indexable Q>
 auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;

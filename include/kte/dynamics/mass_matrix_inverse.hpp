@@ -25,13 +25,13 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     if constexpr (is_unrolled<Chain, S>) {
       local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
     } else {
-      m = inverse_mass_by_records<S>(c, g);
+      m = inverse_mass_by_tree<S>(c, g);
     }
   } else {
     auto factors = local_mass_matrix<S>(c, at, base);
-    invert_by_factors(factors, m, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
+    invert_by_factors(factors, m, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
   }
-  check_inverse(m, [&]() KTE_INLINE_LAMBDA { blame_if_endless<typename Chain::wiring>(m, at.q); });
+  check_inverse(m, [&]() KTE_INLINE_LAMBDA { diagnose_non_finite<typename Chain::wiring>(m, at.q); });
   return m;
 }
 }  // namespace detail
@@ -78,7 +78,7 @@ const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime
   } else {
     mass_of_coordinates(runtime_elements{c}, s);
     inverse.resize(s.dofs(), s.dofs());
-    invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+    invert_by_factors(s.work.mass, inverse, [&s](int row) { diagnose_mass(s, row, true); });
   }
   check_inverse(inverse, [&] { check_masses(s, inverse); });
   return inverse;

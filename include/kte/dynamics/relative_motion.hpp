@@ -11,7 +11,7 @@ namespace kte {
 // ---- of static chains
 
 /// Where B stands in A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m; by the elements between them alone. Of a runtime chain
-/// that has elements which are more than records say, `relative_motion` knows it.
+/// that has elements which are more than body nodes hold, `relative_motion` knows it.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
 auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
@@ -38,7 +38,7 @@ auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   at.check();
   const given g{at, each<S, V>{v}, each<S, X>{a}, base_at_rest};
   return checked_motion(in_numbers<S>(motion_at<A>(c, g)), in_numbers<S>(motion_at<B>(c, g)), [&]() {
-    blame<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
+    diagnose<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
   });
 }
 /// The Jacobian of the motion of B in A, in axes of B: the velocity and angular velocity of `relative_motion` are J v.

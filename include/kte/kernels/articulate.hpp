@@ -30,18 +30,18 @@ acceleration(A, AL) -> acceleration<A, AL>;
 
 /// What a frame carries: I and W.
 template <class I, class W>
-struct burden {
-  using geometry = burden;
+struct articulated_frame {
+  using geometry = articulated_frame;
   I inertia;
   W load;
 };
 template <class I, class W>
-burden(I, W) -> burden<I, W>;
+articulated_frame(I, W) -> articulated_frame<I, W>;
 template <class I, class W, class J, class V>
-KTE_INLINE constexpr auto operator+(const burden<I, W>& a, const burden<J, V>& b) {
-  return burden{a.inertia + b.inertia, a.load + b.load};
+KTE_INLINE constexpr auto operator+(const articulated_frame<I, W>& a, const articulated_frame<J, V>& b) {
+  return articulated_frame{a.inertia + b.inertia, a.load + b.load};
 }
-inline constexpr auto no_burden = burden{no_articulated, no_wrench};
+inline constexpr auto no_articulated_frame = articulated_frame{no_articulated, no_wrench};
 
 /// How a joint divides the motions of its end. A further mass m on its coordinate keeps something along its axes, so
 /// that nothing is exact.
@@ -137,7 +137,7 @@ KTE_INLINE constexpr auto with_axes(const Core& core, const C& at, const joint_r
 struct unmoved {
   std::uint64_t here = 0;  ///< the bit of the joint at hand
   std::uint64_t all = 0;
-  std::uint64_t endless = 0;  ///< what they move is not finite; of those behind one that moves nothing, neither
+  std::uint64_t non_finite = 0;  ///< what they move is not finite; of those behind one that moves nothing, neither
   constexpr void at(std::size_t coordinate) { here = std::uint64_t{1} << (std::min)(coordinate, std::size_t{63}); }
 };
 /// `good` is a bool, or says more.
@@ -148,13 +148,13 @@ KTE_INLINE constexpr void judge(bool& good, bool moves, const S&) {
 template <class S>
 KTE_INLINE constexpr void judge(unmoved& x, bool moves, const S& moved) {
   x.all |= moves ? 0 : x.here;
-  x.endless |= all(moved * S(0) == S(0)) ? 0 : x.here;
+  x.non_finite |= all(moved * S(0) == S(0)) ? 0 : x.here;
 }
 
 /// (1), and gain again with its typed entries.
 template <class S, class Core, class C, class I, class W, class U, class F, class M, int N, class Good>
-KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I, W>& b, const U& u, const F& f,
-                                  const M& m, joint_response<S, N>& r, Good& good) {
+KTE_INLINE constexpr auto respond(const Core& core, const C& at, const articulated_frame<I, W>& b, const U& u,
+                                  const F& f, const M& m, joint_response<S, N>& r, Good& good) {
   const auto& j = b.inertia;
   // Below this, what moves along an axis is nothing but rounding of what does not.
   const auto least = [&](const auto& s) KTE_INLINE_LAMBDA {
@@ -206,20 +206,21 @@ KTE_INLINE constexpr auto respond(const Core& core, const C& at, const burden<I,
 ///
 ///   I' = I,  W' = W - I c          both seen from the base                                          (2)
 template <class Pose, class Motion, class I, class W>
-KTE_INLINE constexpr auto carried_stiffly(const Pose& x, const Motion& c, const burden<I, W>& b) {
+KTE_INLINE constexpr auto carried_rigidly(const Pose& x, const Motion& c, const articulated_frame<I, W>& b) {
   const auto w = b.load - accelerating_wrench(b.inertia, c.acceleration, c.ang_acceleration);
-  return burden{transported(x.rotation, x.position, b.inertia), transmit(x, w)};
+  return articulated_frame{transported(x.rotation, x.position, b.inertia), transmit(x, w)};
 }
 
-/// The same of a joint that gives way under the force f<n>() on its axis n, which moves a further mass m:
+/// The same of a joint that is free to move under the force f<n>() on its axis n, which moves a further mass m:
 ///
 ///   I' = I - U D^-1 U^T,  W' = W - I' c - U D^-1 (f + s . W)                                        (3)
 ///
 /// D and U as in (1), D with m on its diagonal. Along coordinate axes I' is nothing and W' is -f. `good` is judged
 /// by whether an axis has more than next to nothing to move.
 template <class S, class Core, class C, class Motion, class I, class W, class F, class M, int N, class Good>
-KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const Motion& c, const burden<I, W>& b,
-                                           const F& f, const M& m, joint_response<S, N>& response, Good& good) {
+KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const Motion& c,
+                                           const articulated_frame<I, W>& b, const F& f, const M& m,
+                                           joint_response<S, N>& response, Good& good) {
   constexpr auto split = division<Core, C, M>();
   const auto u = for_axes<N>([&]<int K>() KTE_INLINE_LAMBDA {
     const auto s = axis_of<K>(core, at);
@@ -228,13 +229,13 @@ KTE_INLINE constexpr auto carried_by_joint(const Core& core, const C& at, const 
   const auto gain = respond<S>(core, at, b, u, f, m, response, good);
   const auto x = core.relative(position_only(at));
   if constexpr (split.leaves_nothing) {
-    return burden{no_articulated, transmit(x, less_exact<true, 0, N>(no_wrench, core, at, f))};
+    return articulated_frame{no_articulated, transmit(x, less_exact<true, 0, N>(no_wrench, core, at, f))};
   } else {
     const auto inertia = rest(split, less_dyads<0, N>(b.inertia, u, gain));
     const auto load =
         less_rates<0, N>(b.load - accelerating_wrench(inertia, c.acceleration, c.ang_acceleration), u, response);
     const auto w = less_exact<split.exact, 0, N>(rest(split, load), core, at, f);
-    return burden{transported(x.rotation, x.position, inertia), transmit(x, w)};
+    return articulated_frame{transported(x.rotation, x.position, inertia), transmit(x, w)};
   }
 }
 

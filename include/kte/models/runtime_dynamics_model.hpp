@@ -106,7 +106,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   Eigen::VectorXd forces_at(const state& x, double t = 0) const;
 
   // ---- of elements that may hold a coordinate: models/modes.hpp
-  const std::vector<detail::holder_place>& holders() const { return holders_; }
+  const std::vector<detail::lock_place>& locks() const { return locks_; }
   const Eigen::VectorXd& needed_forces(double t, const state& x) const;
   double capacity(double t, const state& x, std::size_t element) const;
 
@@ -134,7 +134,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   // To work in, also through std::cref; who calls one model in two threads needs two.
   mutable runtime_state s_;
   mutable rate rate_;
-  std::vector<detail::holder_place> holders_;
+  std::vector<detail::lock_place> locks_;
   output_function output_;
 };
 manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
@@ -174,13 +174,13 @@ namespace kte {
 
 KTE_FUNCTION manipulator_dynamics_model<kte_map_chain>::manipulator_dynamics_model(const kte_map_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
-  for (const int e : s_.tree().holders) {
+  for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
     if (row >= dofs())
       throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
                        " holds a coordinate that is not a degree of freedom");
-    holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
+    locks_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
   }
 }
 
@@ -265,14 +265,14 @@ KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<kte_map_chain>::computeO
 
 KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::switching(double t, const state& x,
                                                                          std::size_t which) const {
-  for (const auto& h : holders_)
+  for (const auto& h : locks_)
     if (h.element == which) return detail::mode_function(*this, t, x, h);
   setJointStates(t, x, s_);
   doMotion(s_);
   return wiring().elements.at(which).element->switching(s_);
 }
 KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::switch_over(double t, state& x, std::size_t which) const {
-  for (const auto& h : holders_)
+  for (const auto& h : locks_)
     if (h.element == which) return detail::switch_mode(*this, t, x, h);
   setJointStates(t, x, s_);
   doMotion(s_);
@@ -280,7 +280,7 @@ KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::switch_over(double 
   for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
 }
 KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::mend(double t, state& x, std::size_t which) const {
-  for (const auto& h : holders_)
+  for (const auto& h : locks_)
     if (h.element == which) return detail::mend_at_start(*this, t, x, h);
   state after = x;
   switch_over(t, after, which);
@@ -298,7 +298,7 @@ KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<kte_map_chain>::n
 KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::capacity(double t, const state& x,
                                                                         std::size_t element) const {
   const auto& e = wiring().elements.at(element);
-  if (e.stiff) return e.element->capacity(own_state_at(t, x));
+  if (e.rigid) return e.element->capacity(own_state_at(t, x));
   setJointStates(t, x, s_);
   doMotion(s_);
   return e.element->capacity(s_);

@@ -68,7 +68,7 @@ class manipulator_kinematics_model<kte_map_chain> : public unchanging_chain {
   Eigen::VectorXd getDependentVelocities(const Q& q, const V& v) const {
     detail::take(*this, s_, q, v);
     const Eigen::VectorXd all = getJacobianMatrix(q) * velocities(s_);
-    detail::check_result(all, static_cast<std::size_t>(all.size()), [this] { detail::blame("a velocity", s_); });
+    detail::check_result(all, static_cast<std::size_t>(all.size()), [this] { detail::diagnose("a velocity", s_); });
     return all;
   }
   /// Accelerations of the frames, classical, without gravity: J a + dJ/dt v.

@@ -92,7 +92,7 @@ jacobian_with_rate<Eigen::Matrix<S, 1, Eigen::Dynamic>> coordinate_row_with_rate
   jacobian_with_rate<row_type> row{row_type::Zero(plan.coordinates), row_type::Zero(plan.coordinates)};
   row.value[plan.row_of_gen[static_cast<std::size_t>(i)]] = S(1);
   bring_up_to_date(runtime_elements{c}, s);
-  hand_on_with_rates(runtime_elements{c}, s, [&row](int to, int from, const S& ratio, const S& change) {
+  pull_back_followers_with_rates(runtime_elements{c}, s, [&row](int to, int from, const S& ratio, const S& change) {
     row.rate[to] += ratio * row.rate[from] + change * row.value[from];
     row.value[to] += ratio * row.value[from];
   });

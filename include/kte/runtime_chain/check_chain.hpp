@@ -29,7 +29,7 @@ KTE_FUNCTION std::vector<std::string> check_chain(const kte_map_chain& c) {
     for (std::size_t p = 0; p < e.ports.size(); ++p) {
       const auto k = static_cast<std::size_t>(e.ports[p].what), i = static_cast<std::size_t>(e.index[p]);
       auto& x = used[k][i];
-      if (e.stiff && is_coordinate(e.ports[p].what) && is_frame(e.ports.back().what)) {
+      if (e.rigid && is_coordinate(e.ports[p].what) && is_frame(e.ports.back().what)) {
         x.joints += (x.joint_count++ == 0 ? "" : ", ") + t.describe(e);
         moving.push_back(t.names[k][i]);
       } else if (e.ports.size() > 1 || !detail::wiring_rules::moves(e.ports[p].how)) {

@@ -49,7 +49,7 @@ class static_chain {
   /// Whether an element reads positions, rotations or linear velocities of frames by its forces; it says so by
   /// `static constexpr bool reads_positions = true`. Only then do the fused algorithms compute them.
   static constexpr bool reads_positions = shapes::reads_positions;
-  /// Whether it has nothing that only the loops over records know; whether all algorithms are unrolled for it.
+  /// Whether it has nothing that only the loops over body nodes know; whether all algorithms are unrolled for it.
   static constexpr bool common = shapes::common;
   static constexpr bool unrolled = detail::unrolls_all<size> && common;
 

@@ -76,7 +76,7 @@ inline kte_map_chain with_pulls(kte_map_chain c, const page_pull& by) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (writers[i] < 0) continue;
       const auto& e = c.wiring().elements[static_cast<std::size_t>(writers[i])];
-      if (!e.stiff || !is_coordinate(e.ports.front().what)) continue;
+      if (!e.rigid || !is_coordinate(e.ports.front().what)) continue;
       if (k == kind::frame_2D)
         c << pull_2D(names[i], by);
       else

@@ -9,8 +9,8 @@ namespace kte::detail {
 
 /// Whether element I is a joint whose acceleration is asked for: in `Given` it is then a typed zero.
 template <class Chain, class Given, std::size_t I>
-inline constexpr bool gives_way_under = [] {
-  if constexpr (gives_way<Chain, I>) {
+inline constexpr bool is_free_joint_under = [] {
+  if constexpr (is_free_joint<Chain, I>) {
     constexpr freedom at =
         Chain::wiring::template at<coordinate_kind<typename Chain::template core_type<I>>, Chain::wiring::slot(I, 0)>;
     return std::is_same_v<decltype(std::declval<const Given&>().a.template at<at.v>()), zero_t>;
@@ -36,7 +36,7 @@ struct early_loads<Types, I> {
 template <class S, class Chain, class Given, std::size_t I>
 struct response_of {};
 template <class S, class Chain, class Given, std::size_t I>
-requires gives_way_under<Chain, Given, I>
+requires is_free_joint_under<Chain, Given, I>
 struct response_of<S, Chain, Given, I> {
   joint_response<S, joint_dofs<core_of<Chain, I>>> value{};
 };
@@ -56,10 +56,10 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
   template <std::size_t I>
   using core_t = typename types::template core<I>;
   template <std::size_t I>
-  static constexpr bool stiff = is_transmission<core_t<I>>;
+  static constexpr bool rigid = is_transmission<core_t<I>>;
   /// Whether joint I moves under forces; otherwise its acceleration is given.
   template <std::size_t I>
-  static constexpr bool yields = gives_way_under<Chain, Given, I>;
+  static constexpr bool is_free = is_free_joint_under<Chain, Given, I>;
 
  public:
   using vector = joint_vector<S, Chain::dofs>;
@@ -82,7 +82,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
  protected:
   KTE_INLINE void check_good() const {
     if (unmoved_.all != 0) [[unlikely]]
-      blame_masses<wiring>(unmoved_.all, unmoved_.endless, this->given_.at.q);
+      diagnose_masses<wiring>(unmoved_.all, unmoved_.non_finite, this->given_.at.q);
   }
   template <std::size_t... F>
   KTE_INLINE void masses(std::index_sequence<F...>) {
@@ -103,7 +103,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
   template <kind K, int Slot, std::size_t N>
   KTE_INLINE constexpr auto load() const {
     constexpr auto place = loads_on<wiring, K, Slot>[N];
-    if constexpr (stiff<place.element>) {
+    if constexpr (rigid<place.element>) {
       return no_load<K>();
     } else if constexpr (puts_early<core_t<place.element>>) {
       return nth<place.index>(static_cast<const early<place.element>&>(*this).value);
@@ -162,7 +162,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
   template <kind K, int Slot>
   static constexpr auto readers = std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{};
   /// `sum`, and what the readers of a frame from number N on put on it: one after the other, as in local_mass.hpp.
-  template <kind K, int Slot, std::size_t N = 0, class Sum = std::remove_const_t<decltype(no_burden)>>
+  template <kind K, int Slot, std::size_t N = 0, class Sum = std::remove_const_t<decltype(no_articulated_frame)>>
   KTE_INLINE constexpr auto carried(const Sum& sum = {}) {
     if constexpr (N == loads_on<wiring, K, Slot>.size()) {
       return sum;
@@ -173,19 +173,20 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
   template <kind K, int Slot, std::size_t N>
   KTE_INLINE constexpr auto part() {
     constexpr std::size_t element = loads_on<wiring, K, Slot>[N].element;
-    if constexpr (stiff<element>) {
+    if constexpr (rigid<element>) {
       return through<element>();
     } else if constexpr (has_mass<core_t<element>, S>) {
-      return burden{to_articulated(this->chain_.template core<element>().template mass<S>()), load<K, Slot, N>()};
+      return articulated_frame{to_articulated(this->chain_.template core<element>().template mass<S>()),
+                               load<K, Slot, N>()};
     } else {
-      return burden{no_articulated, load<K, Slot, N>()};
+      return articulated_frame{no_articulated, load<K, Slot, N>()};
     }
   }
   /// What the end of element I carries, seen from its base.
   template <std::size_t I>
   KTE_INLINE constexpr auto through() {
     const auto b = carried<types::template output_kind<I>, types::template output_slot<I>>();
-    if constexpr (yields<I>) {
+    if constexpr (is_free<I>) {
       constexpr kind k = kind_of<I>;
       constexpr int slot = slot_of<I>, v = wiring::template at<k, slot>.v;
       const auto f = coordinate_load<k, slot>(readers<k, slot>);
@@ -195,7 +196,7 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
           [&]<int N>() KTE_INLINE_LAMBDA { return (*tau_)[v + N] + number_of<k, N>(f); }, mass_on<I>(), response<I>(),
           unmoved_);
     } else {
-      return carried_stiffly(this->template joint_pose<I>(), bias<I>(), b);
+      return carried_rigidly(this->template joint_pose<I>(), bias<I>(), b);
     }
   }
 
@@ -212,21 +213,21 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
   }
   template <std::size_t I, class A>
   KTE_INLINE constexpr void accelerate(const A& base) {
-    if constexpr (stiff<I>) accelerate_one<I>(base);
+    if constexpr (rigid<I>) accelerate_one<I>(base);
   }
   template <std::size_t I, class A>
   KTE_INLINE constexpr void accelerate_one(const A& base) {
     constexpr kind k = types::template output_kind<I>;
     constexpr int end = types::template output_slot<I>;
     const auto before = carried_acceleration(this->template joint_pose<I>(), bias<I>(), base);
-    if constexpr (yields<I>) {
+    if constexpr (is_free<I>) {
       constexpr int v = wiring::template at<kind_of<I>, slot_of<I>>.v;
       accelerate_all<k, end>(
           accelerated(this->chain_.template core<I>(), this->template joint_coordinate<I>(), response<I>(),
                       mass_on<I>(), before, [this](int n, const S& x) KTE_INLINE_LAMBDA { (*a_)[v + n] = x; }),
           readers<k, end>);
     } else {
-      if constexpr (gives_way<Chain, I>) put_given<I>(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
+      if constexpr (is_free_joint<Chain, I>) put_given<I>(std::make_integer_sequence<int, joint_dofs<core_t<I>>>{});
       accelerate_all<k, end>(before, readers<k, end>);
     }
   }
@@ -240,9 +241,9 @@ class local_articulated<S, Chain, Given, std::index_sequence<E...>>
   /// A degree of freedom that moves no joint, only a mass of its own.
   template <std::size_t F>
   static constexpr bool moves_no_joint() {
-    constexpr bool is_stiff[]{stiff<E>...};
+    constexpr bool is_rigid[]{rigid<E>...};
     for (const auto& place : loads_on<wiring, wiring::template free<F>.what, wiring::template free<F>.slot>)
-      if (is_stiff[place.element]) return false;
+      if (is_rigid[place.element]) return false;
     return true;
   }
   template <std::size_t F>

@@ -33,7 +33,7 @@ class local_derivatives : local_pass<Chain, Given> {
   template <std::size_t I>
   static constexpr int row_of = wiring::template at<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>.v;
   template <std::size_t I>
-  static constexpr int axes = gives_way<Chain, I> ? joint_dofs<core_t<I>> : 0;
+  static constexpr int axes = is_free_joint<Chain, I> ? joint_dofs<core_t<I>> : 0;
   template <std::size_t I>
   KTE_INLINE constexpr auto relative() const {
     if constexpr (coordinates_of<core_t<I>> == 1) {

@@ -26,7 +26,7 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   template <std::size_t I>
   using core_t = typename types::template core<I>;
   template <std::size_t I>
-  static constexpr bool yields = gives_way_under<Chain, Given, I>;
+  static constexpr bool is_free = is_free_joint_under<Chain, Given, I>;
 
   /// Whether a wrench in numbers S is one in S again beyond element I: with parameters of other precision it is not,
   /// and registers hold numbers of one kind.
@@ -39,10 +39,10 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
     else
       return true;
   }
-  static constexpr std::size_t width = (keeps_numbers<E>() && ...) ? tree::lanes_of<S>::count : 1;
-  using lanes = std::conditional_t<width == 1, S, tree::lanes<S>>;
+  static constexpr std::size_t width = (keeps_numbers<E>() && ...) ? tree::simd_of<S>::count : 1;
+  using simd = std::conditional_t<width == 1, S, tree::simd<S>>;
   template <std::size_t I>
-  static constexpr joint_place place = joint_place_of<Chain, I, yields<I>>();
+  static constexpr joint_place place = joint_place_of<Chain, I, is_free<I>>();
   static constexpr auto forces = side_by_side<width, Chain::dofs>(std::array{joint_place(place<E>)..., joint_place{}});
 
  public:
@@ -82,9 +82,9 @@ class local_inverse_mass<S, Chain, Given, std::index_sequence<E...>> : local_art
   /// base and further.
   template <std::size_t I, std::size_t G, class W>
   KTE_INLINE void load_down(const W& load) {
-    if constexpr (yields<I>) {
-      auto force = forces.template units<lanes, S, G, place<I>.row, place<I>.axes>();
-      std::array<lanes, std::size_t{place<I>.axes}> rate;
+    if constexpr (is_free<I>) {
+      auto force = forces.template units<simd, S, G, place<I>.row, place<I>.axes>();
+      std::array<simd, std::size_t{place<I>.axes}> rate;
       const auto w =
           transmitted_by_joint<S>(this->chain_.template core<I>(), base::template joint_coordinate<I>(),
                                   base::template mass_on<I>(), load, this->template response<I>(), force, rate);

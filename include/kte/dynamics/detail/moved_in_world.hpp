@@ -51,7 +51,7 @@ template <class S, class F>
 auto with_motion_in_world(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
   static_assert(goes_through_passes<S>);
   const vec3<> all = c.gravity(), g = x.what == kind::frame_2D ? vec3<>{all.x, all.y, 0.0} : all;
-  if (s.tree().forest.frame(x.what, x.index).slot >= 0) [[likely]] {
+  if (s.tree().body_tree.frame(x.what, x.index).slot >= 0) [[likely]] {
     move(c.wiring(), s, x);
     return with_motion(s, x, [&](const auto& m) {
       return f(motion{m.position, m.rotation, m.velocity, m.ang_velocity,

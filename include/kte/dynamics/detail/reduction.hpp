@@ -63,7 +63,7 @@ class chain_reduction {
 
   void add(const topology::connection& e, kte_map_chain& to) {
     const std::size_t last = e.ports.size() - 1;
-    const bool follows = !e.stiff && e.ports[last].how == access::out && e.ports[last].what == kind::gen;
+    const bool follows = !e.rigid && e.ports[last].how == access::out && e.ports[last].what == kind::gen;
     bool any = false, all = true;
     for (std::size_t p = 0; p < (follows ? last : last + 1); ++p) {
       const bool is = is_coordinate(e.ports[p].what) && at(locked_, e.ports[p].what, e.index[p]) != free;
@@ -72,7 +72,7 @@ class chain_reduction {
     if (follows) e.element->doMotion(state_);  // where joints read it
     if (!any) {
       to.append(e.element->clone());
-    } else if (e.stiff) {
+    } else if (e.rigid) {
       add_link(e, to);
     } else if (follows && all) {
       at(locked_, kind::gen, e.index[last]) = as_locked;
@@ -84,7 +84,7 @@ class chain_reduction {
   /// Masses that cannot move, and what holds that which is locked; `all`: it is connected to nothing else.
   bool needless(const topology::connection& e, bool all) const {
     const auto n = e.element->numbers();
-    return (all && n.has_mass) || (n.holds_coordinate && at(locked_, e.ports[0].what, e.index[0]) != free);
+    return (all && n.has_mass) || (n.locks_coordinate && at(locked_, e.ports[0].what, e.index[0]) != free);
   }
   /// The pose of a joint is that of its end when its base stands at the origin.
   void add_link(const topology::connection& e, kte_map_chain& to) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-/// The algorithms on runtime chains, as loops over records.
+/// The algorithms on runtime chains, as loops over body nodes.
 namespace kte {
 
 namespace detail {
@@ -14,17 +14,17 @@ namespace detail {
 template <class S>
 void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
-    blame_mass(s, first_endless(m), false);
+    diagnose_mass(s, first_non_finite(m), false);
 }
 /// At positions that are good, under the forces that are `kept`.
 template <class S>
 const runtime_vector<S>& accelerations_under_kept(const kte_map_chain& c, basic_runtime_state<S>& s,
                                                   std::span<const char> prescribed) {
   const auto& kept = s.work.kept;
-  accelerate_by_records(
+  accelerate_by_tree(
       runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
   check_result(s, [&] {
-    blame("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
+    diagnose("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
   });
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
@@ -75,7 +75,7 @@ void move(const topology& t, basic_runtime_state<S>& s, const runtime_frame& x) 
 /// Throws `bad_argument` for a frame that follows others.
 template <class S>
 void refuse_following(const kte_map_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
-  if (s.tree().forest.frame(x.what, x.index).slot >= 0) [[likely]]
+  if (s.tree().body_tree.frame(x.what, x.index).slot >= 0) [[likely]]
     return;
   throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
                      c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_derivatives.hpp>
-#include <kte/dynamics/detail/record_inverse.hpp>
 #include <kte/dynamics/detail/runtime_arguments.hpp>
+#include <kte/dynamics/detail/tree_derivatives.hpp>
+#include <kte/dynamics/detail/tree_inverse.hpp>
 #include <kte/runtime_chain/chain.hpp>
 
-/// The elements of a runtime chain in the loops over records.
+/// The elements of a runtime chain in the loops over body nodes.
 namespace kte::detail {
 
 /// Elements are those of the chain at hand: a state may have been made for one of which this is a copy.
@@ -48,11 +48,11 @@ struct runtime_elements {
     return typename State::scalar(0);
   }
   template <class State>
-  [[noreturn]] void blame_mass(const State& s, int row, bool finite) const {
-    detail::blame_mass(s, row, finite);
+  [[noreturn]] void diagnose_mass(const State& s, int row, bool finite) const {
+    detail::diagnose_mass(s, row, finite);
   }
   template <class State>
-  [[noreturn]] void blame_friction(const State& s, int row) const {
+  [[noreturn]] void diagnose_friction(const State& s, int row) const {
     raise_jammed(name_of_row(layout_of_state(s), row));
   }
 };
@@ -100,7 +100,7 @@ KTE_EXTERN template void check_whole(const kte_map_chain&, const runtime_state&)
 KTE_EXTERN template void check_regular(const kte_map_chain&, const runtime_state&);
 KTE_EXTERN template void coordinate_forces(const kte_map_chain&, runtime_state&, bool);
 KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
-KTE_EXTERN template void take_needed_forces(runtime_state&);
+KTE_EXTERN template void take_generalized_forces(runtime_state&);
 #endif
 
 }  // namespace kte::detail

@@ -56,7 +56,7 @@ vec3<dual<S, N>> turning_of(const mat3<vec3<dual<S, N>>>& rotation) {
 template <std::same_as<double> S, class D>
 void place_bases(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
   const auto& t = s.tree();
-  tree::place_bases_in_duals(t.forest, s.work, d.work);
+  tree::place_bases_in_duals(t.body_tree, s.work, d.work);
   for (std::size_t i = 0; i < t.plan.bases.size(); ++i) {
     const auto [k, index] = t.plan.bases[i];
     if (c.wiring().writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(index)] < 0) continue;
@@ -67,7 +67,7 @@ void place_bases(const kte_map_chain& c, const basic_runtime_state<S>& s, basic_
                              as<D>(m.ang_acceleration)};
       d.work.world[slot].position = as<D>(m.position);
       d.work.world[slot].rotation = as<D>(matrix(m.rotation));
-      d.work.seats[slot].turned = turning_of(d.work.world[slot].rotation);
+      d.work.joint_transforms[slot].turned = turning_of(d.work.world[slot].rotation);
     });
   }
 }
@@ -86,14 +86,14 @@ void move_keepers(const kte_map_chain& c, basic_derivative_state<D>& d) {
     if (!wanted[e]) continue;
     each_read(t.elements[e], [&](kind k, int i) {
       const int writer = t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-      if (writer >= 0 && !t.elements[static_cast<std::size_t>(writer)].stiff)
+      if (writer >= 0 && !t.elements[static_cast<std::size_t>(writer)].rigid)
         wanted[static_cast<std::size_t>(writer)] = 1;
     });
   }
   for (std::size_t e = 0; e < wanted.size(); ++e) {
     if (!wanted[e]) continue;
     each_read(t.elements[e], [&](kind k, int i) {
-      if (is_frame(k) && d.tree().forest.frame(k, i).slot >= 0) place_frame(d, k, i, true);
+      if (is_frame(k) && d.tree().body_tree.frame(k, i).slot >= 0) place_frame(d, k, i, true);
     });
     runtime_elements{c}.move(static_cast<int>(e), d);
   }
@@ -121,7 +121,7 @@ void derive_rates_by_inputs(const kte_map_chain& c, basic_runtime_state<S>& s, r
     bring_up_to_date(runtime_elements{c}, d);
     place_bases(c, s, d);
     // Shifts of rotations go with their directions, numbers with themselves.
-    needed_forces_in_duals(runtime_elements{c}, s, d, directions{vector_of::q, first});
+    inverse_dynamics_in_duals(runtime_elements{c}, s, d, directions{vector_of::q, first});
   };
   const auto each_group = [&](int begin, const auto& visit) {
     for (int first = begin; first < columns; first += lanes) visit(first, (std::min)(first + lanes, columns));

@@ -19,7 +19,7 @@ struct element_parts {
   std::span<const port> ports;
   std::vector<std::string> names;
   std::vector<parameter_record> parameters;
-  bool stiff = false;       ///< a joint or a link
+  bool rigid = false;       ///< a joint or a link
   bool holds_code = false;  ///< it has no parameters then
 };
 /// A shape of a robot's file.
@@ -71,7 +71,7 @@ inline chain_parts parts_of(const kte_map_chain& c) {
   p.gravity = c.gravity();
   for (const auto& e : t.elements) {
     auto& x =
-        p.elements.emplace_back(element_parts{std::string(e.type), e.ports, {}, {}, e.stiff, e.element->holds_code()});
+        p.elements.emplace_back(element_parts{std::string(e.type), e.ports, {}, {}, e.rigid, e.element->holds_code()});
     for (std::size_t i = 0; i < e.ports.size(); ++i)
       x.names.push_back(t.names[static_cast<std::size_t>(e.ports[i].what)][static_cast<std::size_t>(e.index[i])]);
     if (!x.holds_code) x.parameters = e.element->record().parameters;

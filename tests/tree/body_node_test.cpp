@@ -141,7 +141,7 @@ constexpr double rounding_of_regressor = 2.2e-15, rounding_of_derivatives = 4e-1
 
 }  // namespace
 
-TEST_CASE("joints of users' own move along and about z of their records") {
+TEST_CASE("joints of users' own move along and about z of their nodes") {
   const kte_map_chain run = models::by_own_elements(own_joints);
   auto s = run.make_state();
   random_numbers random(1);
