@@ -60,13 +60,13 @@ TEST_CASE("joints with a place obey the laws", "[laws]") {
 }
 
 TEST_CASE("a joint with a place is a link and the joint") {
-  const auto beyond = [](kte_map_chain& c) -> kte_map_chain& {
+  const auto beyond = [](runtime_chain& c) -> runtime_chain& {
     return c.gravity(weight) << inertia_3D("arm", brick) << revolute_joint_3D("p", "arm", "hand", axis::y)
                              << inertia_3D("hand", brick);
   };
   unsigned seed = 0;
   const auto check = [&](const auto& joint, const auto&... place) {
-    kte_map_chain placed, linked;
+    runtime_chain placed, linked;
     placed << joint("ground").at(place...);
     linked << fixed_joint_3D("ground", "seat", place...) << joint("seat");
     INFO(record_of(placed).elements[0].type);

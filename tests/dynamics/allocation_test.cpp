@@ -49,7 +49,7 @@ TEST_CASE("static chains allocate nothing") {
 TEST_CASE("runtime chains allocate nothing once their state is made and has room for M") {
   // Also at sizes where Eigen's factorisation works by blocks.
   for (const int n : {7, 40, 150}) {
-    kte::kte_map_chain c;
+    kte::runtime_chain c;
     std::string frame = "base";
     for (int i = 0; i < n; ++i) {
       const auto k = std::to_string(i);
@@ -109,7 +109,7 @@ TEST_CASE("coordinates of several degrees of freedom and springs between frames 
 TEST_CASE("coordinates that follow one degree of freedom take no memory by their square") {
   using namespace kte;
   constexpr int n = 2000;
-  kte_map_chain c;
+  runtime_chain c;
   std::string frame = "base";
   for (int i = 0; i < n; ++i) {
     const auto k = std::to_string(i);

@@ -9,7 +9,7 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/elements/position_control.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <limits>
 
@@ -109,7 +109,7 @@ TEST_CASE("a joint with a force of its own") {
   const std::array q{0.1}, v{0.5}, a{3.0};
   CHECK(inverse_dynamics(slide, q, v, a)[0] == 6.25);  // m a + c v; what is beyond that does not compile
   for (const bool nested : {false, true}) {
-    kte_map_chain model;
+    runtime_chain model;
     if (nested)
       model << slide;
     else

@@ -14,8 +14,8 @@ using namespace kte;
 namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-kte_map_chain arm(double length = 1) {
-  kte_map_chain c;
+runtime_chain arm(double length = 1) {
+  runtime_chain c;
   c << revolute_joint_3D("q", "base", "arm", axis::y) << rigid_link_3D("arm", "tip", vec3{length, 0.0, 0.0})
     << inertia_3D("tip", point_mass(1.0));
   return c.gravity(along_z(-9.81));

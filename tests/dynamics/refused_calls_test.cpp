@@ -14,8 +14,8 @@ namespace {
 using vector = Eigen::VectorXd;
 
 /// A slide, a hinge and a ball joint, whose mass is in reach of overflow where rates or places are.
-kte_map_chain arm() {
-  kte_map_chain c;
+runtime_chain arm() {
+  runtime_chain c;
   const rigid_body body{2.0, vec3<>{0.1, 0.2, 0.3}, sym3<>{1.0, 0.1, 0.2, 1.5, 0.1, 2.0}};
   c << prismatic_joint_3D("slide", "base", "cart", axis::x) << inertia_3D("cart", body)
     << revolute_joint_3D("hinge", "cart", "link", axis::z) << inertia_3D("link", body)
@@ -28,7 +28,7 @@ struct call {
   const char* name;
   std::function<void(runtime_state&, const vector& q, const vector& v, const vector& a)> run;
 };
-std::vector<call> all_calls(const kte_map_chain& c, const mass_matrix_calc<kte_map_chain>& masses) {
+std::vector<call> all_calls(const runtime_chain& c, const mass_matrix_calc<runtime_chain>& masses) {
   const std::vector<external_wrench> loads{{"hand", {1, 2, 3}}};
 #define KTE_REFUSING(...)                                                                                              \
   {                                                                                                                    \

@@ -14,7 +14,7 @@
 #include <kte/elements/position_measure.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/math/pack.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
@@ -34,7 +34,7 @@ inline constexpr struct ball_ final : rotation_3D_key<"ball"> {
 } ball;
 
 /// A trunk that is free; a leg of a general axis and a slide; an arm of a ball and a hinge, with a rotor.
-kte_map_chain creature() {
+runtime_chain creature() {
   using namespace models;
   constexpr rigid_body body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}};
   static constexpr auto c = chain(free_joint_3D(trunk_pose, ground, trunk), inertia_3D(trunk, body),
@@ -52,7 +52,7 @@ kte_map_chain creature() {
 template <class S>
 using results = std::vector<std::vector<S>>;
 template <class S>
-results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_vector<S>& q,
+results<S> all_results(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_vector<S>& q,
                        const runtime_vector<S>& v, const runtime_vector<S>& a) {
   results<S> all;
   const auto add = [&all](const auto& x) { all.emplace_back(x.data(), x.data() + x.size()); };
@@ -84,13 +84,13 @@ results<S> all_results(const kte_map_chain& c, basic_runtime_state<S>& s, const 
 /// Numbers that are exact in float.
 struct sample {
   Eigen::VectorXd q, v, a;
-  sample(const kte_map_chain& c, random_numbers& r) : q(c.nq()), v(c.dofs()), a(c.dofs()) {
+  sample(const runtime_chain& c, random_numbers& r) : q(c.nq()), v(c.dofs()), a(c.dofs()) {
     for (auto* x : {&q, &v, &a})
       for (auto& y : *x) y = std::round(r(384.0)) / 256;
   }
 };
 template <class S>
-results<S> results_in(const kte_map_chain& c, const sample& x) {
+results<S> results_in(const runtime_chain& c, const sample& x) {
   auto s = c.make_state<S>();
   return all_results<S>(c, s, x.q.cast<S>(), x.v.cast<S>(), x.a.cast<S>());
 }
@@ -114,14 +114,14 @@ double gap(const results<S>& x, const results<digits50>& exact, const Number& nu
 /// is 470 here; accelerations' derivatives lose up to 57.
 constexpr double roundings = 64;
 template <class S>
-void check(const kte_map_chain& c, const sample& x, const results<digits50>& exact) {
+void check(const runtime_chain& c, const sample& x, const results<digits50>& exact) {
   const auto itself = [](const S& y) { return y; };
   CHECK(gap(results_in<S>(c, x), exact, itself) < roundings * static_cast<double>(std::numeric_limits<S>::epsilon()));
 }
 }  // namespace
 
 TEST_CASE("runtime chains in other scalars", "[laws]") {
-  const kte_map_chain c = creature();
+  const runtime_chain c = creature();
   random_numbers random(11);
   for (int i = 0; i < 5; ++i) {
     const sample x(c, random);
@@ -132,7 +132,7 @@ TEST_CASE("runtime chains in other scalars", "[laws]") {
 
 TEST_CASE("several states of a runtime chain at once") {
   using four = pack<double, 4>;
-  const kte_map_chain c = creature();
+  const runtime_chain c = creature();
   random_numbers random(12);
   const std::array<sample, 4> x{sample(c, random), sample(c, random), sample(c, random), sample(c, random)};
   const auto gathered = [&x](Eigen::VectorXd sample::*which) {
@@ -149,7 +149,7 @@ TEST_CASE("several states of a runtime chain at once") {
 
 TEST_CASE("derivatives of a runtime chain by dual numbers") {
   using number = dual<double, 1>;
-  const kte_map_chain c = creature();
+  const runtime_chain c = creature();
   random_numbers random(13);
   const sample x(c, random);
   auto plain = c.make_state();
@@ -167,8 +167,8 @@ TEST_CASE("derivatives of a runtime chain by dual numbers") {
 
 namespace {
 /// Two hinges and a slide on each other, and what stands beside: a frame that follows, and a measure.
-kte_map_chain tandem(const char* first, const char* second, const char* third) {
-  kte_map_chain c;
+runtime_chain tandem(const char* first, const char* second, const char* third) {
+  runtime_chain c;
   c.gravity(vec3{0.3, -0.4, -9.81})
       << revolute_joint_3D(first, "base", "a", axis::y) << inertia_3D("a", point_mass(1.5, vec3{0.5, 0.125, -0.25}))
       << revolute_joint_3D(second, "a", "b", vec3{0.6, 0.0, 0.8}).at(vec3{0.5, 0.25, 0.0}, quarter_turn_x)
@@ -217,7 +217,7 @@ TEST_CASE("derivatives of runtime chains of joints that share coordinates") {
 }
 
 TEST_CASE("what other scalars cannot do is said") {
-  kte_map_chain c = creature();
+  runtime_chain c = creature();
   c << spring_gen("hip", "knee", 0.0, 10.0);
   CHECK_NOTHROW(c.make_state());
   CHECK_THROWS_WITH(c.make_state<float>(),

@@ -80,7 +80,7 @@ TEST_CASE("what frames carry, of bad arguments") {
   CHECK_THROWS_AS(subtree_inertia(model, s, q, "tpi"), unknown_name);
   CHECK_THROWS_AS(carried_mass_centre(model, s, q, "q1"), unknown_name);
   CHECK_THROWS_AS(subtree_inertia(model, s, std::array{0.0, std::nan("")}, "tip"), bad_argument);
-  kte_map_chain none;
+  runtime_chain none;
   none << revolute_joint_2D("q", "base", "end");
   auto t = none.make_state();
   CHECK(subtree_inertia(none, t, "end").mass == 0);

@@ -36,8 +36,8 @@ std::pair<double, double> gap(const Q& q, const Pose& wanted) {
   return {e.template head<3>().norm(), e.template tail<3>().norm()};
 }
 /// A chain of three axes about z as three_r_2D: joints by names.
-manipulator<kte_map_chain> runtime_three() {
-  kte_map_chain c;
+manipulator<runtime_chain> runtime_three() {
+  runtime_chain c;
   c << three_r_2D_chain();
   return manipulator(c, "tool");
 }

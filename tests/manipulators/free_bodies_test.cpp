@@ -168,7 +168,7 @@ TEST_CASE("clik of a free body begins with the answer") {
 }
 
 TEST_CASE("a body that moves freely and a joint on it have no closed form") {
-  kte_map_chain c;
+  runtime_chain c;
   c << free_joint_3D("pose", "base", "body") << revolute_joint_3D("q", "body", "arm", axis::z)
     << rigid_link_3D("arm", "tool", along_x(1.0));
   const manipulator arm(c, "tool");

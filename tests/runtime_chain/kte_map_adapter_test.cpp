@@ -143,7 +143,7 @@ TEST_CASE("derivatives of the forces on coordinates are subtracted, by whatever 
 }
 
 TEST_CASE("an element with both ports on one coordinate is derived by it once") {
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("q", 1.0) << connect(pair_of_springs{}, "q", "q");
   auto s = c.make_state();
   const std::array q{2.0}, v{3.0}, a{0.0};

@@ -82,7 +82,7 @@ const char* status_text(kte::clik_status s) {
 }
 
 class solver {
-  using arm_type = kte::manipulator<kte::kte_map_chain>;
+  using arm_type = kte::manipulator<kte::runtime_chain>;
 
  public:
   solver(const options& o, const mechanism& m) : arm_(m.chain(), o.frame, m.robot.limits), o_(o) {

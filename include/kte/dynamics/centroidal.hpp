@@ -75,7 +75,7 @@ auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q
 namespace kte {
 
 template <class S>
-linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
+linear_angular<S> centroidal_momentum(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
@@ -86,7 +86,7 @@ linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_stat
 namespace detail {
 /// At positions that are good.
 template <class S>
-basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   carry(c, s);
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
@@ -102,25 +102,25 @@ basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const kte_map_chain& c, 
 }
 }  // namespace detail
 template <class S>
-basic_runtime_jacobian<S> centroidal_momentum_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
+basic_runtime_jacobian<S> centroidal_momentum_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   return detail::centroidal_momentum_matrix_of(c, s);
 }
 template <class S, indexable Q, indexable V>
-linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+linear_angular<S> centroidal_momentum(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take(c, s, q, v).call([&] { return centroidal_momentum(c, s); });
 }
 template <class S, indexable Q>
-basic_runtime_jacobian<S> centroidal_momentum_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+basic_runtime_jacobian<S> centroidal_momentum_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   return detail::take(c, s, q).call([&] { return detail::centroidal_momentum_matrix_of(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template linear_angular<double> centroidal_momentum(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template runtime_jacobian centroidal_momentum_matrix(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template linear_angular<double> centroidal_momentum(const runtime_chain&, runtime_state&);
+KTE_EXTERN template runtime_jacobian centroidal_momentum_matrix(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template runtime_jacobian centroidal_momentum_matrix_of(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template runtime_jacobian centroidal_momentum_matrix_of(const runtime_chain&, runtime_state&);
 }
 #endif
 

@@ -99,7 +99,7 @@ auto moving_along(const Chain& c, const Q& q, const V& v) {
 namespace kte {
 
 template <indexable Q, indexable V>
-Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double dt) {
+Eigen::VectorXd integrate(const runtime_chain& c, const Q& q, const V& v, double dt) {
   detail::check_configuration(c.nq(), c.dofs(), q), check_size(static_cast<std::size_t>(c.dofs()), v, "v");
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::integrate_one<double>(f, q, v, dt, out);
@@ -113,7 +113,7 @@ Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double
   return out;
 }
 template <indexable Q>
-Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
+Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
   detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
   Eigen::VectorXd out(c.dofs());
   for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
@@ -125,7 +125,7 @@ Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
   });
   return out;
 }
-inline Eigen::VectorXd neutral_configuration(const kte_map_chain& c) {
+inline Eigen::VectorXd neutral_configuration(const runtime_chain& c) {
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::neutral_one(f, out);
   return out;

@@ -4,7 +4,7 @@
 #include <kte/dynamics/detail/local_coriolis.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/coriolis.hpp>
 
 /// The matrix of Coriolis and centrifugal forces, and how the mass matrix changes; on static and runtime chains.
@@ -86,23 +86,23 @@ auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V&
 /// At the positions and rates of a state, with its moving bases and coordinates that are given: (1) holds then, too,
 /// but C v leaves out what these do.
 template <class S>
-runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);
   runtime_matrix<S> m = detail::coriolis_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_result(m.data(), static_cast<std::size_t>(m.size()), [&s] { detail::diagnose("a matrix", s); });
   return m;
 }
 template <class S, indexable Q, indexable V>
-runtime_matrix<S> coriolis_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   detail::check_regular(c, s), detail::refuse_distributed_masses(c, s);
   return detail::take(c, s, q, v).call([&] { return coriolis_matrix(c, s); });
 }
 template <class S>
-runtime_matrix<S> mass_matrix_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> mass_matrix_rate(const runtime_chain& c, basic_runtime_state<S>& s) {
   return detail::with_transpose(coriolis_matrix(c, s));
 }
 template <class S, indexable Q, indexable V>
-runtime_matrix<S> mass_matrix_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+runtime_matrix<S> mass_matrix_rate(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::with_transpose(coriolis_matrix(c, s, q, v));
 }
 

@@ -83,7 +83,7 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
 namespace kte {
 
 template <class S>
-S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
@@ -92,7 +92,7 @@ S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
   return detail::checked_energy<S>(sum, detail::diagnose_state{"an energy", s});
 }
 template <class S>
-S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
@@ -106,26 +106,26 @@ S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
                                    detail::diagnose_state{"an energy", s});
 }
 template <class S>
-energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   const S kinetic = kinetic_energy(c, s);
   return {kinetic, potential_energy(c, s)};
 }
 template <class S, indexable Q, indexable V>
-S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return kinetic_energy(c, s); });
 }
 template <class S, indexable Q>
-S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&] { return potential_energy(c, s); });
 }
 template <class S, indexable Q, indexable V>
-energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return energy(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template double kinetic_energy(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template double potential_energy(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template double kinetic_energy(const runtime_chain&, runtime_state&);
+KTE_EXTERN template double potential_energy(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

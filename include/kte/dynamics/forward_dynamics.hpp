@@ -94,13 +94,13 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 namespace kte {
 
 template <class S>
-const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::accelerations_under(c, s, [](int) { return S(0); });
 }
 template <class S, indexable Q, indexable V, indexable T>
-const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const T& tau) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
@@ -109,7 +109,7 @@ const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

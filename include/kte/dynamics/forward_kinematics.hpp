@@ -135,7 +135,7 @@ namespace kte {
 namespace detail {
 /// At positions that are good.
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+pose<mat3<vec3<S>>, vec3<S>> pose_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   const auto& f = s.tree().body_tree;
   const auto& place = f.frame(x.what, x.index);
   if constexpr (std::is_same_v<S, double>)
@@ -168,7 +168,7 @@ const Pose& checked_pose(const basic_runtime_state<S>& s, const Pose& m, kind k,
 }  // namespace detail
 
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s,
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s,
                                                 const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
@@ -176,7 +176,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
   return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index);
 }
 template <class S, indexable Q>
-pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                 const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take<detail::keeping::if_needed>(c, s, q).call(
@@ -185,7 +185,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
 
 #ifdef KTE_EXTERN
 namespace detail {
-KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 }
 #endif
 

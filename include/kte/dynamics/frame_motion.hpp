@@ -186,7 +186,7 @@ void check_poses(const basic_runtime_state<S>& s) {
 }  // namespace detail
 
 template <class S>
-const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s) {
   static_assert(detail::goes_through_passes<S>);
   c.check(s);
   detail::check_positions(s);
@@ -195,7 +195,7 @@ const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_r
   return s;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c,
+requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s, const Q& q) {
   static_assert(detail::goes_through_passes<S>);
   return detail::take(c, s, q).call([&]() -> const auto& {
@@ -207,7 +207,7 @@ requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(c
 
 namespace detail {
 template <class S>
-linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+linear_angular<S> velocity_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   static_assert(goes_through_passes<S>);
   move(c.wiring(), s, x);
   return with_motion(s, x, [&s](const auto& m) {
@@ -215,7 +215,7 @@ linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s,
   });
 }
 template <class S>
-linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+linear_angular<S> acceleration_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   return with_motion_in_world(c, s, x, [&s](const auto& m) {
     return checked<double>(m.acceleration, m.ang_acceleration, diagnose_state{"an acceleration", s});
   });
@@ -223,21 +223,21 @@ linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>
 }  // namespace detail
 
 template <class S>
-linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+linear_angular<S> frame_velocity(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
   return detail::velocity_of(c, s, x);
 }
 template <class S, indexable Q, indexable V>
-linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> frame_velocity(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                  const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take(c, s, q, v).call([&] { return detail::velocity_of(c, s, x); });
 }
 
 template <class S>
-linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+linear_angular<S> frame_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
@@ -246,17 +246,17 @@ linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state
   return detail::acceleration_of(c, s, x);
 }
 template <class S, indexable Q, indexable V, indexable A>
-linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> frame_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                      const A& a, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take(c, s, q, v, a).call([&] { return detail::acceleration_of(c, s, x); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_state& forward_kinematics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_state& forward_kinematics(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template linear_angular<double> velocity_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
-KTE_EXTERN template linear_angular<double> acceleration_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> velocity_of(const runtime_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> acceleration_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 }  // namespace detail
 #endif
 

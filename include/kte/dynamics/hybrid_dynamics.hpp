@@ -120,7 +120,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 namespace kte {
 
 template <class S, indexable Q, indexable V, indexable X>
-hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                           const V& v, const X& known,
                                                           const std::vector<std::string_view>& prescribed) {
   using namespace detail;

@@ -8,7 +8,7 @@
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/jacobian.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 
 /// How Jacobians of frames change, and what a frame is accelerated by rates alone; on static and runtime chains. With
@@ -72,7 +72,7 @@ auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V
 namespace detail {
 /// At positions and rates that are good.
 template <class Axes, class S>
-jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_map_chain& c, basic_runtime_state<S>& s,
+jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                     const runtime_frame& x) {
   using six_rows = basic_runtime_jacobian<S>;
   const auto& t = s.tree();
@@ -108,7 +108,7 @@ jacobian_with_rate<basic_runtime_jacobian<S>> jacobian_with_rate_of(const kte_ma
   return j;
 }
 template <class Axes, class S>
-linear_angular<S> bias_acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+linear_angular<S> bias_acceleration_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   const rates_aside aside(s, false);
   return with_motion_in_world(c, s, x, [&s](const auto& m) {
     return bias_of<S>(m, Axes{}, diagnose_state{"an acceleration", s});
@@ -122,13 +122,13 @@ basic_runtime_jacobian<S> at_origin(basic_runtime_jacobian<S> j, const vec3<S>& 
 }  // namespace detail
 
 template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                    at_world_origin_t) {
   auto j = jacobian(c, s, frame, in_world_axes);
   return detail::at_origin(std::move(j), forward_kinematics(c, s, frame).position);
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame,
                                                                  at_world_origin_t axes) {
   detail::check_motion(c, s), (void)detail::find_frame(c, frame);
@@ -138,7 +138,7 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_c
 /// As on static chains, by columns that change as the frame moves (tree/jacobian_rate.hpp). Throws `bad_argument` for a
 /// frame that follows others.
 template <class S, axes_of_rates Axes = in_own_axes_t>
-basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+basic_runtime_jacobian<S> jacobian_rate(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                         Axes = {}) {
   detail::check_motion(c, s);
   const auto x = detail::find_frame(c, frame);
@@ -146,7 +146,7 @@ basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_st
   return detail::jacobian_with_rate_of<Axes>(c, s, x).rate;
 }
 template <class S, indexable Q, indexable V, axes_of_rates Axes = in_own_axes_t>
-basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+basic_runtime_jacobian<S> jacobian_rate(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                         const name_or_handle& frame, Axes = {}) {
   detail::check_motion(c, s);
   const auto x = detail::find_frame(c, frame);
@@ -155,7 +155,7 @@ basic_runtime_jacobian<S> jacobian_rate(const kte_map_chain& c, basic_runtime_st
 
 /// As on static chains; where bases of the state are accelerated, but for gravity, with that.
 template <class S, axes_of_rates Axes = in_own_axes_t>
-linear_angular<S> bias_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+linear_angular<S> bias_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                     Axes = {}) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
@@ -163,7 +163,7 @@ linear_angular<S> bias_acceleration(const kte_map_chain& c, basic_runtime_state<
   return detail::bias_acceleration_of<Axes>(c, s, x);
 }
 template <class S, indexable Q, indexable V, axes_of_rates Axes = in_own_axes_t>
-linear_angular<S> bias_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> bias_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                     const name_or_handle& frame, Axes = {}) {
   const auto x = detail::find_frame(c, frame);
   return detail::take(c, s, q, v).call([&] { return detail::bias_acceleration_of<Axes>(c, s, x); });

@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <vector>
@@ -55,7 +55,7 @@ auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 }
 
 namespace detail {
-inline void accumulate_loads(const kte_map_chain& c, runtime_state& s) {
+inline void accumulate_loads(const runtime_chain& c, runtime_state& s) {
   check_whole(c, s), check_state_velocities(s);
   c.doMotion(s), c.clearForce(s), c.doForce(s);
 }
@@ -65,7 +65,7 @@ inline wrench<vec3<>, vec3<>> reaction_at(const runtime_state& s, kind k, int in
   return reaction_to<double>(load_of(s.get<kind::frame_3D>(index)), why);
 }
 /// Throws `unknown_name`, `bad_argument`.
-inline runtime_frame find_moved_frame(const kte_map_chain& c, const name_or_handle& frame) {
+inline runtime_frame find_moved_frame(const runtime_chain& c, const name_or_handle& frame) {
   const auto x = find_frame(c, frame);
   const int by = c.wiring().writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
   if (by < 0 || !c.wiring().elements[static_cast<std::size_t>(by)].rigid)
@@ -77,20 +77,20 @@ inline runtime_frame find_moved_frame(const kte_map_chain& c, const name_or_hand
 
 /// As on static chains, at the positions, rates and accelerations of a state, with its bases and inputs. Throws
 /// `unknown_name`, and `bad_argument` where no joint or link moves the frame.
-inline wrench<vec3<>, vec3<>> joint_reaction(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
+inline wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const name_or_handle& frame) {
   const auto x = detail::find_moved_frame(c, frame);
   detail::accumulate_loads(c, s);
   return detail::reaction_at(s, x.what, x.index);
 }
 /// The same at q, v, a, which are put into the state.
 template <indexable Q, indexable V, indexable A>
-wrench<vec3<>, vec3<>> joint_reaction(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
+wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                       const name_or_handle& frame) {
   (void)detail::find_moved_frame(c, frame);
   return detail::take(c, s, q, v, a).call([&] { return joint_reaction(c, s, frame); });
 }
 /// Of all joints, in the order of the chain.
-inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s) {
+inline std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s) {
   detail::accumulate_loads(c, s);
   std::vector<joint_reaction_entry> all;
   for (const auto& e : c.wiring().elements) {
@@ -102,7 +102,7 @@ inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c,
   return all;
 }
 template <indexable Q, indexable V, indexable A>
-std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
+std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s, const Q& q, const V& v,
                                                   const A& a) {
   return detail::take(c, s, q, v, a).call([&] { return joint_reactions(c, s); });
 }

@@ -71,7 +71,7 @@ namespace kte {
 namespace detail {
 /// At positions that are good.
 template <class S>
-const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& inverse_of_masses(const runtime_chain& c, basic_runtime_state<S>& s) {
   runtime_matrix<S>& inverse = s.work.inverse;
   if (s.tree().plan.tree) {
     articulate_and_invert(runtime_elements{c}, s, inverse);
@@ -86,21 +86,21 @@ const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime
 }  // namespace detail
 
 template <class S>
-const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::inverse_of_masses(c, s);
 }
 template <class S, indexable Q>
-const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   return detail::take(c, s, q).call([&]() -> const auto& { return detail::inverse_of_masses(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const runtime_chain&, runtime_state&);
 }
 #endif
 

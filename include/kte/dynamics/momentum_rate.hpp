@@ -4,7 +4,7 @@
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 /// How the centre of mass and the momentum of a chain change, static and runtime: bases at rest, without gravity, axes
 /// of the base.
@@ -103,7 +103,7 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, co
 namespace detail {
 /// At positions that are good.
 template <class S>
-runtime_matrix<S> centre_of_mass_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (s.tree().plan.coordinates > s.dofs()) {  // some of which follow others
     const auto map = centroidal_momentum_matrix_of(c, s);
     return map.topRows(3) / tree::weight_in_world(s.tree().body_tree, s.work).mass;
@@ -122,12 +122,12 @@ runtime_matrix<S> centre_of_mass_jacobian_of(const kte_map_chain& c, basic_runti
 }
 }  // namespace detail
 template <class S>
-runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   return detail::centre_of_mass_jacobian_of(c, s);
 }
 template <class S>
-linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
+linear_angular<S> centroidal_momentum_rate(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
@@ -137,25 +137,25 @@ linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime
   return detail::checked<S>(h.force, h.torque, why);
 }
 template <class S>
-vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s) {
+vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<S>& s) {
   const S mass = centre_of_mass(c, s).mass;
   const vec3<S> f = centroidal_momentum_rate(c, s).linear;
   return {f.x / mass, f.y / mass, f.z / mass};
 }
 // The same at q, v, a, which are put into the state.
 template <class S, indexable Q>
-runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   return detail::take(c, s, q).call([&] { return detail::centre_of_mass_jacobian_of(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
-linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> centroidal_momentum_rate(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                            const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return centroidal_momentum_rate(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
-vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                     const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return centre_of_mass_acceleration(c, s); });

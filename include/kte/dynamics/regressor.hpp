@@ -93,7 +93,7 @@ namespace detail {
 /// visit(element, its numbers, its first column, how many columns) for what has inertial parameters. Returns how many
 /// there are.
 template <class Visit>
-int for_each_parametric(const kte_map_chain& c, const Visit& visit) {
+int for_each_parametric(const runtime_chain& c, const Visit& visit) {
   int column = 0;
   for (const topology::connection& e : c.wiring().elements) {
     if (e.rigid) continue;
@@ -106,7 +106,7 @@ int for_each_parametric(const kte_map_chain& c, const Visit& visit) {
 }
 /// At the positions, rates and accelerations of the state.
 template <class S>
-runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   const auto& t = s.tree();
   refuse_distributed_masses(c, s);
   place_bodies(runtime_elements{c}, s);
@@ -134,9 +134,9 @@ runtime_matrix<S> regressor_of(const kte_map_chain& c, basic_runtime_state<S>& s
 }
 }  // namespace detail
 
-Eigen::VectorXd inertial_parameters(const kte_map_chain& c);
+Eigen::VectorXd inertial_parameters(const runtime_chain& c);
 #ifdef KTE_FUNCTION
-KTE_FUNCTION Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
+KTE_FUNCTION Eigen::VectorXd inertial_parameters(const runtime_chain& c) {
   using namespace detail;
   Eigen::VectorXd pi(for_each_parametric(c, [](auto&&...) {}));
   for_each_parametric(c, [&pi](const topology::connection&, const element_numbers<double>& n, int first, int count) {
@@ -149,22 +149,22 @@ KTE_FUNCTION Eigen::VectorXd inertial_parameters(const kte_map_chain& c) {
 #endif
 
 template <class S>
-runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_state_velocities(s);
   return detail::regressor_of(c, s);
 }
 template <class S, indexable Q, indexable V, indexable A>
-runtime_matrix<S> torque_regressor(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+runtime_matrix<S> torque_regressor(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return detail::regressor_of(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template runtime_matrix<double> detail::regressor_of(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template runtime_matrix<double> torque_regressor(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template runtime_matrix<double> torque_regressor(const kte_map_chain&, runtime_state&,
+KTE_EXTERN template runtime_matrix<double> detail::regressor_of(const runtime_chain&, runtime_state&);
+KTE_EXTERN template runtime_matrix<double> torque_regressor(const runtime_chain&, runtime_state&);
+KTE_EXTERN template runtime_matrix<double> torque_regressor(const runtime_chain&, runtime_state&,
                                                             const Eigen::VectorXd&, const Eigen::VectorXd&,
                                                             const Eigen::VectorXd&);
 #endif

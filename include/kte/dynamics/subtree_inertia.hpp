@@ -5,7 +5,7 @@
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <vector>
 
@@ -83,7 +83,7 @@ inline std::array<std::vector<char>, 2> carried_frames(const topology& t, const 
 }
 /// At positions that are good.
 template <class S>
-dense_composite_inertia<S> subtree_inertia_of(const kte_map_chain& c, basic_runtime_state<S>& s,
+dense_composite_inertia<S> subtree_inertia_of(const runtime_chain& c, basic_runtime_state<S>& s,
                                               const runtime_frame& x) {
   using number = typename basic_runtime_state<S>::parameter;
   const auto& f = s.tree().body_tree;
@@ -112,7 +112,7 @@ dense_composite_inertia<S> subtree_inertia_of(const kte_map_chain& c, basic_runt
 }  // namespace detail
 
 template <class S>
-dense_composite_inertia<S> subtree_inertia(const kte_map_chain& c, basic_runtime_state<S>& s,
+dense_composite_inertia<S> subtree_inertia(const runtime_chain& c, basic_runtime_state<S>& s,
                                            const name_or_handle& frame) {
   detail::check_regular(c, s), detail::refuse_distributed_masses(c, s);
   const auto x = detail::find_frame(c, frame);
@@ -120,19 +120,19 @@ dense_composite_inertia<S> subtree_inertia(const kte_map_chain& c, basic_runtime
   return detail::subtree_inertia_of(c, s, x);
 }
 template <class S>
-mass_centre<S> carried_mass_centre(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+mass_centre<S> carried_mass_centre(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   const auto b = subtree_inertia(c, s, frame);
   return detail::centre_in_base(b, forward_kinematics(c, s, frame));
 }
 // The same at q, which is put into the state.
 template <class S, indexable Q>
-dense_composite_inertia<S> subtree_inertia(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+dense_composite_inertia<S> subtree_inertia(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                            const name_or_handle& frame) {
   detail::check_regular(c, s), (void)detail::find_frame(c, frame);
   return detail::take(c, s, q).call([&] { return subtree_inertia(c, s, frame); });
 }
 template <class S, indexable Q>
-mass_centre<S> carried_mass_centre(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+mass_centre<S> carried_mass_centre(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                    const name_or_handle& frame) {
   detail::check_regular(c, s), (void)detail::find_frame(c, frame);
   return detail::take(c, s, q).call([&] { return carried_mass_centre(c, s, frame); });

@@ -154,10 +154,10 @@ clik_result<value_of<Q>, detail::arm_at<Arm, value_of<Q>>::configuration::RowsAt
 
 #ifdef KTE_EXTERN
 namespace kte {
-class kte_map_chain;
+class runtime_chain;
 template <>
-class manipulator<kte_map_chain, void>;
-KTE_EXTERN template clik_result<double, Eigen::Dynamic> clik(const manipulator<kte_map_chain, void>&,
+class manipulator<runtime_chain, void>;
+KTE_EXTERN template clik_result<double, Eigen::Dynamic> clik(const manipulator<runtime_chain, void>&,
                                                              const detail::reach_goal<std::string>&,
                                                              const Eigen::VectorXd&, const clik_options&);
 }  // namespace kte

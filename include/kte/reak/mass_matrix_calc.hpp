@@ -3,7 +3,7 @@
 #include <kte/reak/mass_blocks.hpp>
 #include <kte/reak/motion_jacobians.hpp>
 #include <kte/reak/static_mass_matrix_calc.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -13,12 +13,12 @@
 namespace kte {
 
 template <>
-class mass_matrix_calc<kte_map_chain> {
+class mass_matrix_calc<runtime_chain> {
  public:
   /// Works with a copy of the chain, of which it takes the same states.
-  explicit mass_matrix_calc(kte_map_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
+  explicit mass_matrix_calc(runtime_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
   /// Fed with names, of inertias and of coordinates.
-  mass_matrix_calc(kte_map_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
+  mass_matrix_calc(runtime_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
       : mass_matrix_calc(std::move(c)) {
     for (const auto& n : on) *this << inertia_on(n);
     for (const auto& n : by) *this << moved_by(n);
@@ -77,7 +77,7 @@ class mass_matrix_calc<kte_map_chain> {
     return feeding.kept();
   }
 
-  const kte_map_chain& chain() const { return chain_; }
+  const runtime_chain& chain() const { return chain_; }
   // What it was fed with, in that order: names of what has inertia, and of coordinates.
   const std::vector<std::string>& inertias() const { return inertias_; }
   const std::vector<std::string>& coordinates() const { return moved_by_; }
@@ -227,11 +227,11 @@ class mass_matrix_calc<kte_map_chain> {
     return m;
   }
 
-  kte_map_chain chain_;
+  runtime_chain chain_;
   std::vector<body> bodies_;
   std::vector<detail::freedom> coordinates_;
   std::vector<std::string> inertias_, moved_by_;
 };
-mass_matrix_calc(kte_map_chain)->mass_matrix_calc<kte_map_chain>;
+mass_matrix_calc(runtime_chain)->mass_matrix_calc<runtime_chain>;
 
 }  // namespace kte

@@ -204,7 +204,7 @@ struct check_part<refused> {
 template <class Core>
 struct check_part<named_element<Core>> {
   static_assert(fit<Core>,
-                "kte: a static chain is connected by keys; texts are for runtime chains: kte::kte_map_chain");
+                "kte: a static chain is connected by keys; texts are for runtime chains: kte::runtime_chain");
   static constexpr bool passed = false;
 };
 /// A part's gravity, as a tuple of it or of nothing.

@@ -25,7 +25,7 @@ struct force_pattern {
 /// The cliques of a chain, each in order. One with all coordinates: nothing more is known.
 class force_cliques {
  public:
-  force_cliques(const kte_map_chain& c, const runtime_state& s) : chain_{c}, state_(s) {
+  force_cliques(const runtime_chain& c, const runtime_state& s) : chain_{c}, state_(s) {
     const auto& t = s.tree();
     if (!t.followers.empty() || !t.late.empty() || !t.readers.empty()) {
       std::vector<int> every(static_cast<std::size_t>(s.dofs()));
@@ -74,7 +74,7 @@ class force_cliques {
   std::vector<int> rows_;
 };
 
-inline force_pattern pattern_of_forces(const kte_map_chain& c, const runtime_state& s) {
+inline force_pattern pattern_of_forces(const runtime_chain& c, const runtime_state& s) {
   const auto n = static_cast<std::size_t>(s.dofs());
   const auto cliques = force_cliques(c, s).all;
   force_pattern x;

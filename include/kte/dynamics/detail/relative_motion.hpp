@@ -90,7 +90,7 @@ class local_relative_jacobian : columns<S, Chain, Given> {
 
 /// Where B stands in A, after `place_bodies`, by what is between them alone; `common`: of their slots.
 template <class S>
-tree::dense_pose<S> pose_between(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+tree::dense_pose<S> pose_between(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                  const runtime_frame& a, int common) {
   if (common < 0) return plain_pose<S>(compose(inverse(pose_of(c, s, a)), pose_of(c, s, b)));
   const auto& f = s.tree().body_tree;
@@ -107,13 +107,13 @@ int common_slot_of(const basic_runtime_state<S>& s, const runtime_frame& b, cons
 }
 /// At positions that are good.
 template <class S>
-tree::dense_pose<S> relative_pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+tree::dense_pose<S> relative_pose_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                      const runtime_frame& a) {
   place_bodies(runtime_elements{c}, s);
   return pose_between(c, s, b, a, common_slot_of(s, b, a));
 }
 template <class S>
-dense_motion<S> relative_motion_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
+dense_motion<S> relative_motion_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& b,
                                    const runtime_frame& a) {
   static_assert(goes_through_passes<S>);
   move(c.wiring(), s, a), move(c.wiring(), s, b);
@@ -122,7 +122,7 @@ dense_motion<S> relative_motion_of(const kte_map_chain& c, basic_runtime_state<S
 }
 /// At positions that are good.
 template <class S>
-basic_runtime_jacobian<S> relative_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s,
+basic_runtime_jacobian<S> relative_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s,
                                                const runtime_frame& b, const runtime_frame& a) {
   const auto& t = s.tree();
   const auto& f = t.body_tree;

@@ -195,7 +195,7 @@ using replaced_by = replaced_numbers<S, true, is_put<V>, !std::is_same_v<A, not_
 /// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
 template <keeping When = keeping::always, class S, class Q, class V = not_given, class A = not_given,
           class Tau = not_given>
-replaced_by<S, V, A> take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {},
+replaced_by<S, V, A> take(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {},
                           const A& a = {}, const Tau& tau = {}) {
   c.check(s);
   const bool of_q = check_positions(s, q), of_v = check_numbers(s, v, "v", "a velocity"),
@@ -237,7 +237,7 @@ KTE_EXTERN template struct replaced_numbers<double, true, true, false>;
 KTE_EXTERN template struct replaced_numbers<double, true, true, true>;
 KTE_EXTERN template struct replaced_numbers<double, false, false, true>;
 #  define KTE_TAKE(When, V, A, Tau)                                                                \
-    KTE_EXTERN template replaced_by<double, V, A> take<When>(const kte_map_chain&, runtime_state&, \
+    KTE_EXTERN template replaced_by<double, V, A> take<When>(const runtime_chain&, runtime_state&, \
                                                              const Eigen::VectorXd&, const V&, const A&, const Tau&)
 KTE_TAKE(keeping::always, not_given, not_given, not_given);
 KTE_TAKE(keeping::always, Eigen::VectorXd, not_given, not_given);

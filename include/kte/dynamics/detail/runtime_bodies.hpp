@@ -43,7 +43,7 @@ const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
 
 /// Throws `bad_argument` for masses between several things.
 template <class S>
-void refuse_distributed_masses(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+void refuse_distributed_masses(const runtime_chain& c, const basic_runtime_state<S>& s) {
   if (!s.tree().distributed.empty()) [[unlikely]]
     throw bad_argument("kte: this algorithm counts the masses of single frames and coordinates, and " +
                        describe_element(runtime_elements{c}.element(s.tree().distributed.front())) +
@@ -52,21 +52,21 @@ void refuse_distributed_masses(const kte_map_chain& c, const basic_runtime_state
 
 /// Inverse dynamics of the bodies alone, without accelerations of coordinates.
 template <class S>
-void forces_of_bodies(const kte_map_chain& c, basic_runtime_state<S>& s, bool accelerated_bases) {
+void forces_of_bodies(const runtime_chain& c, basic_runtime_state<S>& s, bool accelerated_bases) {
   refuse_distributed_masses(c, s);
   forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
 /// The inertias of bodies with all they carry, and axes, in the world.
 template <class S>
-void carry_bodies(const kte_map_chain& c, basic_runtime_state<S>& s) {
+void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
   place_in_world(s);
   tree::carry_bodies<true>(s.tree().body_tree, s.work);
 }
 /// The same where bodies are all there is.
 template <class S>
-void carry(const kte_map_chain& c, basic_runtime_state<S>& s) {
+void carry(const runtime_chain& c, basic_runtime_state<S>& s) {
   refuse_distributed_masses(c, s);
   carry_bodies(c, s);
 }

@@ -8,13 +8,13 @@ namespace kte::detail {
 
 /// Whether the derivatives of the forces of a chain are known element by element.
 template <class S>
-bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+bool is_known_by_elements(const runtime_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
   return t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
          c.wiring().has_derivatives;
 }
 template <class S>
-const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s,
+const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  bool moved = false) {
   coordinate_forces(c, s, moved);
   take_generalized_forces(s);
@@ -33,7 +33,7 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
 }
 /// After forward dynamics: (1) of detail/static_derivatives.hpp.
 template <class S>
-const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
+const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const runtime_chain& c,
                                                                         basic_runtime_state<S>& s) {
   auto& r = s.work.of_accelerations;
   const Eigen::Index n = s.dofs();
@@ -61,9 +61,9 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain&,
+KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const runtime_chain&,
                                                                                           runtime_state&, bool);
-KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain&,
+KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const runtime_chain&,
                                                                                                  runtime_state&);
 #endif
 

@@ -10,7 +10,7 @@ namespace kte::detail {
 
 /// A state with derivatives of the same chain.
 template <std::same_as<double> S, class State = basic_derivative_state<dual<S, derivative_number::variables>>>
-State& state_with_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s) {
+State& state_with_derivatives(const runtime_chain& c, basic_runtime_state<S>& s) {
   const topology& t = c.wiring();
   const auto make = [&] { return State(t, s.shared_tree()); };
   auto& d = s.with_derivatives.template get<State>(make);
@@ -112,7 +112,7 @@ void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_sta
 /// By q and v at what the state has, into `of_forces`; by_a is the mass matrix, where friction depends on what joints
 /// carry it is derived too. After inverse dynamics.
 template <std::same_as<double> S>
-void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
+void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
   auto& r = s.work.of_forces;
   const Eigen::Index n = s.dofs();
   r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);

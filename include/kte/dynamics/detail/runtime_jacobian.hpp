@@ -20,7 +20,7 @@ namespace detail {
 /// Columns of all coordinates over the degrees of freedom: those of followers count for what they follow, those of
 /// coordinates that are given are left out.
 template <class S>
-Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const kte_map_chain& c, basic_runtime_state<S>& s,
+Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const runtime_chain& c, basic_runtime_state<S>& s,
                                            Eigen::Matrix<S, 6, Eigen::Dynamic> a) {
   if (a.cols() == s.dofs()) return a;
   pull_back_followers(runtime_elements{c}, s,
@@ -29,7 +29,7 @@ Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const kte_map_chain& c, basic_runtime
 }
 /// Of a frame that follows others.
 template <class S>
-basic_runtime_jacobian<S> jacobian_by_rates(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+basic_runtime_jacobian<S> jacobian_by_rates(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                             bool world) {
   static_assert(goes_through_passes<S>);
   basic_runtime_jacobian<S> j(6, s.dofs());
@@ -72,7 +72,7 @@ void clear_beside(const tree::body_tree<P>& f, std::span<const int> way, const c
 }
 /// At positions that are good; of all degrees of freedom.
 template <class S>
-void write_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world,
+void write_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world,
                     const columns_of_six<S>& to) {
   const auto& t = s.tree();
   const auto& place = t.body_tree.frame(x.what, x.index);
@@ -128,7 +128,7 @@ void check_room(const J& j, int dofs) {
                          std::to_string(j.rows()) + " x " + std::to_string(j.cols()));
 }
 template <class S, class J>
-void put_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world, J& j) {
+void put_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world, J& j) {
   static_assert(!std::is_const_v<J> && bool(J::Flags & Eigen::DirectAccessBit) && !J::IsRowMajor &&
                     int(J::InnerStrideAtCompileTime) == 1,
                 "kte: a Jacobian goes into memory by columns that can be written: a matrix, 6 rows of one or a map");
@@ -137,14 +137,14 @@ void put_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const runti
   write_jacobian(c, s, x, world, columns_of_six<S>{j.data(), j.outerStride()});
 }
 template <class S>
-basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+basic_runtime_jacobian<S> jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                       bool world) {
   basic_runtime_jacobian<S> j;
   put_jacobian(c, s, x, world, j);
   return j;
 }
 template <class S, class J>
-void put_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, bool world,
+void put_jacobian_at_state(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, bool world,
                            J& j) {
   check_motion(c, s);
   const auto x = find_frame(c, frame);
@@ -153,7 +153,7 @@ void put_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, co
   put_jacobian(c, s, x, world, j);
 }
 template <class S, class Q, class J>
-void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const name_or_handle& frame,
+void put_jacobian_at(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const name_or_handle& frame,
                      bool world, J& j) {
   check_motion(c, s);
   const auto x = find_frame(c, frame);
@@ -164,7 +164,7 @@ void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q&
 
 #ifdef KTE_EXTERN
 namespace detail {
-KTE_EXTERN template void write_jacobian(const kte_map_chain&, runtime_state&, const runtime_frame&, bool,
+KTE_EXTERN template void write_jacobian(const runtime_chain&, runtime_state&, const runtime_frame&, bool,
                                         const columns_of_six<double>&);
 }  // namespace detail
 #endif

@@ -8,7 +8,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/elements/constant_force.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -32,7 +32,7 @@ inline double largest_number(const sparse_matrix& m) {
 /// request some forces are left to hold the chain, (1 - p) times. In a state of its own, at rest.
 class static_problem {
  public:
-  static_problem(const kte_map_chain& c, const runtime_state& s, const std::vector<external_wrench>& loads,
+  static_problem(const runtime_chain& c, const runtime_state& s, const std::vector<external_wrench>& loads,
                  std::string_view parameter)
       : chain_(with_loads(c, s, loads)), state_(chain_.make_state()) {
     const auto copy = [&]<std::size_t... K>(std::index_sequence<K...>) { (copy_things<static_cast<kind>(K)>(s), ...); };
@@ -52,7 +52,7 @@ class static_problem {
   }
 
   int size() const { return state_.dofs(); }
-  const kte_map_chain& chain() const { return chain_; }
+  const runtime_chain& chain() const { return chain_; }
   const runtime_state& state() const { return state_; }
   const force_pattern& pattern() const { return pattern_; }
   bool by_load() const { return parameter_.first == kind::frame_3D; }
@@ -115,7 +115,7 @@ class static_problem {
     vec3<> linear, angular;
   };
 
-  static kte_map_chain with_loads(const kte_map_chain& c, const runtime_state& s,
+  static runtime_chain with_loads(const runtime_chain& c, const runtime_state& s,
                                   const std::vector<external_wrench>& loads);
   template <kind K>
   void copy_things(const runtime_state& s) {
@@ -187,7 +187,7 @@ class static_problem {
   /// By dual numbers, all columns of a colour at once.
   void derive(const loaded_elements& elements);
 
-  kte_map_chain chain_;
+  runtime_chain chain_;
   runtime_state state_;
   std::vector<base_acceleration> bases_;
   std::pair<kind, int> parameter_{kind::frame_3D, -1};  ///< a frame: the load factor
@@ -206,10 +206,10 @@ KTE_FUNCTION const Eigen::VectorXd& static_problem::forces(const Eigen::VectorXd
   if (held_.size() > 0) tau -= (1 - p) * held_;
   return tau;
 }
-KTE_FUNCTION kte_map_chain static_problem::with_loads(const kte_map_chain& c, const runtime_state& s,
+KTE_FUNCTION runtime_chain static_problem::with_loads(const runtime_chain& c, const runtime_state& s,
                                                       const std::vector<external_wrench>& loads) {
   check_regular(c, s);
-  kte_map_chain all = c;
+  runtime_chain all = c;
   for (const auto& w : loads) {
     const auto at = find_frame(c, w.frame);
     const auto& name = c.wiring().names[static_cast<std::size_t>(at.what)][static_cast<std::size_t>(at.index)];

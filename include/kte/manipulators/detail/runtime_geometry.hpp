@@ -4,7 +4,7 @@
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/manipulators/detail/arm_geometry.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 
@@ -15,14 +15,14 @@ namespace kte::detail {
 /// with the origin of the frame at p, is w x (p - o) and w for any o on its axis, of which the nearest to p is
 ///
 ///   o = p + w x v          (1)
-arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame);
+arm_geometry geometry_of(const runtime_chain& c, runtime_state& s, const std::string& frame);
 
 }  // namespace kte::detail
 
 #ifdef KTE_FUNCTION
 namespace kte::detail {
 
-KTE_FUNCTION arm_geometry geometry_of(const kte_map_chain& c, runtime_state& s, const std::string& frame) {
+KTE_FUNCTION arm_geometry geometry_of(const runtime_chain& c, runtime_state& s, const std::string& frame) {
   arm_geometry arm;
   const auto x = find_frame(c, frame);
   const auto& body_tree = s.tree().body_tree;

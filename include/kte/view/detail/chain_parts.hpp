@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/io/recording.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
 #include <kte/runtime_chain/layout.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/runtime_chain/static_chain_map.hpp>
 
 #include <boost/hana/for_each.hpp>
@@ -65,7 +65,7 @@ chain_parts parts_of(const static_chain<Gravity, E...>& c) {
   p.slots = slots_of(c);
   return p;
 }
-inline chain_parts parts_of(const kte_map_chain& c) {
+inline chain_parts parts_of(const runtime_chain& c) {
   chain_parts p;
   const topology& t = c.wiring();
   p.gravity = c.gravity();
