@@ -220,6 +220,13 @@ basic_runtime_state<S> runtime_chain::make_state() const {
     if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
   return s;
 }
+/// The same as of static chains: `c.make_state<S>()`, `c.dofs()`.
+template <class S = double>
+basic_runtime_state<S> make_state(const runtime_chain& c) {
+  return c.make_state<S>();
+}
+inline int dofs(const runtime_chain& c) { return c.dofs(); }
+
 #ifdef KTE_FUNCTION
 #  ifdef KTE_EXTERN
 runtime_chain::~runtime_chain() = default;

@@ -278,5 +278,10 @@ constexpr auto make_state(const static_chain<Gravity, E...>& c) {
     if (wiring::writer(kind::frame_3D, i) < 0) s.template get<kind::frame_3D>(i).acceleration = up;
   return s;
 }
+/// The degrees of freedom of a chain: numbers of v, a, tau.
+template <class Gravity, class... E>
+constexpr int dofs(const static_chain<Gravity, E...>&) {
+  return static_chain<Gravity, E...>::dofs;
+}
 
 }  // namespace kte

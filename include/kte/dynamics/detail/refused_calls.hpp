@@ -31,11 +31,11 @@ class runtime_chain;
   template <class S, class Wiring, class... A>                                                                \
   auto algorithm(const runtime_chain&, const chain_state<S, Wiring>&, const A&...) {                          \
     static_assert(detail::fit<Wiring>,                                                                        \
-                  "kte: this is the state of a static chain; a runtime chain makes its own: c.make_state()"); \
+                  "kte: this is the state of a static chain; a runtime chain makes its own: make_state(c)"); \
     return __VA_ARGS__();                                                                                     \
   }
 #define KTE_STATE_FORGOTTEN \
-  "kte: algorithms on runtime chains work in a state, the second argument: auto s = c.make_state();"
+  "kte: algorithms on runtime chains work in a state, the second argument: auto s = make_state(c);"
 
 KTE_ASKED_BY_NAME(forward_kinematics, "q", pose<mat3<vec3<>>, vec3<>>)
 KTE_ASKED_BY_NAME(jacobian, "q", Eigen::Matrix<double, 6, Eigen::Dynamic>)
