@@ -1,7 +1,7 @@
 #ifndef KTE_MASS_MATRIX_HPP
 #define KTE_MASS_MATRIX_HPP
 
-#include <kte/dynamics/detail/local_mass.hpp>
+#include <kte/dynamics/unrolled/mass_matrix.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
 namespace kte {

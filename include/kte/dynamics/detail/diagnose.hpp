@@ -265,12 +265,12 @@ template <class Wiring, class Matrix, class Q>
 [[gnu::cold, gnu::noinline]] void diagnose_non_finite(const Matrix& m, Q q) {
   if (const int row = first_non_finite(m); row >= 0) diagnose_mass<Wiring>(row, false, q);
 }
-/// The same by bits (kernels/articulate.hpp): of the last coordinate, which carries none of the others.
+/// The same by bits (dynamics/unrolled/articulated.hpp): of the last row, whose joint carries none of the others.
 template <class Wiring, class Q>
-[[noreturn, gnu::cold, gnu::noinline]] void diagnose_masses(std::uint64_t nothing, std::uint64_t non_finite, Q q) {
-  const auto last = static_cast<std::size_t>(std::bit_width(nothing)) - 1;
-  if (Wiring::freedoms > 64 && last == 63) raise_singular_mass_matrix();
-  diagnose_mass<Wiring>(Wiring::table.free[last].v, (non_finite >> last & 1) == 0, q);
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_axes(std::uint64_t nothing, std::uint64_t non_finite, Q q) {
+  const int last = static_cast<int>(std::bit_width(nothing)) - 1;
+  if (Wiring::dofs > 64 && last == 63) raise_singular_mass_matrix();
+  diagnose_mass<Wiring>(last, (non_finite >> last & 1) == 0, q);
 }
 /// Of one vector of arguments, or of two configurations.
 template <class Wiring, class X>

@@ -62,7 +62,7 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     at.check(), base.check();
     const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
     if constexpr (is_unrolled<Chain, S>) {
-      local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate_and_invert(tau, r.a, r.by_tau);
+      inverted_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate_and_invert(tau, r.a, r.by_tau);
     } else {
       accelerations_and_inverse_by_tree<S>(c, g, tau, r.a, r.by_tau);
     }
