@@ -19,7 +19,28 @@ requires requires(A&&... a) { centroidal_momentum_matrix(std::forward<A>(a)...);
   return centroidal_momentum_matrix(std::forward<A>(a)...);
 }
 
+template <class Arm, class Goals, class Q>
+[[deprecated("kte: clik is now numerical_inverse_kinematics")]] auto clik(const Arm& arm, const Goals& goals,
+                                                                          const Q& q_start) {
+  return numerical_inverse_kinematics(arm, goals, q_start);
+}
+struct numerical_ik_options;
+template <class Arm, class Goals, class Q>
+[[deprecated("kte: clik is now numerical_inverse_kinematics")]] auto clik(const Arm& arm, const Goals& goals,
+                                                                          const Q& q_start,
+                                                                          const numerical_ik_options& options) {
+  return numerical_inverse_kinematics(arm, goals, q_start, options);
+}
+
 // Types
+
+using clik_options [[deprecated("kte: clik_options is now numerical_ik_options")]] = numerical_ik_options;
+enum class numerical_ik_status;
+using clik_status [[deprecated("kte: clik_status is now numerical_ik_status")]] = numerical_ik_status;
+template <class S, int N>
+struct numerical_ik_result;
+template <class S, int N>
+using clik_result [[deprecated("kte: clik_result is now numerical_ik_result")]] = numerical_ik_result<S, N>;
 
 struct coordinate_lock;
 using coordinate_holder [[deprecated("kte: coordinate_holder is now coordinate_lock")]] = coordinate_lock;

@@ -21,10 +21,12 @@ auto starting_configuration(const Arm& arm) {
 template <class Chain, key_type First, key_type... More>
 constexpr void refuse_by_type(const manipulator<Chain, tool_keys<First, More...>>&) {
   static_assert(sizeof...(More) == 0,
-                "kte: inverse kinematics in closed form is of an arm with one tool; kte::clik takes goals of several");
+                "kte: inverse kinematics in closed form is of an arm with one tool; kte::numerical_inverse_kinematics "
+                "takes goals of several");
   static_assert(sizeof...(More) > 0 || may_have_closed_form<First, Chain>(),
                 "kte: no closed form of inverse kinematics: for that an arm has three, four, six or seven joints of "
-                "one free coordinate each between base and tool, or a body that moves freely; kte::clik solves others");
+                "one free coordinate each between base and tool, or a body that moves freely; "
+                "kte::numerical_inverse_kinematics solves others");
 }
 template <class Arm>
 constexpr void refuse_by_type(const Arm&) {}
@@ -36,7 +38,8 @@ void check_closed_form(const Arm& arm) {
     raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
                         std::to_string(arm.tools().size()));
   if (arm.structure().form == closed_form::none)
-    raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) + "; kte::clik needs none");
+    raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) +
+                          "; kte::numerical_inverse_kinematics needs none");
 }
 
 /// A configuration, by joint.
