@@ -43,7 +43,7 @@ auto subtree_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Fra
   using motion_type = unrolled_motion<chain_type, std::remove_const_t<decltype(g)>>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<chain_type>>;
   const motion_type m(c, g);
-  const bodies_type bodies{m};
+  const bodies_type bodies(m);
   return checked_composite<S>(engine::composite_inertia_of<frame_place<Frame::what, frame_slot<Frame, chain_type>()>>(
       engine::unrolled<bodies_type>{bodies}));
 }

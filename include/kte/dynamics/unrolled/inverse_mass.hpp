@@ -6,6 +6,21 @@
 
 namespace kte::detail {
 
+/// The bodies of a chain at rest, without loads.
+template <class S, class Chain, class Axes>
+struct resting_bodies : typed_bodies<S, Chain, Axes> {
+  using typed_bodies<S, Chain, Axes>::typed_bodies;
+  template <std::size_t I>
+  KTE_INLINE constexpr auto body() const {
+    const auto no_more = []() KTE_INLINE_LAMBDA { return engine::nothing{}; };
+    if constexpr (Axes::template axes<I> == 0) {
+      return this->template body_with<I>(zero, no_more);
+    } else {
+      return this->template body_with<I>(this->motion_.template mass_of_joint<I>(), no_more);
+    }
+  }
+};
+
 /// The inverse of the mass matrix of a static chain (recursions/inverse_mass.hpp). Axes that stand one on the other
 /// share a register (unit_forces.hpp).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
@@ -15,7 +30,6 @@ template <class S, class Chain, class Given, std::size_t... E>
 class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_chain<S, Chain, Given> {
   using base = articulated_chain<S, Chain, Given>;
   using typename base::axes;
-  using typename base::bodies_type;
   using typename base::types;
   using typename base::vector;
   using typename base::wiring;
@@ -24,10 +38,11 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
 
   /// Whether a wrench in numbers S is one in S again beyond element I: with parameters of other precision it is not,
   /// and registers hold numbers of one kind.
+  using bodies_type = resting_bodies<S, base, axes>;
   template <std::size_t I>
   static constexpr bool keeps_numbers() {
     if constexpr (is_transmission<core_t<I>>)
-      return is_wrench_of<S, decltype(engine::pulled_back(std::declval<const typename bodies_type::template body<I>&>(),
+      return is_wrench_of<S, decltype(engine::pulled_back(std::declval<const bodies_type&>().template body<I>(),
                                                           wrench<vec3<S>, vec3<S>>{}))>;
     else
       return true;
@@ -43,7 +58,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   /// Throws `singular_mass_matrix`.
   template <class Matrix>
   KTE_INLINE void invert(Matrix& m) {
-    const bodies_type bodies{*this};
+    const bodies_type bodies(*this);
     const engine::unrolled<bodies_type> d{bodies};
     engine::articulate_at_rest(d, engine::nothing{}, this->factors_.data(), this->unmoved_);
     each_lone_mass([this]<int Row>(std::integral_constant<int, Row>, const S& mass)
@@ -55,7 +70,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   template <class Matrix>
   KTE_INLINE void accelerate_and_invert(const vector& tau, vector& a, Matrix& m) {
     this->accelerate(tau, a);
-    const bodies_type bodies{*this};
+    const bodies_type bodies(*this);
     columns(engine::unrolled<bodies_type>{bodies}, m);
   }
 
@@ -72,19 +87,19 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   /// The loads that the forces of group G make, from its tip to the base, and what they leave on axes.
   template <std::size_t G, class Driver>
   KTE_INLINE void load_group(const Driver& d) {
-    d.to_base(d.bodies.template body_at<std::size_t{forces.group[G].tip}>(), no_wrench,
-              [this]<class B>(const B& b, const auto& load) KTE_INLINE_LAMBDA {
-                const auto unit = forces.template units<simd, S, G, B::first(), B::axes>();
-                const auto left = engine::load_beyond_axes<B::axes - 1>(
-                    b, load, [&unit](auto k) KTE_INLINE_LAMBDA { return unit[std::size_t{k}]; },
-                    this->factors_.data() + B::first(),
-                    [this](auto k, const simd& e) KTE_INLINE_LAMBDA {
-                      const auto row = std::size_t{B::first() + k};
-                      tree::store<S>(e, left_[row].data() + width * G);
-                      tree::store<S>(simd(this->factors_[row].inverse * e), rate_[row].data() + width * G);
-                    });
-                return engine::pulled_back(b, left);
+    d.template to_base<std::size_t{forces.group[G].tip}>(
+        no_wrench, [this]<class B>(const B& b, const auto& load) KTE_INLINE_LAMBDA {
+          const auto unit = forces.template units<simd, S, G, B::axes>(b.first());
+          const auto left = engine::load_beyond_axes<B::axes - 1>(
+              b, load, [&unit](auto k) KTE_INLINE_LAMBDA { return unit[std::size_t{k}]; },
+              this->factors_.data() + b.first(),
+              [this, &b](int k, const simd& e) KTE_INLINE_LAMBDA {
+                const auto row = static_cast<std::size_t>(b.first() + k);
+                tree::store<S>(e, left_[row].data() + width * G);
+                tree::store<S>(simd(this->factors_[row].inverse * e), rate_[row].data() + width * G);
               });
+          return engine::pulled_back(b, left);
+        });
   }
   /// f(row, mass) of each degree of freedom that moves no joint.
   template <class F>

@@ -47,7 +47,7 @@ KTE_INLINE auto weight_of(const Chain& c, const At& at) {
   using motion_type = unrolled_motion<Chain, std::remove_const_t<decltype(g)>>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
   const motion_type m(c, g);
-  const bodies_type bodies{m};
+  const bodies_type bodies(m);
   const engine::unrolled<bodies_type> d{bodies};
   return sum_over_grounds(m, [&d]<class Frame>(const auto& x) KTE_INLINE_LAMBDA {
     return transported(x.rotation, x.position, engine::composite_inertia_of<Frame>(d));
