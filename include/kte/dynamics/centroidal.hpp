@@ -1,7 +1,7 @@
 #ifndef KTE_CENTROIDAL_HPP
 #define KTE_CENTROIDAL_HPP
 
-#include <kte/dynamics/detail/local_momenta.hpp>
+#include <kte/dynamics/unrolled/momentum_columns.hpp>
 
 namespace kte {
 
@@ -46,7 +46,7 @@ auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  using pass = local_momenta<S, chain_type, std::remove_const_t<decltype(g)>>;
+  using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>>;
   const auto w = weight_of<S>(c, at);
   typename pass::matrix_type a;
   pass(c, g,

@@ -24,6 +24,22 @@ KTE_INLINE void composite_inertias(const Driver& d, const Kept& kept) {
       [](const body auto& b, nothing, const auto& i) KTE_INLINE_LAMBDA { return inertia_seen_by_parent(b, i); });
 }
 
+/// The composite inertia of all that a frame carries, about its origin and in its axes; meet(body, inertia) is called of
+/// each body on it with what the body carries.
+template <class Frame, class Driver, class Meet>
+KTE_INLINE constexpr auto composite_inertia_of(const Driver& d, const Meet& meet) {
+  return d.template carried<Frame>(
+      kept_constant<nothing>{}, [](const auto& b, nothing) KTE_INLINE_LAMBDA { return fresh(b.composite()); },
+      [&](const body auto& b, const auto& i, bool) KTE_INLINE_LAMBDA {
+        meet(b, i);
+        return fresh(i);
+      },
+      [](const body auto& b, nothing, const auto& i) KTE_INLINE_LAMBDA { return inertia_seen_by_parent(b, i); });
+}
+template <class Frame, class Driver>
+KTE_INLINE constexpr auto composite_inertia_of(const Driver& d) {
+  return composite_inertia_of<Frame>(d, [](const body auto&, const auto&) KTE_INLINE_LAMBDA {});
+}
 /// The mass matrix (CRBA; Walker and Orin 1982; Featherstone 2008, section 6.2), while composite inertias I^c go
 /// inward: the wrench of a unit acceleration of an axis j goes on to the base, past axes i:
 ///

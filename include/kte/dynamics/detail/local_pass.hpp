@@ -22,6 +22,7 @@ class local_motion<Chain, Given, std::index_sequence<E...>>
   using written = typename local_types<Chain, Given>::template written<I>;
 
  public:
+  using chain_type = Chain;
   using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
 
@@ -109,14 +110,12 @@ class local_pass;
 template <class Chain, class Given, std::size_t... E>
 class local_pass<Chain, Given, std::index_sequence<E...>>
     : public local_motion<Chain, Given>, local_types<Chain, Given>::template loads<Chain::size - 1 - E>... {
- protected:
+ public:
   using typename local_motion<Chain, Given>::types;
   using typename local_motion<Chain, Given>::wiring;
   template <std::size_t I>
   using loads = typename types::template loads<I>;
 
- public:
-  using chain_type = Chain;
   /// doMotion, then doForce of all elements.
   KTE_INLINE constexpr local_pass(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
     static_assert(sizeof(need) > 0);

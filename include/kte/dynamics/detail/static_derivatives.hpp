@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/column_groups.hpp>
 #include <kte/dynamics/detail/coordinate_derivatives.hpp>
 #include <kte/dynamics/detail/dual_derivatives.hpp>
-#include <kte/dynamics/detail/local_derivatives.hpp>
+#include <kte/dynamics/unrolled/force_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
@@ -32,7 +32,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
     if constexpr (is_unrolled<Chain, S>) {
       r.by_q.setZero(), r.by_v.setZero(), r.by_a.setZero();
       using given_type = std::remove_const_t<decltype(g)>;
-      const local_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
+      const unrolled_force_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
       coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
       r.tau = forces_of<S>(pass, minus_one);
     } else {

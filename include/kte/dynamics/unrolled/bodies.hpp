@@ -92,6 +92,9 @@ struct fixed_part {
   const Motion& motion;
 
   KTE_INLINE constexpr decltype(auto) core() const { return motion.chain().template core<I>(); }
+  KTE_INLINE constexpr auto ang_velocity() const {
+    return motion.template get<Frame::what, Frame::slot>().ang_velocity;
+  }
   KTE_INLINE constexpr auto composite() const {
     if constexpr (has_mass<typename Motion::types::template core<I>, S>) {
       return core().template mass<S>();
@@ -103,16 +106,17 @@ struct fixed_part {
 /// Nothing at all on a frame.
 struct no_part {
   KTE_INLINE static constexpr auto composite() { return no_mass; }
+  KTE_INLINE static constexpr zero3 ang_velocity() { return {}; }
 };
 
 /// The tree of them, as engine/unrolled.hpp sees it.
-template <class S, class Motion, class Axes>
+template <class S, class Motion, class Axes, template <class, class, std::size_t, class> class Body = typed_body>
 struct typed_bodies {
   using wiring = typename Motion::wiring;
   template <std::size_t I>
   using core_t = typename Motion::types::template core<I>;
   template <std::size_t I>
-  using body = typed_body<S, Motion, I, Axes>;
+  using body = Body<S, Motion, I, Axes>;
   const Motion& motion;
 
   template <class F>
@@ -125,7 +129,7 @@ struct typed_bodies {
   KTE_INLINE constexpr auto part() const {
     constexpr load_place place = loads_on<wiring, Frame::what, Frame::slot>[N];
     if constexpr (is_transmission<core_t<place.element>>) {
-      return body<place.element>{motion};
+      return body_at<place.element>();
     } else {
       return fixed_part<S, Motion, Frame, place.element, place.index>{motion};
     }
@@ -134,11 +138,16 @@ struct typed_bodies {
   KTE_INLINE static constexpr no_part none() {
     return {};
   }
-  template <std::size_t I, class F>
-  KTE_INLINE constexpr void with_parent(const body<I>&, const F& f) const {
-    constexpr int below = wiring::writer(body<I>::base::what, body<I>::base::slot);
+  /// Joint or link I.
+  template <std::size_t I>
+  KTE_INLINE constexpr body<I> body_at() const {
+    return {motion};
+  }
+  template <class B, class F>
+  KTE_INLINE constexpr void with_parent(const B&, const F& f) const {
+    constexpr int below = wiring::writer(B::base::what, B::base::slot);
     if constexpr (below >= 0) {
-      if constexpr (is_transmission<core_t<std::size_t{below}>>) f(body<std::size_t{below}>{motion});
+      if constexpr (is_transmission<core_t<std::size_t{below}>>) f(body_at<std::size_t{below}>());
     }
   }
 };

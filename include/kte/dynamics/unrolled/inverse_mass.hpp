@@ -72,7 +72,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   /// The loads that the forces of group G make, from its tip to the base, and what they leave on axes.
   template <std::size_t G, class Driver>
   KTE_INLINE void load_group(const Driver& d) {
-    d.to_base(typename bodies_type::template body<std::size_t{forces.group[G].tip}>{*this}, no_wrench,
+    d.to_base(d.bodies.template body_at<std::size_t{forces.group[G].tip}>(), no_wrench,
               [this]<class B>(const B& b, const auto& load) KTE_INLINE_LAMBDA {
                 const auto unit = forces.template units<simd, S, G, B::first(), B::axes>();
                 const auto left = engine::load_beyond_axes<B::axes - 1>(
