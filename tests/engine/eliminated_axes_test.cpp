@@ -223,10 +223,10 @@ wide error_of_joint(const Core& core, const C& at, const M& m, draw& random) {
   const auto t = transpose(x.rotation);
   column q_ddot(n);
   std::array<double, 6> change{};
-  const auto a = engine::accelerated<0>(joint, factors.data(),
-                                        engine::motion_vector{t * plus_cross(linear, angular, x.position) + c.linear,
-                                                              t * angular + c.angular},
-                                        change.data());
+  const auto a = engine::accelerated<0>(
+      joint, factors.data(),
+      engine::motion_vector{t * plus_cross(linear, angular, x.position) + c.linear, t * angular + c.angular},
+      change.data());
   for (int k = 0; k < n; ++k) q_ddot[k] = change[static_cast<std::size_t>(k)];
 
   table s(6, n);
@@ -309,8 +309,8 @@ TEST_CASE("what a joint along a unit axis takes is exactly nothing") {
   const auto some = engine::without<0>(load);
   STATIC_REQUIRE(std::is_same_v<decltype(some.force), vec3<zero_t, double, double>>);
   CHECK(some.torque == load.torque);
-  const auto none = engine::without<0>(engine::without<1>(
-      engine::without<2>(engine::without<3>(engine::without<4>(engine::without<5>(body))))));
+  const auto none = engine::without<0>(
+      engine::without<1>(engine::without<2>(engine::without<3>(engine::without<4>(engine::without<5>(body))))));
   STATIC_REQUIRE(std::is_same_v<decltype(none), const std::remove_const_t<decltype(no_articulated)>>);
 }
 

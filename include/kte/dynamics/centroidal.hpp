@@ -49,13 +49,14 @@ auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q
   using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>>;
   const auto w = weight_of<S>(c, at);
   typename pass::matrix_type a;
-  pass(c, g,
-       divided_by_mass<S>(w.mass, w.moment,
-                          [&]() KTE_INLINE_LAMBDA {
-                            diagnose<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{},
-                                                                  same<zero_t>{}, "a");
-                          }),
-       a);
+  (void)pass(c, g,
+             divided_by_mass<S>(w.mass, w.moment,
+                                [&]() KTE_INLINE_LAMBDA {
+                                  diagnose<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{},
+                                                                     same<zero_t>{}, "a");
+                                }),
+             a)
+      .fill();
   check_result(a.data(), static_cast<std::size_t>(a.size()), too_large{"a momentum"});
   return a;
 }

@@ -1,9 +1,9 @@
 #ifndef KTE_MASS_MATRIX_INVERSE_HPP
 #define KTE_MASS_MATRIX_INVERSE_HPP
 
-#include <kte/dynamics/unrolled/inverse_mass.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/unrolled/inverse_mass.hpp>
 
 namespace kte {
 

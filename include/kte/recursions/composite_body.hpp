@@ -24,8 +24,8 @@ KTE_INLINE void composite_inertias(const Driver& d, const Kept& kept) {
       [](const body auto& b, nothing, const auto& i) KTE_INLINE_LAMBDA { return inertia_seen_by_parent(b, i); });
 }
 
-/// The composite inertia of all that a frame carries, about its origin and in its axes; meet(body, inertia) is called of
-/// each body on it with what the body carries.
+/// The composite inertia of all that a frame carries, about its origin and in its axes; meet(body, inertia) is called
+/// of each body on it with what the body carries.
 template <class Frame, class Driver, class Meet>
 KTE_INLINE constexpr auto composite_inertia_of(const Driver& d, const Meet& meet) {
   return d.template carried<Frame>(

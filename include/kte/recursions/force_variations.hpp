@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/engine/body.hpp>
 #include <kte/contract/joint.hpp>
+#include <kte/engine/body.hpp>
 
 /// First variations of inverse dynamics, one element at a time. A frame moves by A = (a, al) and w; whoever carries it
 /// pushes it by a wrench W. With everything beyond it left as it is,

@@ -3,10 +3,10 @@
 #include <kte/dynamics/detail/column_groups.hpp>
 #include <kte/dynamics/detail/coordinate_derivatives.hpp>
 #include <kte/dynamics/detail/dual_derivatives.hpp>
-#include <kte/dynamics/unrolled/force_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/unrolled/force_derivatives.hpp>
 
 /// Derivatives of inverse and forward dynamics of static chains.
 namespace kte::detail {

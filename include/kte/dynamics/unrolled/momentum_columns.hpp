@@ -6,10 +6,10 @@
 namespace kte::detail {
 
 /// The momentum that the unit rate of each axis of a joint makes, in axes of the bases and about a point, as a column:
-/// (2) of `centroidal_momentum_matrix`.
-template <class S, class Chain, class Given>
-class momentum_columns : columns<S, Chain, Given> {
-  using base = columns<S, Chain, Given>;
+/// (2) of `centroidal_momentum_matrix`. Of three rows the linear ones, to which the point is nothing.
+template <class S, class Chain, class Given, int Rows = 6>
+class momentum_columns : columns<S, Chain, Given, Rows> {
+  using base = columns<S, Chain, Given, Rows>;
   using motion_type = local_motion<Chain, Given>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
   static_assert(sizeof(passed_over<Chain>) > 0);
@@ -17,23 +17,36 @@ class momentum_columns : columns<S, Chain, Given> {
  public:
   using typename base::matrix_type;
 
-  KTE_INLINE momentum_columns(const Chain& c, const Given& g, const vec3<S>& point, matrix_type& m) : base(c, g, m) {
-    const motion_type motion(c, g);
-    const bodies_type bodies{motion};
+  KTE_INLINE momentum_columns(const Chain& c, const Given& g, const vec3<S>& point, matrix_type& m)
+      : base(c, g, m), motion_(c, g), point_(point) {}
+  /// Fills the matrix. Returns the composite inertia of all bodies, about the origin of the bases.
+  KTE_INLINE auto fill() {
+    const bodies_type bodies{motion_};
     const engine::unrolled<bodies_type> d{bodies};
-    (void)sum_over_grounds(motion, [&]<class Frame>(const auto&) KTE_INLINE_LAMBDA {
-      (void)engine::composite_inertia_of<Frame>(d, [&]<class B>(const B& b, const auto& inertia) KTE_INLINE_LAMBDA {
-        const auto& x = motion.template get<B::end::what, B::end::slot>();
-        for_each_number<B::axes>([&]<int N>() KTE_INLINE_LAMBDA {
-          const auto s = b.template axis<N>();
-          const auto h =
-              transmit(pose{x.rotation, x.position - point}, accelerating_wrench(inertia, s.linear, s.angular));
-          this->template put<B::element, N>(h.force, h.torque);
-        });
-      });
-      return no_mass;
+    return sum_over_grounds(motion_, [&]<class Frame>(const auto& ground) KTE_INLINE_LAMBDA {
+      return transported(ground.rotation, ground.position,
+                         engine::composite_inertia_of<Frame>(
+                             d, [this](const auto& b, const auto& inertia) KTE_INLINE_LAMBDA { put(b, inertia); }));
     });
   }
+
+ private:
+  template <class B, class I>
+  KTE_INLINE constexpr void put(const B& b, const I& inertia) {
+    const auto& x = motion_.template get<B::end::what, B::end::slot>();
+    for_each_number<B::axes>([&]<int N>() KTE_INLINE_LAMBDA {
+      const auto s = b.template axis<N>();
+      const auto w = accelerating_wrench(inertia, s.linear, s.angular);
+      if constexpr (Rows == 3) {
+        base::template put<B::element, N>(x.rotation * w.force, zero3{});
+      } else {
+        const auto h = transmit(pose{x.rotation, x.position - point_}, w);
+        base::template put<B::element, N>(h.force, h.torque);
+      }
+    });
+  }
+  const motion_type motion_;
+  const vec3<S> point_;
 };
 
 }  // namespace kte::detail
