@@ -1,12 +1,12 @@
 // mistakes: 9
-// expect: error: .*kte: subtree_inertia is now subtree_inertia
-// expect: error: .*kte: centroidal_momentum_matrix is now centroidal_momentum_matrix
+// expect: error: .*kte: carried_inertia is now subtree_inertia
+// expect: error: .*kte: centroidal_map is now centroidal_momentum_matrix
 // expect: error: .*kte: clik is now numerical_inverse_kinematics
-// expect: error: .*kte: numerical_ik_options is now numerical_ik_options
-// expect: error: .*kte: numerical_ik_status is now numerical_ik_status
-// expect: error: .*kte: coordinate_lock is now coordinate_lock
-// expect: error: .*kte: the flag load_dependent_friction of an element core is now load_dependent_friction
-// expect: error: .*kte: the flag distributed_mass of an element core is now distributed_mass
+// expect: error: .*kte: clik_options is now numerical_ik_options
+// expect: error: .*kte: clik_status is now numerical_ik_status
+// expect: error: .*kte: coordinate_holder is now coordinate_lock
+// expect: error: .*kte: the flag reads_reaction of an element core is now load_dependent_friction
+// expect: error: .*kte: the flag spreads_mass of an element core is now distributed_mass
 // Of alias templates clang 14 has no warnings.
 #pragma GCC diagnostic error "-Wdeprecated-declarations"
 #include <kte/dynamics/centroidal.hpp>
@@ -26,8 +26,8 @@ inline constexpr struct tip_  final : kte::frame_3D_key<"tip">  {} tip;
 
 constexpr auto pendulum = kte::chain(kte::revolute_joint_3D(q, base, tip), kte::inertia_3D(tip, kte::point_mass(2.0)));
 using one = std::array<double, 1>;
-double mass(const one& x) { return kte::subtree_inertia(pendulum, x, tip).mass; }
-double momentum(const one& x) { return kte::centroidal_momentum_matrix(pendulum, x)(0, 0); }
+double mass(const one& x) { return kte::carried_inertia(pendulum, x, tip).mass; }
+double momentum(const one& x) { return kte::centroidal_map(pendulum, x)(0, 0); }
 
 constexpr auto arm = kte::iiwa14();
 using seven = std::array<double, 7>;
@@ -37,11 +37,11 @@ auto found(const seven& x, const kte::pose<kte::mat3<>, kte::vec3<>>& at) {
 auto numerically(const seven& x, const kte::pose<kte::mat3<>, kte::vec3<>>& at) {
   return kte::clik(arm, kte::reach(kte::arm_names::tool, at), x, {.numeric = true});
 }
-const kte::numerical_ik_options options;
-kte::numerical_ik_status status;
+const kte::clik_options options;
+kte::clik_status status;
 
-kte::coordinate_lock* lock;
+kte::coordinate_holder* lock;
 struct old_core {
-  static constexpr bool distributed_mass = true, load_dependent_friction = true;
+  static constexpr bool spreads_mass = true, reads_reaction = true;
 };
 static_assert(kte::detail::distributed_mass<old_core> && kte::detail::load_dependent_friction<old_core>);
