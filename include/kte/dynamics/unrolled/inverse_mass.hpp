@@ -75,7 +75,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
     d.to_base(d.bodies.template body_at<std::size_t{forces.group[G].tip}>(), no_wrench,
               [this]<class B>(const B& b, const auto& load) KTE_INLINE_LAMBDA {
                 const auto unit = forces.template units<simd, S, G, B::first(), B::axes>();
-                const auto left = engine::load_beyond_axes<B::axes - 1>(
+                const auto beyond = engine::load_beyond_axes<B::axes - 1>(
                     b, load, [&unit](auto k) KTE_INLINE_LAMBDA { return unit[std::size_t{k}]; },
                     this->factors_.data() + B::first(),
                     [this](auto k, const simd& e) KTE_INLINE_LAMBDA {
@@ -83,7 +83,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
                       tree::store<S>(e, left_[row].data() + width * G);
                       tree::store<S>(simd(this->factors_[row].inverse * e), rate_[row].data() + width * G);
                     });
-                return engine::pulled_back(b, left);
+                return engine::pulled_back(b, beyond);
               });
   }
   /// f(row, mass) of each degree of freedom that moves no joint.
