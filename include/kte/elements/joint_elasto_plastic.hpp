@@ -5,7 +5,7 @@
 
 namespace kte {
 
-/// The parameters of elasto-plastic friction: those of LuGre and where bristles begin to give way.
+/// The parameters of elasto-plastic friction: those of LuGre and where bristles begin to slip.
 struct elasto_plastic_parameters {
   double sigma0;             ///< stiffness of the bristles, N/m or Nm/rad; positive
   double sigma1;             ///< their damping, Ns/m or Nms/rad; not negative

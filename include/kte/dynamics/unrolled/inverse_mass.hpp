@@ -61,8 +61,8 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
     const bodies_type bodies(*this);
     const engine::unrolled<bodies_type> d{bodies};
     engine::articulate_at_rest(d, engine::nothing{}, this->factors_.data(), this->unmoved_);
-    each_lone_mass([this]<int Row>(std::integral_constant<int, Row>, const S& mass)
-                       KTE_INLINE_LAMBDA { note(this->unmoved_, Row, all(mass > S(0)), mass); });
+    each_jointless_mass([this]<int Row>(std::integral_constant<int, Row>, const S& mass)
+                            KTE_INLINE_LAMBDA { note(this->unmoved_, Row, all(mass > S(0)), mass); });
     columns(d, m);
     this->check_moved();
   }
@@ -79,7 +79,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   KTE_INLINE void columns(const Driver& d, Matrix& m) {
     for_each_number<int{forces.groups}>([&]<int G>() KTE_INLINE_LAMBDA { this->template load_group<G>(d); });
     sum_answers<forces>(left_, rate_, m);
-    each_lone_mass([&m]<int Row>(std::integral_constant<int, Row>, const S& mass) KTE_INLINE_LAMBDA {
+    each_jointless_mass([&m]<int Row>(std::integral_constant<int, Row>, const S& mass) KTE_INLINE_LAMBDA {
       m.col(Row).setZero(), m.row(Row).setZero();
       m(Row, Row) = S(1) / mass;
     });
@@ -90,7 +90,7 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
     d.template to_base<std::size_t{forces.group[G].tip}>(
         no_wrench, [this]<class B>(const B& b, const auto& load) KTE_INLINE_LAMBDA {
           const auto unit = forces.template units<simd, S, G, B::axes>(b.first());
-          const auto left = engine::load_beyond_axes<B::axes - 1>(
+          const auto beyond = engine::load_beyond_axes<B::axes - 1>(
               b, load, [&unit](auto k) KTE_INLINE_LAMBDA { return unit[std::size_t{k}]; },
               this->factors_.data() + b.first(),
               [this, &b](int k, const simd& e) KTE_INLINE_LAMBDA {
@@ -98,12 +98,12 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
                 tree::store<S>(e, left_[row].data() + width * G);
                 tree::store<S>(simd(this->factors_[row].inverse * e), rate_[row].data() + width * G);
               });
-          return engine::pulled_back(b, left);
+          return engine::pulled_back(b, beyond);
         });
   }
   /// f(row, mass) of each degree of freedom that moves no joint.
   template <class F>
-  KTE_INLINE void each_lone_mass(const F& f) const {
+  KTE_INLINE void each_jointless_mass(const F& f) const {
     for_each_number<int{wiring::freedoms}>([&]<int N>() KTE_INLINE_LAMBDA {
       if constexpr (base::template moves_no_joint<std::size_t{N}>()) {
         constexpr freedom at = wiring::template free<std::size_t{N}>;

@@ -6,7 +6,7 @@
 namespace kte::detail {
 
 /// The momentum that the unit rate of each axis of a joint makes, in axes of the bases and about a point, as a column:
-/// (2) of `centroidal_map`. Of three rows the linear ones, to which the point is nothing.
+/// (2) of `centroidal_momentum_matrix`. Of three rows the linear ones, to which the point is nothing.
 template <class S, class Chain, class Given, int Rows = 6>
 class momentum_columns : columns<S, Chain, Given, Rows> {
   using base = columns<S, Chain, Given, Rows>;
