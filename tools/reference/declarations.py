@@ -4,7 +4,7 @@ Compilers and Doxygen 1.9.4 lose the line breaks of doc comments, and Doxygen th
 as written. The headers must be formatted by clang-format. Text that does not parse raises `Unreadable` with its line.
 """
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 TOKEN = re.compile(
     r'''(?P<doc>///<?[^\n]*) | (?P<comment>//[^\n]*|/\*.*?\*/) | (?P<directive>^[ \t]*\#(?:[^\n\\]|\\.)*)
@@ -30,7 +30,7 @@ class Declaration:
     doc: str = ''
     members: list = field(default_factory=list)
     public: bool = True
-    special: bool = False  # a specialization, constructor, destructor, operator or deleted function
+    special: bool = False  # a specialization, constructor, destructor, operator, friend, using of another's name
 
 
 @dataclass
@@ -160,7 +160,7 @@ class Reader:
             declaration = self.declaration(around, class_name)
             if declaration:
                 declaration.public = public
-                found.append(declaration)
+                found += [replace(declaration, name=name) for name in declaration.name.split(',')]
         return found
 
     def declaration(self, around, class_name):
@@ -214,6 +214,8 @@ class Reader:
             self.at += 1
             parts = tuple(name.split('::'))
             members = self.scope(around + parts, 'namespace')
+            if self.peek() != '}':
+                self.fail(f'namespace {name} is not closed')
             self.at += 1
             return Declaration('namespace', name, around, self.line(start), '', members=members)
         if word in ('static_assert',) or (word == 'using' and self.peek(1) == 'namespace'):
@@ -224,16 +226,14 @@ class Reader:
             return made('concept', name, self.at)
         if word == 'using':
             name, alias = self.peek(1), self.peek(2) == '='
-            end = self.at
             self.to_semicolon()
             if not alias:
-                name = self.tokens[self.at - 2].text
-                special = special or name == class_name or 'operator' in self.slice(end, self.at) or name == 'error'
+                name, special = self.tokens[self.at - 2].text, True  # documented where it is declared
             return made('alias', name, self.at)
         if word == 'typedef':
             return self.rest_is_skipped()
         if word in ('class', 'struct', 'union', 'enum'):
-            return self.type_declaration(first, start, around, word, made)
+            return self.type_declaration(around, class_name, word, made)
         return self.function_or_variable(first, class_name, made)
 
     def rest_is_skipped(self):
@@ -250,7 +250,7 @@ class Reader:
                 self.at += 1
         self.at += 1
 
-    def type_declaration(self, first, start, around, kind, made):
+    def type_declaration(self, around, class_name, kind, made):
         self.at += 1
         if kind == 'enum' and self.peek() in ('class', 'struct'):
             self.at += 1
@@ -286,6 +286,10 @@ class Reader:
         if self.peek() != '}':
             self.fail(f'{name} is not closed')
         self.at += 1
+        if self.peek() not in (';', '{', '=') and not around[-1:] == (class_name,):  # the type of a constant: struct q_ ... {} q;
+            name = self.peek()
+            self.to_semicolon()
+            return made('variable', name, self.at)
         self.to_semicolon()
         found = made('enum' if kind == 'enum' else 'class', name, last, members=members)
         found.special = found.special or specialized
@@ -309,7 +313,7 @@ class Reader:
         return found
 
     def function_or_variable(self, first, class_name, made):
-        name, special, parameters, initialized = '', False, False, False
+        names, name, special, qualified, parameters, initialized = '', '', False, False, False, False
         while True:
             word = self.peek()
             if self.at >= len(self.tokens):
@@ -342,6 +346,10 @@ class Reader:
                 initialized = True
                 if self.peek(1) == 'delete':
                     special = True
+                self.at += 1
+            elif word == ',' and not parameters and self.peek(2) in ('=', '{', ';') + (() if initialized else (',', '[')):
+                names += name + ','
+                initialized = False
                 self.at += 1
             elif word == ';':
                 last = self.at
@@ -381,13 +389,13 @@ class Reader:
             else:
                 if self.tokens[self.at].kind == 'word' and not parameters and not initialized:
                     name = word
-                    special = special or self.peek(-1) in ('~', '::')
+                    qualified = self.peek(-1) in ('~', '::')
                 self.at += 1
         kind = 'function' if parameters else 'variable'
         if kind == 'variable':
             last = self.at - 1
-        found = made(kind, name, last)
-        found.special = found.special or special or name == class_name
+        found = made(kind, names + name, last)  # `int a, b;` is one declaration of two names
+        found.special = found.special or special or qualified or name == class_name
         return found
 
 

@@ -1,8 +1,9 @@
 """The public names of a library of headers: `public_names(include)`; those without a doc comment: `undocumented(include)`.
 
 Public is what stands in a namespace that is not internal, in classes what is not private. A name has a doc comment if
-one of its declarations has, if it is a variable or alias on the line after a documented one, or if it is a member that the comment of
-its class or enumeration names. Members of element cores are those of the contract, and have their comments there.
+one of its declarations has, if it is a variable or alias on the line after a documented one, or if it is a member that
+the comment of its class or enumeration names. Member types need none: their definition says what they are. Neither do
+members of the contract of elements, which have their comments in include/kte/contract.
 """
 import os
 import re
@@ -11,6 +12,7 @@ from dataclasses import dataclass, field
 from declarations import Unreadable, declarations
 
 INTERNAL = {'detail', 'engine', 'tree', 'internal'}
+CONTRACT = {'check', 'doForce', 'doMotion', 'parameters', 'ports', 'relative', 'type'}
 
 
 @dataclass
@@ -19,8 +21,7 @@ class Name:
     kind: str
     header: str  # as #include has it
     line: int
-    entries: list = field(default_factory=list)  # declarations in that header
-    members: list = field(default_factory=list)  # names
+    entries: list = field(default_factory=list)  # (header, declaration)
     documented: bool = False
 
 
@@ -54,8 +55,9 @@ def collect(listed, header, outer, found):
         name = found.setdefault(scope + (declaration.name,), Name('::'.join(scope + (declaration.name,)), declaration.kind,
                                                                   header, declaration.line))
         name.entries.append((header, declaration))
-        name.documented = name.documented or bool(declaration.doc) or (
-            outer is not None and re.search(rf'\b{re.escape(declaration.name)}\b', outer.doc) is not None)
+        name.documented = name.documented or bool(declaration.doc) or (outer is not None and (
+            declaration.kind == 'alias' or declaration.name in CONTRACT or
+            re.search(rf'\b{re.escape(declaration.name)}\b', outer.doc) is not None))
         if declaration.kind in ('class', 'enum') and 'core' not in scope:
             collect(declaration.members, header, declaration, found)
 
@@ -68,6 +70,9 @@ def public_names(include):
             collect(declarations(text), header, None, found)
         except Unreadable as error:
             raise Unreadable(f'{header}:{error}') from None
+    for scope, name in found.items():  # the header of the same name is first
+        name.entries.sort(key=lambda entry: os.path.basename(entry[0]) != scope[-1] + '.hpp')
+        name.header, name.line = name.entries[0][0], name.entries[0][1].line
     return found
 
 
