@@ -26,6 +26,7 @@ from declarations import Unreadable  # noqa: E402
 from public_names import undocumented  # noqa: E402
 
 COLUMNS = 140
+SHOWN = 20  # places of a rule, without --list
 COMMENT = re.compile(r'(?P<string>R"(?P<mark>[^(\n]*)\(.*?\)(?P=mark)"|"(?:[^"\\\n]|\\.)*")|\'(?:[^\'\\\n]|\\.)\'|//(?P<comment>[^\n]*)', re.S)
 
 
@@ -154,8 +155,10 @@ def main():
     for rule, where in found.items():
         limit = allowed.get(rule, 0)
         if rule == given.list or (len(where) > limit and not given.list):
-            for file, line, what in where:
+            for file, line, what in where if given.list else where[:SHOWN]:
                 print(f'{file}:{line}: {what}')
+            if not given.list and len(where) > SHOWN:
+                print(f'... all by --list "{rule}"')
         if given.list in (None, rule):
             print(f'{rule}: {len(where)}, allowed {limit}')
         failed = failed or len(where) > limit
