@@ -12,8 +12,8 @@
 /// Dual numbers: derivatives of anything in this library by automatic differentiation.
 namespace kte {
 
-/// The independent variable i of N at the value x: its derivative by itself is 1. Whole numbers become double. Throws
-/// `bad_argument` unless 0 <= i < N.
+/// The independent variable i of N at the value x: its derivative with respect to itself is 1. Integers become double.
+/// Throws `bad_argument` unless 0 <= i < N.
 template <int N, class T>
 constexpr auto seeded(const T& x, std::type_identity_t<int> i) {
   using S = std::remove_const_t<decltype(real(x))>;
@@ -46,7 +46,7 @@ auto jacobian_of(const Eigen::MatrixBase<V>& x) {
 
 }  // namespace kte
 
-/// As those of T.
+/// The limits of T.
 template <class T, int N>
 struct std::numeric_limits<kte::dual<T, N>> : std::numeric_limits<T> {
  private:
