@@ -17,8 +17,8 @@ constexpr double constexpr_sqrt(double x) {
 }
 }  // namespace detail
 
-/// The eigenvalues of a symmetric matrix of finite numbers, the largest first, to a few rounding errors of it: by
-/// Jacobi's rotations (Golub and Van Loan, Matrix Computations, 8.5). A turn by the angle phi in the plane of axes p
+/// The eigenvalues of a symmetric matrix, in descending order, to a few rounding errors of the matrix, which must be
+/// finite. By Jacobi rotations (Golub and Van Loan, Matrix Computations, 8.5). A rotation by phi in the plane of axes p
 /// and q makes a_pq zero if
 ///
 ///   t = tan phi = sign(k)/(|k| + sqrt(k^2 + 1)),   k = (a_qq - a_pp)/(2 a_pq)          (1)
