@@ -56,8 +56,8 @@ constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
   return connect(core::driving_actuator_gen{}, coordinate, input);
 }
 
-/// Thrusters on a frame in the plane: signals `force`, two of its three numbers used, N, and `torque`, a number, Nm, in
-/// axes of the frame.
+/// Thrusters on a frame in the plane: signals `force`, three numbers, N, and `torque`, a number, Nm, in axes of the
+/// frame.
 template <class F, class U, class T>
 constexpr auto driving_actuator_2D(const F& frame, const U& force, const T& torque) {
   return connect(core::driving_actuator<kind::frame_2D>{}, frame, force, torque);

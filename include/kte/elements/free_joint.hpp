@@ -6,11 +6,11 @@ namespace kte {
 
 namespace core {
 
-/// No joint at all: the end moves freely in the base, by a coordinate X that is its pose.
+/// A joint without constraints: the end moves freely in the base by the coordinate X, a pose.
 ///
 ///   p = p_X,  R = R_X,  v = v_X,  w = w_X,  a = a_X + w x v,  al = al_X          (1)
 ///
-/// a_X being the rate of the components of v.
+/// a_X is the rate of the components of v.
 template <kind Dim>
 struct free_joint : transmission<free_joint<Dim>> {
   static constexpr type_name type{"free_joint", Dim};

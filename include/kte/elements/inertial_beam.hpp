@@ -186,7 +186,8 @@ constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& m
           m, about},
       anchor1, anchor2);
 }
-/// The same in space; the rotary inertia of each half in axes of its end.
+/// The inertia of a uniform beam between two frames in space, along x of both: its mass, kg, and optionally the rotary
+/// inertia of each half, kg m^2, in axes of its end.
 template <class F1, class F2, variable M, class Inertia = decltype(diagonal(zero, zero, zero))>
 constexpr auto inertial_beam_3D(const F1& anchor1, const F2& anchor2, const M& mass, const Inertia& inertia = {}) {
   const auto m = real(mass);

@@ -7,7 +7,7 @@
 
 namespace kte {
 
-/// The range of a joint and the stops at its ends. Without `lower` or `upper` there is one stop.
+/// The range of a joint and the stops at its ends. Without `lower` or `upper` there is a stop at one end.
 struct joint_stops {
   double lower = -std::numeric_limits<double>::infinity();  ///< m or rad
   double upper = std::numeric_limits<double>::infinity();   ///< m or rad
@@ -17,10 +17,10 @@ struct joint_stops {
 
 namespace core {
 
-/// Stops at the ends of the range of a coordinate, of stiffness k and damping c, which touch beyond it:
+/// Elastic stops at the ends of the range of a coordinate, of stiffness k and damping c:
 ///
 ///   d = q - upper for q > upper,  q - lower for q < lower,  else 0                     (1)
-///   f -= k d + c q_dot where a stop touches, but never of the sign of a pull           (2)
+///   f -= k d + c q_dot in contact, limited so that a stop does not pull                 (2)
 struct joint_limit_gen {
   static constexpr type_name type{"joint_limit", kind::gen};
   static constexpr std::array<port, 1> ports{{{kind::gen, access::on, "coordinate"}}};
@@ -73,7 +73,7 @@ struct joint_limit_gen {
 
 }  // namespace core
 
-/// Stops at the ends of the range of a coordinate, or at one of them:
+/// Elastic stops at one or both ends of the range of a coordinate:
 ///
 ///   joint_limit_gen(q, {.lower = -1.5, .upper = 1.5, .stiffness = 1e4, .damping = 20})
 ///   joint_limit_gen(height, {.lower = 0, .stiffness = 1e5})

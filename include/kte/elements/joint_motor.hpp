@@ -7,8 +7,8 @@
 
 namespace kte {
 
-/// The law of a motor of a joint: what its force follows, and where command and force end. Without anything said the
-/// force is the command.
+/// The law of a motor of a joint: its force as a function of command and motion, and the limits of both. By default the
+/// force is the command. `none` is the absence of a limit.
 struct motor_law {
   static constexpr double none = std::numeric_limits<double>::infinity();
 
@@ -16,18 +16,18 @@ struct motor_law {
   double offset = 0;                                   ///< b, N or Nm
   double stiffness = 0;                                ///< k, N/m or Nm/rad
   double damping = 0;                                  ///< c, N s/m or Nm s/rad
-  double lower = -none, upper = none;                  ///< of the force, N or Nm
-  double lower_command = -none, upper_command = none;  ///< of the command
+  double lower = -none, upper = none;                  ///< limits of the force, N or Nm
+  double lower_command = -none, upper_command = none;  ///< limits of the command
   bool operator==(const motor_law&) const = default;
 };
 
 namespace core {
 
-/// A motor of a joint as robots' files describe it, with its command u:
+/// A motor of a joint, as files of robots describe it, with the command u:
 ///
 ///   w = a [u] + b - k q - c q_dot,   f += [w]          (1)
 ///
-/// where [] keeps a number in its range. With a = k it is a servo, whose command is where the joint should be.
+/// where [] limits a number to its range. With a = k it is a servo whose command is the desired position.
 struct joint_motor_gen {
   static constexpr type_name type{"joint_motor", kind::gen};
   static constexpr std::array<port, 2> ports{

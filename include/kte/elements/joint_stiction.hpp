@@ -5,7 +5,7 @@
 
 namespace kte {
 
-/// The parameters of friction that holds, of a force (N) along a length, or of a torque (Nm) about an angle.
+/// Parameters of friction with sticking: forces, N, for a length, torques, Nm, for an angle.
 struct stiction_parameters {
   double coulomb;   ///< Fc, force of fast sliding; not negative
   double stiction;  ///< Fs, force at which sliding begins; not below Fc

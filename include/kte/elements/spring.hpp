@@ -108,7 +108,7 @@ KTE_INLINE constexpr auto opposite_forces(const A& a, const B& b, const F& f) {
 
 namespace core {
 
-/// What all springs between two things have.
+/// Parameters of a spring.
 template <class Rest, class Stiffness, class Saturation>
 struct spring_parameters {
   Rest rest_length;
@@ -232,7 +232,8 @@ constexpr auto spring_2D(const F1& anchor1, const F2& anchor2, const Rest& rest_
       core::spring<kind::frame_2D, decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
 }
-/// The same in space.
+/// A spring between the origins of two frames in space: rest length, m (`zero` for none), stiffness, N/m, and
+/// optionally the force at which it saturates, N.
 template <class F1, class F2, entry Rest, entry Stiffness, entry Saturation = zero_t>
 constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
                          const Saturation& saturation = {}) {

@@ -7,15 +7,15 @@ namespace kte {
 
 namespace core {
 
-/// A linear spring against the rotation of two frames against each other, of stiffness k, at rest where frame 2 is
-/// turned by R_0 in frame 1; in the plane by an angle:
+/// A linear spring of stiffness k against the relative rotation of two frames, at rest where frame 2 has the rotation
+/// R_0 in frame 1; in the plane an angle:
 ///
-///   r = axis times angle of R_1^T R_2 R_0^T                                          (1)
+///   r = rotation vector of R_1^T R_2 R_0^T                                           (1)
 ///   T_1 += k r,  T_2 -= k R_0^T r                                                    (2)
 ///
-/// limited to the saturation torque where there is one (zero: none); no force. It is the shortest turn, in the plane an
-/// angle in [-pi, pi]: at half a turn from rest the torque changes its sign, a jump by 2 pi k. The scalar needs an
-/// atan2; a pack without one does not compile.
+/// The torque is limited to the saturation torque, if any (zero: none); there is no force. r is the shortest rotation,
+/// in the plane an angle in [-pi, pi]: at half a turn from rest the torque jumps by 2 pi k and changes its sign. The
+/// scalar type needs an atan2.
 template <kind Dim, class Stiffness, class Saturation, class Rest>
 struct torsion_spring {
   static constexpr type_name type{"torsion_spring", Dim};

@@ -35,7 +35,7 @@ constexpr auto universal_joint_3D(const Q1& q1, const Q2& q2, const B& base, con
   return both;
 }
 
-/// The same with an offset r, m, from axis 1 to axis 2, in axes of the cross:
+/// A universal joint with an offset r, m, from axis 1 to axis 2, in axes of the cross:
 ///
 ///   R = Rot(n1, q1) Rot(n2, q2),  p = Rot(n1, q1) r
 template <class Q1, class Q2, class B, class E, class X1, class Y1, class Z1, class X2, class Y2, class Z2, class X,
