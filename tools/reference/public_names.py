@@ -3,7 +3,8 @@
 Public is what stands in a namespace that is not internal, in classes what is not private. A name has a doc comment if
 one of its declarations has, if it is a variable or alias on the line after a documented one, or if it is a member that
 the comment of its class or enumeration names. Member types need none: their definition says what they are. Neither do
-members of the contract of elements, which have their comments in include/kte/contract.
+members of the contract of elements, which have their comments in include/kte/contract, and those of tableaus, which the
+methods that take them describe.
 """
 import os
 import re
@@ -11,6 +12,7 @@ from dataclasses import dataclass, field
 
 from declarations import Unreadable, declarations
 
+TABLES = ('_tableau', '_formula', '_coefficients')
 INTERNAL = {'detail', 'engine', 'tree', 'internal'}
 CONTRACT = {'check', 'doForce', 'doMotion', 'parameters', 'ports', 'relative', 'type'}
 
@@ -56,7 +58,7 @@ def collect(listed, header, outer, found):
                                                                   header, declaration.line))
         name.entries.append((header, declaration))
         name.documented = name.documented or bool(declaration.doc) or (outer is not None and (
-            declaration.kind == 'alias' or declaration.name in CONTRACT or
+            declaration.kind == 'alias' or declaration.name in CONTRACT or outer.name.endswith(TABLES) or
             re.search(rf'\b{re.escape(declaration.name)}\b', outer.doc) is not None))
         if declaration.kind in ('class', 'enum') and 'core' not in scope:
             collect(declaration.members, header, declaration, found)

@@ -9,8 +9,8 @@ namespace kte {
 
 /// The range of a joint and the stops at its ends. Without `lower` or `upper` there is a stop at one end.
 struct joint_stops {
-  double lower = -std::numeric_limits<double>::infinity();  ///< m or rad
-  double upper = std::numeric_limits<double>::infinity();   ///< m or rad
+  double lower = -std::numeric_limits<double>::infinity();  ///< end of the range, m or rad
+  double upper = std::numeric_limits<double>::infinity();   ///< end of the range, m or rad
   double stiffness;                                         ///< N/m or Nm/rad
   double damping = 0;                                       ///< Ns/m or Nms/rad
 };

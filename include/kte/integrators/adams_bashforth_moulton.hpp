@@ -39,7 +39,7 @@ class adams_bashforth_moulton : public fixed_step<adams_bashforth_moulton<Formul
  public:
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, step (s). Throws `bad_argument` for a step that is not positive, and for a
+  /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.
   adams_bashforth_moulton(F f, const S& t0, const std::type_identity_t<X>& x0, const S& step)
       : base(std::move(f), t0, x0, step) {

@@ -15,6 +15,7 @@ struct rosenbrock23_coefficients {
   static constexpr int order = 2, embedded_order = 3, dense_order = 2, order_of_error = 3;
   static constexpr bool first_same_as_last = true;
 
+  /// The coefficients in the scalar S.
   template <class S>
   static rosenbrock_table<S, stages, 2> table() {
     using std::sqrt;
@@ -34,7 +35,8 @@ struct rosenbrock23_coefficients {
   }
 };
 
-/// For stiff systems at crude tolerances, 1e-2 to 1e-4: two evaluations, one Jacobian and a df/dt a step.
+/// Rosenbrock method of order 2 for stiff systems at loose tolerances, 1e-2 to 1e-4: two evaluations, one Jacobian and
+/// one df/dt a step.
 ///
 ///   kte::rosenbrock23 solver(f, 0.0, x0, {.absolute = 1e-4, .relative = 1e-4});
 ///   solver.integrate(10.0);

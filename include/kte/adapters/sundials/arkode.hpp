@@ -18,7 +18,7 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
  public:
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances, table. Throws `bad_argument` for tolerances that are not
+  /// f(t, x), start time, s, start state, tolerances, table. Throws `bad_argument` for tolerances that are not
   /// positive, for a start that is not finite, and for a table that SUNDIALS has not.
   template <class V>
   arkode(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol, Table table)

@@ -17,7 +17,7 @@ class cvode : public explicit_form<cvode<Lmm, F, X>, F, X> {
  public:
   using typename base::S;
 
-  /// f(t, x), start time (s), start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
+  /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for tolerances that are not positive, and
   /// for a start that is not finite.
   template <class V>
   cvode(F f, const S& t0, const Eigen::MatrixBase<V>& x0, const tolerances<S>& tol = {})
