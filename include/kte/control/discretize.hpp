@@ -11,14 +11,14 @@
 
 namespace kte {
 
-/// The system every dt seconds, under inputs that stay in between, exactly:
+/// The discrete-time system with interval dt, s, and inputs constant within an interval (zero-order hold), exactly:
 ///
 ///       | A  B  x_dot |         | A_d  B_d  step |
 ///   exp | 0  0    0   | dt   =  |  0    1    0   |          (1)
 ///       | 0  0    0   |         |  0    0    1   |
 ///
-/// with the matrix exponential of Eigen (scaling and squaring, Higham 2005). C, D, y0 stay. Throws `bad_argument`
-/// unless dt is finite and positive, where the result overflows, and where sizes do not fit.
+/// by the matrix exponential of Eigen (scaling and squaring, Higham 2005). C, D and y0 are unchanged. Throws
+/// `bad_argument` unless dt is finite and positive, if the result overflows, and if sizes do not fit.
 discrete_linear_system<> discretize(const linear_system<>& c, double dt);
 
 #ifdef KTE_FUNCTION

@@ -42,7 +42,7 @@ class arkode : public explicit_form<arkode<Table, F, X>, F, X> {
     }
   }
 
-  /// For what ARKODE can and this class has no name for: `ARKStepSetSafetyFactor(solver.memory(), 0.9)`.
+  /// The memory of ARKODE, for functions without a member here: `ARKStepSetSafetyFactor(solver.memory(), 0.9)`.
   void* memory() { return memory_.get(); }
 
  private:

@@ -39,7 +39,7 @@ class cvode : public explicit_form<cvode<Lmm, F, X>, F, X> {
     }
   }
 
-  /// For what CVODE can and this class has no name for: `CVodeSetMaxOrd(solver.memory(), 2)`.
+  /// The memory of CVODE, for functions without a member here: `CVodeSetMaxOrd(solver.memory(), 2)`.
   void* memory() { return memory_.get(); }
 
  private:
