@@ -1,8 +1,8 @@
 #ifndef KTE_JACOBIAN_HPP
 #define KTE_JACOBIAN_HPP
 
-#include <kte/dynamics/detail/local_jacobian.hpp>
-#include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
+#include <kte/dynamics/unrolled/jacobian.hpp>
 
 namespace kte {
 
@@ -49,7 +49,7 @@ auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_JACOBIAN_OF_RUNTIME_CHAINS)
 #define KTE_JACOBIAN_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_jacobian.hpp>
+#include <kte/dynamics/runtime/jacobian.hpp>
 
 namespace kte {
 
@@ -62,46 +62,46 @@ namespace kte {
 ///
 /// Throws `bad_argument` where it does not fit.
 template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
+void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at_state(c, s, frame, false, j);
 }
 template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
+void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
   detail::put_jacobian_at_state(c, s, frame, true, j);
 }
 template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                             const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at(c, s, q, frame, false, j);
 }
 template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                             const name_or_handle& frame, in_world_axes_t, J&& j) {
   detail::put_jacobian_at(c, s, q, frame, true, j);
 }
 /// The same as a value.
 template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, frame, j);
   return j;
 }
 template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                    in_world_axes_t axes) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, frame, axes, j);
   return j;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, q, frame, j);
   return j;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame,
                                                                  in_world_axes_t axes) {
   basic_runtime_jacobian<S> j;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/unrolled/given_bases.hpp>
 #include <kte/math/dual.hpp>
 
 namespace kte {
@@ -15,7 +15,7 @@ struct masses_alone {
     if constexpr (has_output<Core> || has_mass<Core, double>) {
       return (core);
     } else {
-      return silent<Core>{};
+      return no_load_core<Core>{};
     }
   }
 };

@@ -26,6 +26,12 @@ articulated(M, H, J) -> articulated<M, H, J>;
 /// The articulated-body inertia of nothing: typed zeros.
 inline constexpr articulated<sym3<zero_t>, mat3<zero3>, sym3<zero_t>> no_articulated{};
 
+/// The wrench of (1) in math/rigid_body.hpp for accelerations a, m/s^2, and al, rad/s^2.
+template <class M, class H, class J, class A, class AL>
+KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const A& a, const AL& al) {
+  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
+}
+
 /// The articulated-body inertia of rigid bodies: M = m 1, H = -[h]x.
 template <class M, class H, class I>
 KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {
