@@ -176,8 +176,10 @@ class Reader:
 
         def made(kind, name, last, **more):
             text = self.slice(first, last)
-            return Declaration(kind, name, around, self.line(start), text, self.doc_of(first, self.at), special=special,
-                               **more)
+            doc = self.doc_of(first, self.at)
+            if not doc and (deprecated := re.search(r'\[\[deprecated\("(?:kte: )?([^"]*)"\)\]\]', text)):
+                doc = f'Deprecated: {deprecated[1]}.'
+            return Declaration(kind, name, around, self.line(start), text, doc, special=special, **more)
 
         # Template heads, attributes, specifiers.
         while True:
@@ -225,7 +227,7 @@ class Reader:
             self.to_semicolon()
             return made('concept', name, self.at)
         if word == 'using':
-            name, alias = self.peek(1), self.peek(2) == '='
+            name, alias = self.peek(1), self.peek(2) in ('=', '[')
             self.to_semicolon()
             if not alias:
                 name, special = self.tokens[self.at - 2].text, True  # documented where it is declared

@@ -8,7 +8,7 @@ namespace kte {
 /// freedom that moves masses on coordinates alone, where nothing else is connected to it or a joint's coordinate is
 /// nearly of its name. No findings: an empty list.
 std::vector<std::string> check_chain(const runtime_chain& c);
-/// The same of a static chain.
+/// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>
 std::vector<std::string> check_chain(const static_chain<Gravity, E...>& c) {
   runtime_chain r;
