@@ -6,9 +6,9 @@ namespace kte {
 
 namespace core {
 
-/// A joint whose placement stands at position r and rotation R in the base, by constants: a link and the joint in one.
+/// A joint with a constant placement, at position r and rotation R in the base: a link and the joint in one.
 ///
-///   X_end = (r, R) X_joint,  which leaves all rates, in axes of the end, those of the joint          (1)
+///   X_end = (r, R) X_joint;  all rates, in axes of the end, are those of the joint          (1)
 template <class Joint, class Rotation, class Position>
 struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position>> {  // with whatever else a joint has
   using transmission<placed_joint>::doMotion, transmission<placed_joint>::doForce;

@@ -8,17 +8,18 @@
 
 namespace kte {
 
-/// The loads an element puts on its input ports, in their order: a number for a coordinate (N or Nm, along it), a
-/// wrench for a frame (at its origin, in its axes). Signals (inputs, internal states) get none.
+/// The loads of an element on its input ports, in their order: a number for a coordinate (N or Nm, along it), a wrench
+/// for a frame (at its origin, in its axes). Signals (inputs, internal states) have none.
 template <class... L>
 using loads = values<L...>;
 
+/// The `loads` of a doForce, in the order of the input ports.
 template <class... L>
 KTE_INLINE constexpr auto make_loads(const L&... l) {
   return values<L...>{{{l}...}};
 }
 
-/// The rates that `z_dot` of an element with several internal states gives, in their order.
+/// The rates of several internal states, the result of `z_dot`, in their order.
 template <class... R>
 KTE_INLINE constexpr auto make_rates(const R&... r) {
   return values<R...>{{{r}...}};
