@@ -81,11 +81,13 @@ class basic_runtime_state {
   /// A coordinate by name or handle. Throws `unknown_name`, `bad_argument`.
   gen_coord<S>& coordinate(const name_or_handle& name) { return at<kind::gen>(*this, name); }
   const gen_coord<S>& coordinate(const name_or_handle& name) const { return at<kind::gen>(*this, name); }
+  /// A frame in the plane by name or handle. Throws `unknown_name`, `bad_argument`.
   kte::frame_2D<S>& frame_2D(const name_or_handle& name) { return at<kind::frame_2D>(*this, name); }
   const kte::frame_2D<S>& frame_2D(const name_or_handle& name) const { return at<kind::frame_2D>(*this, name); }
   /// A frame in space by name or handle. Throws `unknown_name`, `bad_argument`.
   kte::frame_3D<S>& frame_3D(const name_or_handle& name) { return at<kind::frame_3D>(*this, name); }
   const kte::frame_3D<S>& frame_3D(const name_or_handle& name) const { return at<kind::frame_3D>(*this, name); }
+  /// A signal by name or handle. Throws `unknown_name`, `bad_argument`.
   S& input(const name_or_handle& name) { return at<kind::input>(*this, name); }
   S input(const name_or_handle& name) const { return at<kind::input>(*this, name); }
   /// A signal of three numbers by name or handle.
@@ -114,12 +116,14 @@ class basic_runtime_state {
   /// The number of entries in a configuration q.
   int nq() const { return topology_->nq; }
 
+  /// The coordinates that are degrees of freedom, with their places in q and v.
   std::span<const detail::freedom> freedoms() const { return topology_->free; }
 
   /// The wiring of the chain that this state was made for.
   const shared_topology& made_for() const { return topology_; }
   /// The kinematic tree of the chain.
   const tree_type& tree() const { return *tree_; }
+  /// The kinematic tree of the chain, shared.
   const std::shared_ptr<const tree_type>& shared_tree() const { return tree_; }
 
  private:
