@@ -26,7 +26,8 @@ unit_map units_of(const Chain& chain) {
   return units_of(scene_of(chain));
 }
 
-/// Of what was recorded, of a mechanism where all coordinates are zero, of one that moves as a table says.
+/// Draws a mechanism as SVG into a file: a recording, a chain with all coordinates zero, or a chain that moves as a
+/// table.
 inline void write_picture(const std::filesystem::path& file, const recorded_scene& r, const picture_options& o = {}) {
   write_picture(file, r.contents(), o);
 }
