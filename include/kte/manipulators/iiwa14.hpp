@@ -7,9 +7,9 @@
 
 namespace kte {
 
-/// The KUKA LBR iiwa 14 R820: seven revolute joints, z y z -y z y z, shoulder 0.36 m up, elbow 0.42 m from it, wrist
-/// 0.40 m from that, flange ("tool") 0.126 m from that, all along z where q = 0. Bodies and lengths are the maker's;
-/// axes of all links are those of the base where q = 0.
+/// The KUKA LBR iiwa 14 R820: seven revolute joints, z y z -y z y z; at q = 0 all along z: the shoulder at 0.36 m, the
+/// elbow 0.42 m from it, the wrist 0.40 m from the elbow, the flange ("tool") 0.126 m from the wrist. Bodies and
+/// lengths are those of the manufacturer; axes of all links are those of the base at q = 0.
 constexpr auto iiwa14_chain() {
   using namespace arm_names;
   return chain(revolute_joint_3D(q1, base, link1).at(along_z(0.1575)),
@@ -30,7 +30,7 @@ constexpr auto iiwa14_chain() {
       .gravity(along_z(-9.81));
 }
 
-/// Its limits of position, rate and torque, of the maker's data sheet.
+/// Limits of position, rate and torque, from the manufacturer's data sheet.
 constexpr auto iiwa14_limits() {
   auto limits = unlimited(iiwa14_chain());
   limits.upper = detail::in_radians<7>({170, 120, 170, 120, 170, 120, 175});

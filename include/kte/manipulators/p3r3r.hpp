@@ -15,7 +15,7 @@ constexpr auto p3r3r_chain(const three_r_three_r_lengths& lengths = crs_a465) {
   return chain(prismatic_joint_3D(track, base, cart, axis::x), inertia_3D(cart, point_mass(20.0)),
                detail::three_r_three_r_on(cart, lengths));
 }
-/// A track of 1 m, joints of half a turn each way.
+/// Limits: a track of 1 m, joints of half a turn in each direction.
 constexpr auto p3r3r_limits() {
   auto limits = unlimited(p3r3r_chain());
   limits.upper = detail::in_radians<7>({0, 180, 180, 180, 180, 180, 180});
@@ -24,8 +24,8 @@ constexpr auto p3r3r_limits() {
   return limits;
 }
 
-/// The arm with its limits. `inverse_kinematics` gives the answers for one place of the track (`locked`; without it,
-/// 0), or with `nearest` that for the nearest place.
+/// The arm with its limits. `inverse_kinematics` returns the solutions for one position of the track (`locked`; by
+/// default 0), or with `nearest` for the nearest position.
 constexpr auto p3r3r(const three_r_three_r_lengths& lengths = crs_a465) {
   return manipulator(p3r3r_chain(lengths), arm_names::tool, p3r3r_limits());
 }

@@ -39,7 +39,7 @@ constexpr auto panda_chain() {
       .gravity(along_z(-9.81));
 }
 
-/// Its limits, of the maker's interface specification.
+/// Limits from the manufacturer's interface specification.
 constexpr auto panda_limits() {
   auto limits = unlimited(panda_chain());
   limits.lower = {-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973};

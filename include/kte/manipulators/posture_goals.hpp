@@ -95,15 +95,15 @@ struct manipulability_goal {
 };
 }  // namespace detail
 
-/// A goal of `numerical_inverse_kinematics`: near a configuration; `weights` of squares, one for each of v, or none. It
-/// is soft.
+/// A soft goal of `numerical_inverse_kinematics`: near the configuration q; `weights` of the squares, one for each of
+/// v, or none.
 template <indexable Q>
 auto posture(const Q& q, std::vector<double> weights = {}) {
   return detail::posture_goal<Q>{q, std::move(weights)};
 }
-/// Coordinates near the middle of their limits. It is soft.
+/// A soft goal: coordinates near the middle of their limits.
 inline auto away_from_limits() { return detail::away_from_limits_goal{}; }
-/// Far from singular configurations, by Yoshikawa's measure. It is soft.
+/// A soft goal: far from singular configurations, by the manipulability measure of Yoshikawa.
 inline auto manipulability() { return detail::manipulability_goal{}; }
 
 }  // namespace kte

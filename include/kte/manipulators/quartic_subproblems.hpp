@@ -8,11 +8,12 @@
 /// The subproblems of two and three angles that lead to equations of degree four (Elias and Wen, IK-Geo, 2025).
 namespace kte {
 
-/// a + b cos t + c sin t, of n.R(k, t) p.
+/// The coefficients of n.R(k, t) p = a + b cos t + c sin t: `constant`, `cos`, `sin`.
 template <class S>
 struct linear_part {
   S constant, cos, sin;
 };
+/// The coefficients for a unit axis k, a vector p and a direction n.
 template <class S, class N, class K>
 constexpr linear_part<S> linear_part_of(const N& normal, const K& axis, const vec3<S>& p) {
   const vec3<S> n = as<S>(normal), k = as<S>(axis);

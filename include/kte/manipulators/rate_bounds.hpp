@@ -43,11 +43,12 @@ S stopping_rate(const S& d, const S& a, const S& dt) {
   return a * dt * ((x + n * (n + S(1)) / S(2)) / (n + S(1)));
 }
 
-/// The rates a coordinate may have in the next step.
+/// The allowed rates of a coordinate in the next step: from `lower` to `upper`.
 template <class S>
 struct rate_interval {
   S lower, upper;
-  bool recovering;  ///< outside its limits, or too fast to keep them: it brakes, or comes back, as hard as it may
+  bool
+      recovering;  ///< outside its limits, or too fast to keep them: it brakes or returns with the largest acceleration
 };
 
 /// For a step q += v dt of a coordinate that is at q and had the rate v_now before:

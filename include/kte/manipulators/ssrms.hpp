@@ -30,7 +30,7 @@ constexpr auto ssrms_chain() {
                revolute_joint_3D(q7, link6, tool).at(along_y(-end), half_turn_x),
                inertia_3D(tool, rigid_body{243.66, zero3{}, diagonal(44.413, 44.413, 9.336)}));
 }
-/// 270 degrees each way, 4 degrees/s, 2332 Nm.
+/// Limits: 270 degrees in each direction, 4 degrees/s, 2332 Nm.
 constexpr auto ssrms_limits() {
   auto limits = unlimited(ssrms_chain());
   limits.upper = detail::in_radians<7>({270, 270, 270, 270, 270, 270, 270});

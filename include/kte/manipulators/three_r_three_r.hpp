@@ -7,8 +7,8 @@
 
 namespace kte {
 
-/// Lengths of an arm z -y -y z -y z with a spherical wrist, m, all along z where q = 0: from joint 1 to 2, 2 to 3, 3 to
-/// 4, 4 to 5, and 5 to 6, where the tool is.
+/// Lengths of an arm z -y -y z -y z with a spherical wrist, m, all along z at q = 0: `base` from joint 1 to 2,
+/// `upper_arm` from 2 to 3, `forearm` from 3 to 4, `wrist` from 4 to 5, `tool` from 5 to 6, where the tool is.
 struct three_r_three_r_lengths {
   double base = 0, upper_arm = 1, forearm = 0.5, wrist = 0.5, tool = 0.2;
 };
@@ -36,7 +36,7 @@ constexpr auto three_r_three_r_on(const Frame& frame, const three_r_three_r_leng
 constexpr auto three_r_three_r_chain(const three_r_three_r_lengths& lengths = {}) {
   return detail::three_r_three_r_on(arm_names::base, lengths);
 }
-/// Half a turn each way.
+/// Limits: half a turn in each direction.
 constexpr auto three_r_three_r_limits() {
   auto limits = unlimited(three_r_three_r_chain());
   limits.upper = detail::in_radians<6>({180, 180, 180, 180, 180, 180});

@@ -12,7 +12,7 @@ constexpr auto uav_chain(const P& tool_position = {}, const R& tool_rotation = {
       .gravity(along_z(-9.81));
 }
 
-/// The vehicle with its tool, of the same arguments.
+/// The manipulator of `uav_chain`, with these arguments.
 template <class... Arguments>
 constexpr auto uav(const Arguments&... arguments) {
   return manipulator(uav_chain(arguments...), arm_names::tool);

@@ -7,7 +7,8 @@
 
 namespace kte {
 
-/// Lengths of an arm of Universal Robots, m; those of the UR5.
+/// Lengths of an arm of Universal Robots, m: `shoulder_height`, `shoulder_offset`, `upper_arm`, `elbow_offset`,
+/// `forearm`, `wrist1`, `wrist2`, `wrist3`; by default those of the UR5.
 struct ur_lengths {
   double shoulder_height = 0.089159, shoulder_offset = 0.13585, upper_arm = 0.425, elbow_offset = 0.1197,
          forearm = 0.39225, wrist1 = 0.093, wrist2 = 0.09465, wrist3 = 0.0823;
@@ -35,7 +36,7 @@ constexpr auto ur_chain(const ur_lengths& l = {}) {
       .gravity(along_z(-9.81));
 }
 
-/// Its limits, of the maker's description of the UR5: two turns a joint, but the elbow one.
+/// Limits from the manufacturer's description of the UR5: two turns for each joint, one for the elbow.
 constexpr auto ur_limits() {
   auto limits = unlimited(ur_chain());
   limits.upper = detail::in_radians<6>({360, 360, 180, 360, 360, 360});

@@ -40,6 +40,7 @@ void write_picture(const std::filesystem::path& file, const Chain& chain, const 
                    const picture_options& o = {}) {
   write_picture(file, scene_of(chain, numbers), o);
 }
+/// Draws a recording, or a chain that moves as a table, as an animated SVG into a file.
 inline void write_moving_picture(const std::filesystem::path& file, const recorded_scene& r,
                                  const picture_options& o = {}) {
   write_moving_picture(file, r.contents(), o);
@@ -49,6 +50,7 @@ void write_moving_picture(const std::filesystem::path& file, const Chain& chain,
                           const picture_options& o = {}) {
   write_moving_picture(file, scene_of(chain, numbers), o);
 }
+/// Draws the topology of a chain as SVG into a file.
 template <drawable Chain>
 void write_topology(const std::filesystem::path& file, const Chain& chain, const topology_options& o = {}) {
   write_topology(file, scene_of(chain), o);
