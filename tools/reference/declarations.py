@@ -316,6 +316,7 @@ class Reader:
 
     def function_or_variable(self, first, class_name, made):
         names, name, special, qualified, parameters, initialized = '', '', False, False, False, False
+        start = self.at
         while True:
             word = self.peek()
             if self.at >= len(self.tokens):
@@ -342,6 +343,7 @@ class Reader:
             elif word == '<' and not parameters and not initialized:
                 self.skip_angles()
             elif word == '(' and not initialized:
+                special = special or (not parameters and self.at == start + 1)  # a constructor, a deduction guide
                 parameters = True
                 self.skip_balanced()
             elif word == '=':

@@ -2,9 +2,8 @@
 
 Public is what stands in a namespace that is not internal, in classes what is not private. A name has a doc comment if
 one of its declarations has, if it is a variable or alias on the line after a documented one, or if it is a member that
-the comment of its class or enumeration names. Member types need none: their definition says what they are. Neither do
-members of the contract of elements, which have their comments in include/kte/contract, and those of tableaus, which the
-methods that take them describe.
+the comment of its class names. No comment is needed for member types, overriding functions, members of the contract of
+elements (described in include/kte/contract) and those of tableaus (described by the methods that take them).
 """
 import os
 import re
@@ -44,14 +43,15 @@ def share_comments(declared):
             after.doc = before.doc
 
 
-def collect(listed, header, outer, found):
+def collect(listed, header, outer, named, found):
+    """`named`: the comments of the classes around, which may name members."""
     share_comments(listed)
     for declaration in listed:
         if declaration.kind == 'namespace':
             if not INTERNAL & set(declaration.name.split('::')):
-                collect(declaration.members, header, None, found)
+                collect(declaration.members, header, None, '', found)
             continue
-        if not declaration.public or declaration.special or declaration.kind == 'forward':
+        if not declaration.public or declaration.special or (declaration.kind == 'forward' and not declaration.doc):
             continue
         scope = tuple(part for part in declaration.scope if part and part != 'kte')
         name = found.setdefault(scope + (declaration.name,), Name('::'.join(scope + (declaration.name,)), declaration.kind,
@@ -59,9 +59,10 @@ def collect(listed, header, outer, found):
         name.entries.append((header, declaration))
         name.documented = name.documented or bool(declaration.doc) or (outer is not None and (
             declaration.kind == 'alias' or declaration.name in CONTRACT or outer.name.endswith(TABLES) or
-            re.search(rf'\b{re.escape(declaration.name)}\b', outer.doc) is not None))
+            declaration.text.endswith((' override', ' final')) or
+            re.search(rf'\b{re.escape(declaration.name)}\b', named) is not None))
         if declaration.kind in ('class', 'enum') and 'core' not in scope:
-            collect(declaration.members, header, declaration, found)
+            collect(declaration.members, header, declaration, named + declaration.doc, found)
 
 
 def public_names(include):
@@ -69,7 +70,7 @@ def public_names(include):
     found = {}
     for header, text in headers(include):
         try:
-            collect(declarations(text), header, None, found)
+            collect(declarations(text), header, None, '', found)
         except Unreadable as error:
             raise Unreadable(f'{header}:{error}') from None
     for scope, name in found.items():  # the header of the same name is first

@@ -104,7 +104,7 @@ struct mass_matrix_of {
 
 }  // namespace detail
 
-/// tau from q, v, a; see `kte::inverse_dynamics`.
+/// Generalized forces tau of q, v, a; see `kte::inverse_dynamics`.
 template <int W = 0, class Chain, class Q, class V, class A, class Tau, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void inverse_dynamics(const Chain& chain, const Q& q, const V& v, const A& a, Tau&& tau, Executor&& executor = {}) {
@@ -116,7 +116,7 @@ void inverse_dynamics(const Chain& chain, const Q& q, const V& v, const A& a, Ta
   detail::finish(job, executor);
 }
 
-/// Accelerations a from q, v, tau; see `kte::forward_dynamics`.
+/// Accelerations a of q, v, tau; see `kte::forward_dynamics`.
 template <int W = 0, class Chain, class Q, class V, class Tau, class A, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 2>>
 void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau, A&& a, Executor&& executor = {}) {
@@ -128,8 +128,7 @@ void forward_dynamics(const Chain& chain, const Q& q, const V& v, const Tau& tau
   detail::finish(job, executor);
 }
 
-/// Mass matrices M, all n^2 numbers of each, from q; see `kte::mass_matrix`. They are symmetric, so by columns or rows
-/// is the same.
+/// Mass matrices M of q, all n^2 numbers of each, in any storage order as they are symmetric; see `kte::mass_matrix`.
 template <int W = 0, class Chain, class Q, class M, class Executor = in_this_thread,
           class P = detail::pack_of<detail::number_in<Q>, W, 1>>
 void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}) {

@@ -25,7 +25,8 @@ KTE_INLINE auto forces_at_no_acceleration(const Chain& c, const At& at, const V&
 }
 }  // namespace detail
 
-/// What holds the chain at rest: inverse dynamics for v = a = 0, with gravity and the chain's springs. (1)
+/// The generalized forces that hold the chain at rest: inverse dynamics for v = a = 0, with gravity and the forces of
+/// elements. (1)
 template <class Gravity, class... E, indexable Q>
 auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
@@ -35,7 +36,7 @@ auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   return forces_at_no_acceleration<value_of<Q>>(c, at, same<zero_t>{}, base_under_gravity(c));
 }
 
-/// g(q): what holds the bodies of the chain against gravity alone, the gradient of their potential energy,
+/// The generalized forces g(q) that hold the bodies against gravity alone: the gradient of their potential energy,
 ///
 ///   v . g = d/dt (-sum m gravity . c)          (4)
 template <class Gravity, class... E, indexable Q>

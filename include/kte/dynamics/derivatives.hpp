@@ -14,8 +14,8 @@ namespace kte {
 /// frames, or coordinates follow others, by dual numbers.
 ///
 ///   inverse_dynamics_derivatives(c, q, v, a)       of a static chain, a value
-///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s, for which the first call makes
-///                                                  room
+///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s; the first call allocates
+///                                                  memory
 ///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
 ///
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
@@ -40,8 +40,8 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
   return detail::derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, a);
 }
 
-/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, which has
-/// all digits of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
+/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, with the
+/// accuracy of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;

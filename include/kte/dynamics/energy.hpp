@@ -6,7 +6,7 @@
 
 namespace kte {
 
-/// J
+/// Energies of a chain, `kinetic` and `potential`, J.
 template <class S = double>
 struct energies {
   S kinetic;
@@ -53,7 +53,7 @@ auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   });
 }
 
-/// Both. Where nothing else does work, their sum stays the same.
+/// Kinetic and potential energy, J. Their sum is constant if no other force does work.
 template <class Gravity, class... E, indexable Q, indexable V>
 auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;

@@ -29,8 +29,8 @@ struct any_vector {
 };
 }  // namespace detail
 
-/// A load from outside on a frame of a runtime chain: `{"tool", {0, 0, -5}}`, `{"tool", kte::along_z(-5.0)}`. The text
-/// or handle must live as long.
+/// An external wrench on a frame of a runtime chain: `{"tool", {0, 0, -5}}`, `{"tool", kte::along_z(-5.0)}`. The text
+/// or handle must outlive it.
 struct external_wrench {
   name_or_handle frame;
   vec3<> force{};   ///< N
@@ -39,13 +39,14 @@ struct external_wrench {
   external_wrench(const name_or_handle& on, const detail::any_vector& f = {}, const detail::any_vector& t = {})
       : frame(on), force(f.numbers), torque(t.numbers) {}
 };
-/// The same of a static chain, made by `wrench_on(tool, force, torque)`.
+/// An external wrench on a frame of a static chain, made by `wrench_on(tool, force, torque)`.
 template <key_type Frame>
 struct wrench_on_frame {
   vec3<> force{};
   vec3<> torque{};
 };
 
+/// An external wrench on a frame of a static chain: force, N, and torque, Nm, at its origin, in its axes.
 template <key_type Frame>
 constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vector& force,
                                            const detail::any_vector& torque = {}) {
@@ -103,15 +104,15 @@ runtime_vector<S> forces_of_loads(const runtime_chain& c, basic_runtime_state<S>
 }
 }  // namespace detail
 
-/// The forces of virtual power of loads on frames on the degrees of freedom, N and Nm: Q of (1). Throws `bad_argument`
-/// where the friction of a joint depends on what it carries, for then it depends on more than Q.
+/// The generalized forces of external wrenches, N and Nm: Q of (1). Throws `bad_argument` for chains with
+/// load-dependent friction, which is not a function of Q.
 template <class S, indexable Q>
 runtime_vector<S> external_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                   const std::vector<external_wrench>& loads) {
   const auto all = detail::checked_loads(c, s, loads);
   return detail::take(c, s, q).call([&] { return detail::forces_of_loads(c, s, all); });
 }
-/// The same of a static chain.
+/// The generalized forces of external wrenches on a static chain, N and Nm: Q of (1).
 template <class Gravity, class... E, indexable Q, key_type... Frames>
 auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wrench_on_frame<Frames>&... loads) {
   static_assert(
@@ -127,7 +128,7 @@ auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wre
   return sum;
 }
 
-/// `inverse_dynamics` under loads from outside: tau = M a + C v + g - Q of elements - Q of (1).
+/// `inverse_dynamics` under external wrenches: tau = M a + C v + g - Q of elements - Q of (1).
 ///
 ///   inverse_dynamics(arm, s, q, v, a, {{"tool", {0, 0, -5}}})
 ///   inverse_dynamics(arm, q, v, a, wrench_on(tool, {0, 0, -5}))
@@ -148,7 +149,7 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
   return tau;
 }
 
-/// `forward_dynamics` under loads from outside besides tau.
+/// `forward_dynamics` under external wrenches in addition to tau.
 template <class S, indexable Q, indexable V, indexable T>
 runtime_vector<S> forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const T& tau, const std::vector<external_wrench>& loads) {

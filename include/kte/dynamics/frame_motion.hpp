@@ -9,7 +9,8 @@
 /// allocated.
 namespace kte {
 
-/// Where all frames of a chain stand, by name: `poses[elbow].position`, `poses[elbow].rotation`.
+/// The poses of all frames of a chain, by key: `poses[elbow].position`, `poses[elbow].rotation`. `in_plane`,
+/// `in_space`: the frames of each kind.
 template <class S, class Wiring>
 class frame_poses {
  public:
@@ -100,8 +101,8 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 }
 }  // namespace detail
 
-/// Where all frames stand: of a static chain a table of rotations and positions (m), by name, relative to a base at the
-/// origin; of a runtime chain the state, of which all frames then are those of `doMotion`.
+/// The poses of all frames: for a static chain a table of rotations and positions, m, by key, relative to a base at the
+/// origin; for a runtime chain the state, with the frames of `doMotion`.
 ///
 ///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z

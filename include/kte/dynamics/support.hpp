@@ -77,7 +77,7 @@ std::string_view name_of_thing(kind k, int i) {
 }
 }  // namespace detail
 
-/// Which degrees of freedom move a frame: for each number of v, whether its column of `jacobian` can be anything but
+/// The degrees of freedom that move a frame: for each number of v, whether its column of `jacobian` may differ from
 /// zero.
 template <class Gravity, class... E, key_type Frame>
 auto support(const static_chain<Gravity, E...>&, const Frame&) {
@@ -95,8 +95,8 @@ inline std::vector<bool> support(const runtime_chain& c, const name_or_handle& f
   return moves;
 }
 
-/// The name of the last frame that two frames stand on, by links and joints, which may be one of them; empty where they
-/// have different bases.
+/// The name of the last common ancestor of two frames by links and joints, which may be one of them; empty if they have
+/// different bases.
 template <class Gravity, class... E, key_type A, key_type B>
 std::string_view common_ancestor(const static_chain<Gravity, E...>&, const A&, const B&) {
   using chain_type = static_chain<Gravity, E...>;
