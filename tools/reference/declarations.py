@@ -219,7 +219,7 @@ class Reader:
             if self.peek() != '}':
                 self.fail(f'namespace {name} is not closed')
             self.at += 1
-            return Declaration('namespace', name, around, self.line(start), '', members=members)
+            return Declaration('namespace', name, around, self.line(start), '', self.docs.get(first, ''), members=members)
         if word in ('static_assert',) or (word == 'using' and self.peek(1) == 'namespace'):
             return self.rest_is_skipped()
         if word == 'concept':

@@ -11,7 +11,7 @@ import sys
 
 sys.dont_write_bytecode = True
 from declarations import Unreadable
-from public_names import public_names
+from public_names import introduction, public_names
 
 root = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..'))
 FOLDERS = {  # folder of include/kte -> title of its page, in the order of the menu
@@ -19,7 +19,7 @@ FOLDERS = {  # folder of include/kte -> title of its page, in the order of the m
     'static_chain': 'Static chains', 'runtime_chain': 'Runtime chains', 'dynamics': 'Algorithms', 'models': 'Systems',
     'integrators': 'Integrators', 'events': 'Events', 'control': 'Control', 'manipulators': 'Manipulators', 'io': 'Files',
     'robots': 'Robots', 'view': 'View', 'adapters': 'Adapters', 'reak': 'ReaK', 'testing': 'Testing'}
-KINDS = {'class': 'class', 'enum': 'enumeration', 'enumerator': 'enumerator', 'alias': 'type', 'variable': 'constant',
+KINDS = {'class': 'class', 'forward': 'class', 'enum': 'enumeration', 'enumerator': 'enumerator', 'alias': 'type', 'variable': 'constant',
          'function': 'function', 'concept': 'concept'}
 
 
@@ -137,6 +137,8 @@ def reference(names, output):
         text = [f'# {title}\n']
         for header in sorted(by_header):
             text.append(f'## {header.removeprefix("kte/")}\n')
+            if above := introduction(read(os.path.join(root, 'include', header))):
+                text.append(comment(above, target, ''))
             for scope, name in by_header[header]:
                 member = scope[:-1] in names
                 text.append(entry(name, 4 if member else 3, target))

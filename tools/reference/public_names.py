@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from declarations import Unreadable, declarations
 
-TABLES = ('_tableau', '_formula', '_coefficients')
+TABLES = ('_tableau', '_formula', '_coefficients', '_extension')
 INTERNAL = {'detail', 'engine', 'tree', 'internal'}
 CONTRACT = {'check', 'doForce', 'doMotion', 'parameters', 'ports', 'relative', 'type'}
 
@@ -24,6 +24,11 @@ class Name:
     line: int
     entries: list = field(default_factory=list)  # (header, declaration)
     documented: bool = False
+
+
+def introduction(text):
+    """The comment of a header, above its first namespace."""
+    return next((declaration.doc for declaration in declarations(text) if declaration.kind == 'namespace'), '')
 
 
 def headers(include):

@@ -26,6 +26,7 @@ struct coordinate_lock {
   /// Declares to the algorithms that the element may lock a coordinate.
   static constexpr bool locks_coordinate = true;
 
+  /// Whether a mode is that of a locked coordinate.
   template <class C, class Z, class... Others>
   KTE_INLINE static constexpr bool holds(const C&, const Z& mode, const Others&...) {
     return all(as<number<Z>>(mode) == number<Z>(mode::held));

@@ -102,6 +102,7 @@ struct parameter_check {
     if (broken.rule) broken.moments = {largest, middle, smallest};
   }
 
+  /// Requires a square of 1, to 2e-9.
   constexpr void unit_length(double squared, const char* rule) const {
     if (squared > 1 - 2e-9 && squared < 1 + 2e-9) return;
     if (std::is_constant_evaluated())

@@ -130,6 +130,7 @@ class path_follower {
 };
 }  // namespace detail
 
+/// The implementation of `equilibrium_path`.
 KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const runtime_chain& c, runtime_state& s,
                                                               const Eigen::VectorXd& q0,
                                                               const equilibrium_path_options& options) {

@@ -9,7 +9,8 @@
 /// Joints of several coordinates that are made of joints of one, with a frame between them.
 namespace kte {
 
-/// The key of the frame between the two joints of a series, named after the end: "wrist.inner" for "wrist".
+/// The key of the frame between the two joints of a series, named after the end: "wrist.inner" for "wrist". `what`,
+/// `text` and `name` are those of a key.
 template <key_type End>
 struct inner_key {
   static constexpr kind what = End::what;

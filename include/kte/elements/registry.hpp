@@ -137,6 +137,7 @@ class record_reader {
   }
   /// Whether the record has a placement of the joint in its base.
   bool is_placed() const { return has("position") || has("rotation"); }
+  /// The joint with the placement of its record, if any, as a part of a runtime chain.
   template <class Core>
   std::unique_ptr<kte_map> placed(const named_element<Core>& joint) const {
     if (!is_placed()) return adapt(joint);

@@ -45,6 +45,7 @@ class adams : public integrator<adams<F, X>, F, X> {
 
  public:
   using typename base::S;
+  /// The highest order of the predictor.
   static constexpr int max_order = 12;
 
   /// f(t, x), start time, s, start state, tolerances. Throws `bad_argument` for invalid tolerances, and for a start

@@ -8,8 +8,8 @@
 
 namespace kte {
 
-/// The coefficients of an ESDIRK method of N stages: (1) and (3) of `esdirk`. The last row of a holds the weights of
-/// the solution; its diagonal is 0, gamma, gamma, ...
+/// The coefficients of an ESDIRK method of N stages: `gamma`, `c`, `a` and the weights `e` of the error, (1) and (3) of
+/// `esdirk`. The last row of a holds the weights of the solution; its diagonal is 0, gamma, gamma, ...
 template <class S, std::size_t N>
 struct esdirk_table {
   using row = std::array<S, N>;

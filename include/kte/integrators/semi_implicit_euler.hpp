@@ -21,7 +21,7 @@ class semi_implicit_euler : public fixed_step<semi_implicit_euler<F, X>, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr int order = 1, dense_order = 1;
+  static constexpr int order = 1, dense_order = 1;  ///< of the method and of its dense output
 
   /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.

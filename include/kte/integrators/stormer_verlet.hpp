@@ -26,7 +26,7 @@ class stormer_verlet : public fixed_step<stormer_verlet<F, X>, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr int order = 2, dense_order = 2;
+  static constexpr int order = 2, dense_order = 2;  ///< of the method and of its dense output
 
   /// f(t, x), start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, and for a
   /// start that is not finite.

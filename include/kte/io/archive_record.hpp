@@ -19,8 +19,8 @@ struct quantity_record {
   file_place place{};
   friend bool operator==(const quantity_record&, const quantity_record&) = default;
 };
-/// A coordinate, frame, input or internal state: its name in chains, its values, and the `place` in the file. Missing
-/// values are zero.
+/// A coordinate, frame, input or internal state: its kind `what`, its name in chains, its values, and the `place` in
+/// the file. Missing values are zero.
 struct thing_record {
   kind what{};
   std::string name;
@@ -28,7 +28,7 @@ struct thing_record {
   file_place place{};
   friend bool operator==(const thing_record&, const thing_record&) = default;
 };
-/// The state of a chain: items with their values.
+/// The state of a chain: `things`, items with their values.
 struct state_record {
   std::vector<thing_record> things;
   friend bool operator==(const state_record&, const state_record&) = default;

@@ -11,7 +11,7 @@
 
 namespace kte {
 
-/// Numbers in named columns, read from a file or collected in memory.
+/// Numbers in columns with `names`, read from a file or collected in memory.
 struct table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;  ///< columns[j][i]: column j of row i

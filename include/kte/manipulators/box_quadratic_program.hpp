@@ -6,7 +6,7 @@
 
 namespace kte {
 
-/// The result of `minimise_in_box`.
+/// The result of `minimise_in_box`: the minimum x.
 template <class S, int N>
 struct box_minimum {
   joint_vector<S, N> x;

@@ -16,15 +16,17 @@ namespace kte {
 template <int N>
 struct constant {};
 
-/// Types and values of the constants 0, 1 and -1.
+/// The types of the constants 0 and 1.
 using zero_t = constant<0>;
 using one_t = constant<1>;
+/// The constants 0, 1 and -1.
 inline constexpr zero_t zero{};
 inline constexpr one_t one{};
 inline constexpr constant<-1> minus_one{};
 
 /// A quantity that is not needed: arithmetic with `skip` gives `skip` and no machine code. An algorithm that needs no
-/// positions starts from a base whose position is `skip`, and no position is computed. Entries of a `skip` are `skip`.
+/// positions starts from a base whose position is `skip`, and no position is computed. Entries x, y, z of a `skip` are
+/// `skip`.
 struct skip {
   static const skip x, y, z;
 };

@@ -7,9 +7,9 @@
 
 namespace kte {
 
-/// A curve through points (x_i, y_i), x increasing: cubic between neighbours, straight beyond the ends, with a
-/// continuous slope. It is monotone where the points are, and does not overshoot. Slopes m_i at inner points, with d_i
-/// = (y_{i+1} - y_i)/h_i, h_i = x_{i+1} - x_i:
+/// A curve through points (x_i, y_i), `x` increasing, `y` any: cubic between neighbours, straight beyond the ends, with
+/// a continuous slope. It is monotone where the points are, and does not overshoot. Slopes m_i at inner points, with
+/// d_i = (y_{i+1} - y_i)/h_i, h_i = x_{i+1} - x_i:
 ///
 ///   m_i = 0 where d_{i-1} d_i <= 0, else 3 (h_{i-1} + h_i) / ((2 h_i + h_{i-1})/d_{i-1} + (h_i + 2 h_{i-1})/d_i)   (1)
 ///
@@ -27,6 +27,7 @@ class monotone_cubic {
   List x;
   List y;
 
+  /// Whether there are as many x as y, at least two, all finite, with x increasing.
   constexpr bool is_sound() const {
     if (x.size() < 2 || x.size() != y.size()) return false;
     for (std::size_t i = 1; i < x.size(); ++i)

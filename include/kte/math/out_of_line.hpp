@@ -10,6 +10,7 @@
 /// which would else take ten times as long to compile as the formulas themselves (docs/decisions/12-compiled.md).
 namespace kte {
 
+/// A dual `number` whose operations are functions, not inlined.
 template <class D>
 struct out_of_line {
   D number;

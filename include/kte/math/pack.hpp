@@ -74,6 +74,7 @@ class pack {
   using register_type = typename reg::type;
   using register_bits = typename reg::bits;
   using registers = std::make_index_sequence<count>;
+  /// The number of elements.
   static constexpr int lanes = N;
 
   pack() = default;
@@ -98,6 +99,7 @@ class pack {
     std::memcpy(&x, reinterpret_cast<const char*>(&b_) + i * sizeof(T), sizeof(T));
     return x;
   }
+  /// Sets one element; slow.
   KTE_INLINE void set(std::size_t i, T x) { std::memcpy(reinterpret_cast<char*>(&b_) + i * sizeof(T), &x, sizeof(T)); }
 
   KTE_INLINE friend pack operator+(const pack& a, const pack& b) { return map(detail::plus{}, a, b, registers{}); }
@@ -126,6 +128,7 @@ class pack {
   /// Register i of registers::size(). `map(f, a)` applies f register by register.
   KTE_INLINE register_type& in_register(std::size_t i) { return b_[i]; }
   KTE_INLINE const register_type& in_register(std::size_t i) const { return b_[i]; }
+  /// f(a), register by register.
   template <class F>
   KTE_INLINE static pack map(const F& f, const pack& a) {
     return map(f, a, registers{});

@@ -147,6 +147,7 @@ class controlled {
                   "kte: the law of a controlled model sets its inputs at every evaluation: set nothing here, but let "
                   "the law follow what you want to change");
   }
+  /// Deleted by a static_assert: the law sets the inputs.
   template <class U>
   void setInput(const U& u) const {
     input(u);
@@ -211,7 +212,7 @@ class controlled {
   }
 
   // ---- motion on the group, as the model's
-  static constexpr bool on_group = moves_on_group<model_type, model_state>;
+  static constexpr bool on_group = moves_on_group<model_type, model_state>;  ///< whether there are rotations
   void displace(const state& x, const rate& d, state& out) const requires(on_group) {
     out.resize(x.size());
     model().displace(own_part(x), own_rate(d), moved_);

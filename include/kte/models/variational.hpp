@@ -48,7 +48,7 @@ class variational : public fixed_step<variational<Order, F, X>, F, X> {
  public:
   using typename base::rate;
   using typename base::S;
-  static constexpr int order = Order, dense_order = 3;
+  static constexpr int order = Order, dense_order = 3;  ///< of the method and of its dense output
 
   /// A model, start time, s, start state, step, s. Throws `bad_argument` for a step that is not positive, for a start
   /// that is not finite, and for a runtime chain with internal states.

@@ -120,7 +120,8 @@ struct robot_actuator {
   std::string not_modelled{};  ///< the part of its law that is not modelled, such as "muscle"; else empty
 };
 
-/// A named configuration, such as a keyframe of MJCF: the numbers of q of joints, by their names; `line` in the file.
+/// A configuration with a `name`, such as a keyframe of MJCF: the numbers of q of joints, by their names; `line` in the
+/// file.
 struct robot_configuration {
   std::string name;
   int line = 0;

@@ -27,6 +27,7 @@ inline std::string text_with_article(kind k) { return std::string(article(k)).ap
 /// and the same numbering of the degrees of freedom.
 class topology {
  public:
+  /// An item of a chain: a coordinate, frame, signal or internal state, of the kind `what`.
   struct thing {
     kind what{};
     int index = -1;         ///< among things of its kind; -1: there is none
@@ -35,6 +36,7 @@ class topology {
     bool moves = false;     ///< for coordinates: an element moves by it, or it is given
     explicit operator bool() const { return index >= 0; }
   };
+  /// An `element` and its connections.
   struct connection {
     const kte_element* element = nullptr;
     std::vector<int> index;         ///< of what each port is connected to
@@ -62,7 +64,8 @@ class topology {
   /// Connects an element. Throws `bad_wiring` and then has changed nothing; if memory runs out, call `cut`.
   void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
                std::span<const std::string> to);
-  /// Sizes of all lists, for `cut`.
+  /// Sizes of all lists, for `cut`: names, free, quaternions, signals, elements, keepers, row, nq, nv, nu,
+  /// has_derivatives, base_known, layout.
   struct extent {
     std::array<std::size_t, kinds> names{};
     std::size_t free = 0, quaternions = 0, signals = 0, elements = 0, keepers = 0, row = 0;

@@ -7,7 +7,8 @@
 /// Where the coordinates of a chain stand in its vectors.
 namespace kte {
 
-/// One coordinate: q[q .. q + nq) of a configuration, v[v .. v + nv) of velocities, accelerations and forces.
+/// The coordinate `name` of the kind `what`: q[q .. q + nq) of a configuration, v[v .. v + nv) of velocities,
+/// accelerations and forces.
 ///   number         q; v
 ///   rotation       w, x, y, z of the quaternion; w of the moving frame, in its axes
 ///   pose in space  x, y, z, then the quaternion; v, then w of the moving frame, in its axes

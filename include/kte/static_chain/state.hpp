@@ -87,6 +87,7 @@ class chain_state {
   typename lists<std::make_index_sequence<kinds>>::type things_{};
 };
 
+/// Whether T is the state of a static chain.
 template <class T>
 inline constexpr bool is_chain_state = false;
 template <class Scalar, class Wiring>

@@ -118,10 +118,12 @@ class static_chain {
   }
   constexpr const Gravity& gravity() const { return gravity_; }
 
+  /// All elements, in order.
   constexpr const boost::hana::tuple<E...>& elements() const { return elements_; }
   template <std::size_t I>
   using core_type = typename std::remove_cvref_t<decltype(boost::hana::at_c<I>(
       std::declval<const boost::hana::tuple<E...>&>()))>::core_type;
+  /// The core of element I.
   template <std::size_t I>
   KTE_INLINE constexpr const auto& core() const {
     return boost::hana::at_c<I>(elements_).core;

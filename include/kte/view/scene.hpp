@@ -16,6 +16,7 @@ struct scene {
   static constexpr double none = std::numeric_limits<double>::infinity();
   /// Position x y z, m, and unit quaternion w x y z.
   using pose = std::array<double, 7>;
+  /// The identity pose.
   static constexpr pose at_origin{0, 0, 0, 1, 0, 0, 0};
 
   /// A frame `name`. It moves by a `track` of the recordings, or is rigid in a frame before it, its `parent`; -1 is the
@@ -26,8 +27,8 @@ struct scene {
     int parent = -1;
     pose place = at_origin;  ///< pose in the parent
   };
-  /// A coordinate `name`: its first index q and `size` in q, v and `v_size` in v, -1 for followers; its range from
-  /// `lower` to `upper`.
+  /// A coordinate `name`: its first index q and `size` in q, v and `v_size` in v, -1 if it `follows` others; its range
+  /// from `lower` to `upper`.
   struct coordinate {
     std::string name;
     std::string kind;  ///< angle, length, rotation, pose, pose_2D; number if no joint has it

@@ -40,7 +40,7 @@ void write_page(const std::filesystem::path& path, const Chain&, const scene_rec
   write_page(path, r.contents(), options);
 }
 
-/// A recording in a table, with its name in the page.
+/// A recording: a table of `numbers`, with its name in the page.
 struct named_table {
   std::string name;
   table numbers;

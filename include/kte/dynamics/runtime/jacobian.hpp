@@ -11,9 +11,10 @@
 /// Jacobians of frames of runtime chains, into memory of the state or of the caller.
 namespace kte {
 
-/// The Jacobian of a frame, as on static chains.
+/// The Jacobian of a frame of a runtime chain, 6 x dofs.
 template <class S>
 using basic_runtime_jacobian = Eigen::Matrix<S, 6, Eigen::Dynamic>;
+/// The Jacobian of a frame of a runtime chain, 6 x dofs, in double.
 using runtime_jacobian = basic_runtime_jacobian<double>;
 
 namespace detail {

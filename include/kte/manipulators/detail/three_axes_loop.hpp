@@ -4,11 +4,11 @@
 
 namespace kte {
 
-/// What subproblem 5 asks for.
+/// A solution of subproblem 5: the angles `first`, `second` and `third`.
 template <class S>
 struct three_solved_angles {
   solved_angle<S> first, second, third;
-  unsigned slot;  ///< a name: of two that differ in bit 0 alone, one becomes the other where they meet
+  unsigned slot;  ///< identifies the solution; two that differ in bit 0 only become equal at a double solution
 };
 
 namespace detail {

@@ -23,10 +23,10 @@ struct picture_options {
   double joint_radius = 1.3;                    ///< mm
   double font_size = 8;                         ///< points of 1/72 inch
   std::string font = "sans-serif";
-  bool bodies = true, joints = true, ground = true, scale_bar = true;
-  std::size_t recording = 0;  ///< of the scene
-  double rate = 25;           ///< of moving pictures: positions a second; between them parts move on straight lines
-  double speed = 1;           ///< of moving pictures: 0.5 is half as fast as the mechanism
+  bool bodies = true, joints = true, ground = true, scale_bar = true;  ///< whether they are drawn
+  std::size_t recording = 0;                                           ///< of the scene
+  double rate = 25;  ///< of moving pictures: positions a second; between them parts move on straight lines
+  double speed = 1;  ///< of moving pictures: 0.5 is half as fast as the mechanism
 };
 
 }  // namespace kte

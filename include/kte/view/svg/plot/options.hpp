@@ -26,7 +26,7 @@ struct plot_options {
   std::string label{};    ///< of the vertical axes, in place of the name or quantity; the unit is put behind it
   unit_map units{};       ///< of coordinates, inputs, or columns, whose names do not say it
   panels share = panels::by_unit;
-  bool log_x = false, log_y = false;
+  bool log_x = false, log_y = false;                       ///< whether an axis is logarithmic
   double from = -std::numeric_limits<double>::infinity();  ///< rows below it on the horizontal axis are left out,
   double to = std::numeric_limits<double>::infinity();     ///< and those above this
   bool dashed = true;                                      ///< whether curves differ by dashes besides colours
