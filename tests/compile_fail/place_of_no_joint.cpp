@@ -2,10 +2,10 @@
 // expect: error: .*kte: .at.position.* places a joint in its base; this element is not a joint
 // expect: spring
 // expect: rigid_link
-// expect: error: .*kte: this joint has a place in its base already: .at.. comes once
+// expect: error: .*kte: this joint has a placement already: call .at.. once
 // expect: error: .*kte: call it as .at.position.*, such as .at.kte::along_z.0.5., kte::quarter_turn_x
 // expect: error: .*kte: call it as .at.position.*, such as .at.kte::along_x.0.5., kte::rotation_by.0.3
-// expect: error: .*kte: a joint with a `doForce` of its own has no place
+// expect: error: .*kte: a joint with its own `doForce` cannot be placed
 #include <kte/kte.hpp>
 
 using namespace kte;

@@ -145,7 +145,7 @@ TEST_CASE("an inertia wants a physical body") {
 
   const std::string physical = where +
                                "inertia must be physical: no principal moment above the sum of the other two "
-                               "(rigid_body{...}.as_published() is taken as it is), but ";
+                               "(rigid_body{...}.as_published() is not checked for this), but ";
   CHECK(diagonal_of(1, 1, 2.5) == physical + "2.5 is above 1 + 1 by 0.5");  // flatter than flat
   CHECK(diagonal_of(3, 1, 1) == physical + "3 is above 1 + 1 by 1");
   CHECK(diagonal_of(1, 5, 1) == physical + "5 is above 1 + 1 by 3");

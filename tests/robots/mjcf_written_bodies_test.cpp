@@ -72,7 +72,7 @@ TEST_CASE("bodies that MuJoCo would not take") {
                         joint_text("q", "continuous", "a", "b", "<axis xyz='1 0 0'/>"));
   CHECK_THROWS_MATCHES(
       to_mjcf(odd), bad_argument,
-      says("kte: link 'b': no body can have such moments: one is wrong by 0.75 kg m^2, which MJCF cannot"));
+      says("kte: link 'b': the moments are not physically realizable: one is wrong by 0.75 kg m^2, which MJCF cannot"));
   CHECK(to_mjcf(odd, {.lossy = true}) == holding("diaginertia=\"1.25 1.25 2.5\""));
   CHECK(to_mjcf(made(body("a", 1, "ixx='2.75' iyy='1' izz='1'"))) ==
         (holding("diaginertia=\"2.5 1.25 1.25\"") &&

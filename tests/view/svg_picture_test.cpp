@@ -161,7 +161,7 @@ TEST_CASE("what does not fit is refused by name") {
         }) == "kte: a picture at 2.5 s of a recording from 0 to 2 s");
   CHECK(message_of<bad_argument>([&] { picture(s, {.times = {std::nan("")}}); }) != "");
   CHECK(message_of<bad_argument>([&] { picture(s, {.times = {1}, .every = 1}); }) ==
-        "kte: a picture is at times, or every so many seconds, not both");
+        "kte: a picture has either `times` or `every`, not both");
   CHECK(message_of<bad_argument>([&] { picture(s, {.every = 1e-9}); }) ==
         "kte: a picture every 1e-09 s has more than 1000 positions of the mechanism");
   CHECK(message_of<bad_argument>([&] { picture(s, {.every = -1}); }) != "");

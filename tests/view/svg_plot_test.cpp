@@ -92,7 +92,9 @@ TEST_CASE("columns that are not there are refused by name") {
         "'tool/position/y', 'tool/torque/z', 'motor'");
   CHECK(message_of<unknown_name>([&] { plot(t, {"tool/positio"}); }) != "");
   CHECK(message_of<bad_argument>([] { plot({}); }) == "kte: a plot needs a table with columns and a name for each");
-  CHECK(message_of<bad_argument>([] { plot({{"t"}, {{1}}}); }) == "kte: the table to plot has no column besides 't'");
+  CHECK(message_of<bad_argument>([] {
+          plot({{"t"}, {{1}}});
+        }) == "kte: the table to plot has no column other than 't'");
   CHECK(message_of<bad_argument>([] {
           plot({{"t", "a"}, {{1}, {}}});
         }) == "kte: the column 'a' of the table to plot has another length than 't'");

@@ -124,7 +124,7 @@ TEST_CASE("a topology is made to fit a width, of any names, of nothing at all") 
   CHECK(read_svg(text).children[0].text == "<&>");
   CHECK(text.size() < 40000);
   CHECK(test::message_of<bad_argument>([&] { topology_picture(s, {.width = -1}); }) ==
-        "kte: a topology has letters of 1 to 100 points and a width of 0 to 5000 mm");
+        "kte: the topology needs letters of 1 to 100 points and a width of 0 to 5000 mm");
   s.joints[0].after = 99;
   CHECK(test::message_of<bad_argument>([&] { topology_picture(s); }) ==
         "kte: a part of a scene is on a frame that is not there");

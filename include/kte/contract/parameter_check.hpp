@@ -97,7 +97,7 @@ struct parameter_check {
     const double scale = as<double>(body.mass) * dot(c, c) + (i.xx + i.yy + i.zz), excess = largest - middle - smallest;
     require(excess <= 1e-9 * scale,
             "inertia must be physical: no principal moment above the sum of the other two "
-            "(rigid_body{...}.as_published() is taken as it is)",
+            "(rigid_body{...}.as_published() is not checked for this)",
             excess);
     if (broken.rule) broken.moments = {largest, middle, smallest};
   }

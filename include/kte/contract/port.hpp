@@ -51,7 +51,7 @@ template <class Core>
 requires requires { Core::reads_accelerations; }
 inline constexpr bool reads_accelerations<Core> = Core::reads_accelerations;
 
-/// Whether it has a mass between several ports: `mass_loads(things...)`, its loads for accelerations alone.
+/// Whether it has a distributed mass: `mass_loads(things...)`, its loads for accelerations alone.
 template <class Core>
 inline constexpr bool distributed_mass = false;
 template <class Core>

@@ -197,7 +197,7 @@ struct check_core<Core> {
   static_assert(rule < Core, turn, fits || in_space >,
                 "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
   static_assert(rule<Core, turn, moves_by_relative<Core>>,
-                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
+                "kte: the motion of a joint or link follows from its `relative`: it must not have its own `doMotion`");
 };
 
 }  // namespace detail

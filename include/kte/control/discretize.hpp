@@ -34,8 +34,7 @@ KTE_FUNCTION discrete_linear_system<> discretize(const linear_system<>& c, doubl
     detail::raise<bad_argument>("kte: discretize: a number of A, B or x_dot, times dt, is not finite");
   const Eigen::MatrixXd e = all.exp();  // (1)
   if (!e.allFinite())
-    detail::raise<bad_argument>("kte: discretize: the system grows beyond all numbers within " + detail::number(dt) +
-                                " s");
+    detail::raise<bad_argument>("kte: discretize: the result overflows within " + detail::number(dt) + " s");
   return {e.topLeftCorner(n, n), e.block(0, n, n, m), c.C, c.D, e.topRightCorner(n, 1), c.y0, dt};
 }
 #endif

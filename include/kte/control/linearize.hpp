@@ -190,7 +190,7 @@ requires(!detail::linearizable_model<F>) linear_system<S> linearize(F f, H h, co
         return column_of_numbers<S>(g(t, at, under));
       });
     }
-    check_finite(value, static_cast<std::size_t>(rows), "kte: linearize: what the function gives is not finite");
+    check_finite(value, static_cast<std::size_t>(rows), "kte: linearize: a result of the function is not finite");
     check_derivatives<S>(both, "the function");
     by_x = both.leftCols(n), by_u = both.rightCols(nu);
   };

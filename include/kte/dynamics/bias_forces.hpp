@@ -12,9 +12,9 @@
 ///   nonlinear_effects(q, v)  = gravity_forces(q) + coriolis_forces(q, v) - Q(q, v)   (2)
 ///   inverse_dynamics(q, v, a) = M(q) a + nonlinear_effects(q, v)                     (3)
 ///
-/// with Q the forces of elements that are no bodies: springs, dampers, motors. Of a runtime chain `f(c, s, q)` or
-/// `f(c, s, q, v)`, or `f(c, s)` at the positions and rates of the state s. `gravity_forces` and `coriolis_forces`
-/// throw `bad_argument` for masses between several things, whose bodies are not known.
+/// with Q the forces of elements that are no bodies: springs, dampers, motors. Of a runtime chain `f(c, s, q)` or `f(c,
+/// s, q, v)`, or `f(c, s)` at the positions and rates of the state s. `gravity_forces` and `coriolis_forces` throw
+/// `bad_argument` for distributed masses, whose bodies are not known.
 namespace kte {
 
 namespace detail {

@@ -35,7 +35,7 @@ auto weighted_length(const D& d, const W& weight) {
   S sum(0);
   for (Eigen::Index i = 0; i < d.size(); ++i) {
     const S w = S(weight(static_cast<std::size_t>(i)));
-    if (!all(w >= S(0))) raise<bad_argument>("kte: the weights of a distance are not negative");
+    if (!all(w >= S(0))) raise<bad_argument>("kte: the weights of a distance must not be negative");
     sum += w * d[i] * d[i];
   }
   const S length = sqrt(sum);

@@ -59,7 +59,7 @@ template <class S, class W>
 Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   const double all[]{w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z};
   if (!all_finite(all, 6)) [[unlikely]]
-    raise<bad_argument>("kte: a force or torque from outside on '" + std::string(frame) + "' is not finite");
+    raise<bad_argument>("kte: an external force or torque on '" + std::string(frame) + "' is not finite");
   Eigen::Matrix<S, 6, 1> x;
   for (int i = 0; i < 6; ++i) x[i] = S(all[i]);
   return x;
@@ -79,8 +79,7 @@ std::vector<load_on_frame<S>> checked_loads(const runtime_chain& c, const basic_
                                             const std::vector<external_wrench>& loads) {
   check_regular(c, s);
   if (!s.tree().readers.empty())
-    throw bad_argument(
-        "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the chain");
+    throw bad_argument("kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
   std::vector<load_on_frame<S>> all;
   for (const auto& w : loads) {
     const auto x = find_frame(c, w.frame);
@@ -115,10 +114,8 @@ runtime_vector<S> external_forces(const runtime_chain& c, basic_runtime_state<S>
 /// The generalized forces of external wrenches on a static chain, N and Nm: Q of (1).
 template <class Gravity, class... E, indexable Q, key_type... Frames>
 auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wrench_on_frame<Frames>&... loads) {
-  static_assert(
-      detail::no_load_dependent_friction<typename E::core_type...>,
-      "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the "
-      "chain");
+  static_assert(detail::no_load_dependent_friction<typename E::core_type...>,
+                "kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
   static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);
   using S = value_of<Q>;
   joint_vector<S, static_chain<Gravity, E...>::dofs> sum;

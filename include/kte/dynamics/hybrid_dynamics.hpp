@@ -33,7 +33,7 @@ struct some_accelerations {
       static_assert(is_coordinate(Key::what) && slot >= 0, "kte: this chain has no coordinate of this name");
       constexpr freedom at = Wiring::freedom_of(Key::what, slot);
       static_assert(slot < 0 || at.what == Key::what,
-                    "kte: this coordinate is not a degree of freedom: its motion is given already");
+                    "kte: this coordinate is not a degree of freedom: its motion is prescribed");
       for (int i = 0; i < nv_of(at.what); ++i) x[static_cast<std::size_t>(at.v + i)] = true;
       return 0;
     };

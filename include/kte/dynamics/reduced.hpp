@@ -51,7 +51,7 @@ auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...)
   }();
   static_assert(known, "kte: this chain has no degree of freedom of this name, which could be locked");
   static_assert(clean || !known,
-                "kte: an element besides its joint acts on a coordinate that is to be locked: leave it out, or use a "
+                "kte: an element other than its joint acts on a coordinate to be locked: leave it out, or use a "
                 "runtime chain");
   check_configuration<chain_type>(q);
   if constexpr (known && clean) {

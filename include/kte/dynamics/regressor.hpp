@@ -49,8 +49,8 @@ auto inertial_parameters(const static_chain<Gravity, E...>& c) {
 ///   v . (m a + al x h + w x (w x h)) + u . (I al + w x I w + h x a),   h = m c          (3)
 ///
 /// A value, of both kinds of chain; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a
-/// joint or link that is more than its `relative`, and for masses between several things. Of a static chain no heap,
-/// unless the matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
+/// joint or link that is more than its `relative`, and for distributed masses. Of a static chain no heap, unless the
+/// matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;

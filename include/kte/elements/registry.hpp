@@ -257,7 +257,7 @@ KTE_FUNCTION std::unique_ptr<kte_map> element_registry::make_unplaced(const elem
 }
 KTE_FUNCTION runtime_chain to_chain(const model_record& m, const element_registry& registry) {
   runtime_chain c;
-  if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
+  if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity must have three numbers");
   if (const vec3 g{m.gravity[0], m.gravity[1], m.gravity[2]}; g != vec3<>{}) c.gravity(g);  // zero says nothing
   for (std::size_t i = 0; i < m.elements.size(); ++i) {
     const auto& r = m.elements[i];

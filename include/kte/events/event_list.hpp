@@ -84,7 +84,7 @@ struct kind_of_event<std::vector<E>> {
 template <class... E>
 requires(requires { detail::kind_of_event<E>::is_one; } && ...) event_list<detail::no_handler, E...> events(E... e) {
   static_assert((detail::kind_of_event<E>::can_rest && ...),
-                "kte: `rest` ends a row of resets: give the event a `reset` too");
+                "kte: `rest` follows resets: give the event a `reset` too");
   return {{std::move(e)...}, {}, {}};
 }
 

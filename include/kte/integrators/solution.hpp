@@ -77,8 +77,8 @@ class solution {
   template <class Solver>
   bool start(const Solver& solver) {
     if (solver.time() != end_)
-      detail::raise<bad_argument>("kte: this solution goes on at t = " + detail::number(detail::as_double(end_)) +
-                                  ", where it has ended, not at " + detail::number(detail::as_double(solver.time())));
+      detail::raise<bad_argument>("kte: this solution continues at t = " + detail::number(detail::as_double(end_)) +
+                                  ", its end, not at " + detail::number(detail::as_double(solver.time())));
     last_ = solver.state();
     return true;
   }
@@ -121,7 +121,7 @@ class solution {
     if (t == end_) return void(last_ = x);
     const S length = t - end_, whole = solver.time() - solver.previous_time();
     if (!pieces_.empty() && (length > S(0)) != is_forward())
-      detail::raise<bad_argument>("kte: a solution does not turn back");
+      detail::raise<bad_argument>("kte: a solution must not reverse its direction");
     const int m = solver.dense_degree();
     const std::size_t first = numbers_.size();
     const X& from = solver.previous_state();

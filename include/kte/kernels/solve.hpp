@@ -57,7 +57,7 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
     text.append("a coordinate");
   else
     text.append("'").append(coordinate).append("'");
-  raise<singular_mass_matrix>(text.append(" moves no mass of its own"));
+  raise<singular_mass_matrix>(text.append(" moves no mass independently of the others"));
 }
 /// The first row of which `factorise` said that its pivot vanishes; m_jj follows again from (1).
 template <class Matrix>

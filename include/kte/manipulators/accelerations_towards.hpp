@@ -30,9 +30,9 @@ auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& want
   using S = value_of<Q>;
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
-  detail::check_twists_of(arm, wanted, "wanted", "a wanted acceleration");
+  detail::check_twists_of(arm, wanted, "wanted", "a desired acceleration");
   detail::check_rates_of(arm, v, "v", "a rate");
-  detail::check_rates_of(arm, a_wanted, "a_wanted", "a wanted acceleration");
+  detail::check_rates_of(arm, a_wanted, "a_wanted", "a desired acceleration");
   const auto m = static_cast<Eigen::Index>(size);
   joint_vector<S, n> now(m), aim(m);
   for (Eigen::Index i = 0; i < m; ++i) {

@@ -50,8 +50,7 @@ auto pose_error(const pose<R, P>& now, const pose<WantedR, WantedP>& wanted) {
   const auto p = as<S>(wanted.position) - as<S>(now.position);
   Eigen::Matrix<S, 6, 1> e;
   e << p.x, p.y, p.z, w.x, w.y, w.z;
-  detail::check_finite(e, 6,
-                       "kte: the way from a pose to a wanted one is not finite: a position is not, or is too large");
+  detail::check_finite(e, 6, "kte: the error of a pose is not finite: a position is not finite or too large");
   return e;
 }
 

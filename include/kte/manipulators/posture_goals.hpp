@@ -20,7 +20,7 @@ struct posture_goal {
   void add_to(const At& at, Sum& sum) const {
     using S = typename At::scalar;
     typename At::configuration to(at.q.size());
-    check_size(static_cast<std::size_t>(at.q.size()), wanted, "a wanted posture", "numbers of a configuration");
+    check_size(static_cast<std::size_t>(at.q.size()), wanted, "a desired posture", "numbers of a configuration");
     for (Eigen::Index i = 0; i < to.size(); ++i) to[i] = S(wanted[static_cast<std::size_t>(i)]);
     const auto e = difference(at.arm, at.q, to);
     if (!weights.empty()) check_size(static_cast<std::size_t>(e.size()), weights, "weights of a posture");

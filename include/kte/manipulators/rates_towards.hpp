@@ -69,11 +69,12 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
   const Eigen::Index m = static_cast<Eigen::Index>(size);
   detail::check_twists_of(arm, twist, "twist", "a twist");
   detail::check_rates_of(arm, v_now, "v_now", "a rate");
-  detail::check_rates_of(arm, v_wanted, "v_wanted", "a wanted rate");
-  if (!(dt > S(0)) || !(dt - dt == S(0))) detail::raise<bad_argument>("kte: a step needs a time dt > 0, and finite");
+  detail::check_rates_of(arm, v_wanted, "v_wanted", "a desired rate");
+  if (!(dt > S(0)) || !(dt - dt == S(0)))
+    detail::raise<bad_argument>("kte: the time dt of a step must be finite and positive");
   for (const double x : {options.length, options.damping})
     if (!(x > 0 && x <= (std::numeric_limits<double>::max)()))
-      detail::raise<bad_argument>("kte: length and damping of rates must be finite and greater than 0, got " +
+      detail::raise<bad_argument>("kte: length and damping of rates must be finite and positive, got " +
                                   detail::number(x));
   detail::check_limits_of_poses(arm);
 
@@ -113,7 +114,7 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
     most = (std::max)(most, S(sqrt(missed)));
     if (!(most < std::numeric_limits<S>::infinity()))
       detail::raise<bad_argument>(
-          "kte: by how much a twist is missed is not finite: a twist, a rate or a Jacobian is too large");
+          "kte: the error of a twist is not finite: a twist, a rate or a Jacobian is too large");
   }
   return out;
 }

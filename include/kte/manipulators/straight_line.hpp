@@ -21,8 +21,8 @@ class straight_line {
         position_(as<S>(from.position)),
         way_(pose_error(from, to).template cast<S>()) {
     const std::array<S, 3> start{position_.x, position_.y, position_.z};
-    detail::check_finite(start, 3, "kte: a straight line begins at a position that is not finite");
-    detail::check_finite(way_, 6, "kte: the way along a straight line is not finite");
+    detail::check_finite(start, 3, "kte: the start of a straight line is not finite");
+    detail::check_finite(way_, 6, "kte: the difference of the poses of a straight line is not finite");
   }
 
   /// The pose at s in [0, 1]; beyond, the path is extended. Throws `bad_argument` for an s that is not finite, or so

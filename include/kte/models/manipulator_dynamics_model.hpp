@@ -122,7 +122,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     static_assert(slot >= 0 && nu_of(Key::what) > 0, "kte: this chain has no input of this name");
     constexpr int place = wiring::input_place(Key::what, slot);
     static_assert(slot < 0 || place >= 0,
-                  "kte: this is not an input from outside: an element of the chain writes it, or it is the time");
+                  "kte: this is not an input: an element of the chain writes it, or it is the time");
     if constexpr (Key::what == kind::vector) {
       return this->u_.template segment<3>(place < 0 ? 0 : place);
     } else {

@@ -100,7 +100,7 @@ void find_modes(const Model& model, const T& t, X& x) {
   };
   const std::size_t n = model.locks().size(), most = n < 10 ? std::size_t{2} << 2 * n : std::size_t{2} << 20;
   for (std::size_t i = 0; next(); ++i)
-    if (i == most) raise<no_solution>("kte: no joints can be found that hold, and others that slide: friction jams");
+    if (i == most) raise<no_solution>("kte: no consistent set of sticking and sliding joints exists: friction jams");
 }
 /// At a zero of (1), or of the rate.
 template <class Model, class T, class X>

@@ -58,7 +58,7 @@ auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const 
   static_assert(is_coordinate(Coordinate::what) && slot >= 0, "kte: this chain has no coordinate of this name");
   constexpr freedom at = wiring::freedom_of(Coordinate::what, slot < 0 ? 0 : slot);
   static_assert(slot < 0 || at.what == Coordinate::what,
-                "kte: this coordinate is not a degree of freedom: its motion is given already");
+                "kte: this coordinate is not a degree of freedom: its motion is prescribed");
   using result = motion_jacobian<Coordinate::what, Moved::what, S>;
   if constexpr (Moved::what == kind::gen) {
     constexpr int of = wiring::template find<Moved>();

@@ -80,8 +80,7 @@ struct mass_matrix_with_rate {
 ///   ( m 1  -[h]x )
 ///   ( [h]x    I  )          (2)
 ///
-/// What is fed twice is refused, and what is no degree of freedom or has no mass; what has a mass between several
-/// things too.
+/// What is fed twice is refused, and what is no degree of freedom or has no mass; what has a distributed mass too.
 template <class Chain, class Bodies = std::index_sequence<>, class Coordinates = std::index_sequence<>>
 class mass_matrix_calc;
 

@@ -160,7 +160,7 @@ class runtime_chain : public kte_map {
   /// The wiring of the chain. Throws `bad_argument` if the chain is part of another one.
   const topology& wiring() const {
     if (use_ != use::whole) [[unlikely]]
-      throw bad_argument("kte: this chain has become part of another one, which alone has its wiring and states");
+      throw bad_argument("kte: this chain is part of another one: use the wiring and states of that one");
     return *topology_;
   }
   /// The number of degrees of freedom.
@@ -255,7 +255,7 @@ KTE_FUNCTION std::vector<runtime_chain::output> runtime_chain::outputs(const run
   return all;
 }
 KTE_FUNCTION runtime_chain& runtime_chain::append(std::unique_ptr<kte_map> e) {
-  if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
+  if (!e) throw bad_argument("kte: a null pointer cannot be appended to a chain");
   kte_map& part = *e;
   if (typeid(part) == typeid(runtime_chain)) {
     auto& c = static_cast<runtime_chain&>(part);

@@ -47,7 +47,8 @@ KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
     if (joint_count > 0 || mass.empty()) continue;
     const auto meant = detail::did_you_mean(name, moving);
     if (others == 0 || !meant.empty())
-      found.push_back(mass + " has a degree of freedom of its own, '" + name + "', by which no joint moves" + meant);
+      found.push_back(mass + " is moved by a separate degree of freedom, '" + name + "', by which no joint moves" +
+                      meant);
   }
   return found;
 }

@@ -81,9 +81,9 @@ class kte_element : public kte_map {
 
   /// What it is to the loops over body nodes (tree/body_node.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
-  /// For a mass between several ports: adds its loads due to accelerations alone.
+  /// For a distributed mass: adds its loads due to accelerations alone.
   virtual void mass_loads(runtime_state&) const = 0;
-  /// For a mass between several ports: its first moment m c in axes of the base, kg m, after doMotion.
+  /// For a distributed mass: its first moment m c in axes of the base, kg m, after doMotion.
   virtual vec3<> first_moment(runtime_state&) const = 0;
   /// Whether it locks its coordinate.
   virtual bool holds(runtime_state&) const = 0;

@@ -133,7 +133,7 @@ class topology {
   const namesakes& named(std::string_view name) const {
     const auto it = things_.find(name);
     if (it == things_.end())
-      throw unknown_name("kte: this chain has nothing of the name '" + std::string(name) + "'" + did_you_mean(name));
+      throw unknown_name("kte: this chain has nothing named '" + std::string(name) + "'" + did_you_mean(name));
     return it->second;
   }
   struct hash_of_text {

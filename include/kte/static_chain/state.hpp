@@ -42,7 +42,7 @@ class chain_state {
   template <text_type Text>
   constexpr auto& operator[](const Text&) const {
     static_assert(detail::fit<Text>,
-                  "kte: the state of a static chain is asked by keys, s[hand]; texts are for runtime chains");
+                  "kte: items of the state of a static chain are named by keys, s[hand]; texts are for runtime chains");
     return no_thing();
   }
 

@@ -187,8 +187,8 @@ S mass_is_that_of_force(const Element& e, Draw&& draw) {
     return detail::difference<S, 6>(loads[0], resists);
   });
 }
-/// For elements with a mass between several ports: `mass_loads` are the loads of their accelerations in doForce, and
-/// those of a symmetric, positive semidefinite mass. Returns the violation.
+/// For elements with a distributed mass: `mass_loads` are the loads of their accelerations in doForce, and those of a
+/// symmetric, positive semidefinite mass. Returns the violation.
 template <class S, class Element, class Draw>
 S distributed_mass_is_that_of_force(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {

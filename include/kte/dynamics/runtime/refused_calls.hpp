@@ -14,18 +14,18 @@ namespace kte {
 class runtime_chain;
 
 // The last argument is the type of the result, which only keeps compilers from saying more.
-#define KTE_ASKED_BY_NAME(algorithm, arguments, ...)                                                             \
-  template <class Gravity, class... E, class... A>                                                               \
-  requires(text_type<A> || ...) auto algorithm(const static_chain<Gravity, E...>&, const A&...) {                \
-    static_assert(detail::fit<A...>, "kte: a static chain is asked by keys, " #algorithm "(arm, " arguments      \
-                                     ", hand); texts are for runtime chains");                                   \
-    return __VA_ARGS__();                                                                                        \
-  }                                                                                                              \
-  template <class... A>                                                                                          \
-  requires(key_type<A> || ...) auto algorithm(const runtime_chain&, const A&...) {                               \
-    static_assert(detail::fit<A...>, "kte: a runtime chain is asked by texts, " #algorithm "(arm, s, " arguments \
-                                     ", \"hand\"); keys are for static chains");                                 \
-    return __VA_ARGS__();                                                                                        \
+#define KTE_ASKED_BY_NAME(algorithm, arguments, ...)                                                                  \
+  template <class Gravity, class... E, class... A>                                                                    \
+  requires(text_type<A> || ...) auto algorithm(const static_chain<Gravity, E...>&, const A&...) {                     \
+    static_assert(detail::fit<A...>, "kte: items of a static chain are named by keys, " #algorithm "(arm, " arguments \
+                                     ", hand); texts are for runtime chains");                                        \
+    return __VA_ARGS__();                                                                                             \
+  }                                                                                                                   \
+  template <class... A>                                                                                               \
+  requires(key_type<A> || ...) auto algorithm(const runtime_chain&, const A&...) {                                    \
+    static_assert(detail::fit<A...>, "kte: items of a runtime chain are named by texts, " #algorithm                  \
+                                     "(arm, s, " arguments ", \"hand\"); keys are for static chains");                \
+    return __VA_ARGS__();                                                                                             \
   }
 #define KTE_STATE_OF_STATIC_CHAIN(algorithm, ...)                                                            \
   template <class S, class Wiring, class... A>                                                               \

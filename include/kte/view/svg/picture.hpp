@@ -14,7 +14,7 @@ inline std::vector<double> picture_times(const mechanism_canvas& c) {
   if (!(o.every >= 0 && std::isfinite(o.every)))
     raise<bad_argument>("kte: a picture every " + four_digits(o.every) + " s");
   if (!o.times.empty()) {
-    if (o.every > 0) raise<bad_argument>("kte: a picture is at times, or every so many seconds, not both");
+    if (o.every > 0) raise<bad_argument>("kte: a picture has either `times` or `every`, not both");
     for (const double t : o.times)
       if (!(t >= first && t <= last))
         raise<bad_argument>("kte: a picture at " + four_digits(t) + " s of a recording from " + four_digits(first) +
