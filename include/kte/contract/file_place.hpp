@@ -15,7 +15,7 @@ struct file_place {
 };
 
 /// The start of a message: "arm.json:12:5: ", "arm.kte, byte 120: ", or nothing.
-inline std::string to_string(const file_place& p) {
+[[nodiscard]] inline std::string to_string(const file_place& p) {
   if (!p.file) return "";
   const std::string column = std::to_string(p.column) + ": ";
   return *p.file + (p.line == 0 ? ", byte " + column : ":" + std::to_string(p.line) + ":" + column);

@@ -30,24 +30,24 @@ enum class kind : unsigned char {
 inline constexpr std::size_t kinds = 9;
 
 /// Whether it is a frame, in the plane or in space.
-constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
+[[nodiscard]] constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
 /// Whether it is a signal: numbers without a force.
-constexpr bool is_signal(kind k) { return k == kind::input || k == kind::internal || k == kind::vector; }
+[[nodiscard]] constexpr bool is_signal(kind k) { return k == kind::input || k == kind::internal || k == kind::vector; }
 /// The number of inputs u of a chain that it is, if no element writes it.
-constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
+[[nodiscard]] constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
 /// Whether it is a coordinate: a number, a rotation or a pose.
-constexpr bool is_coordinate(kind k) { return !is_frame(k) && !is_signal(k); }
+[[nodiscard]] constexpr bool is_coordinate(kind k) { return !is_frame(k) && !is_signal(k); }
 /// The number of entries in a configuration q: x, y, z before w, x, y, z of the quaternion; x, y, angle in the plane.
-constexpr int nq_of(kind k) {
+[[nodiscard]] constexpr int nq_of(kind k) {
   return k == kind::gen ? 1 : k == kind::rotation_3D ? 4 : k == kind::pose_2D ? 3 : k == kind::pose_3D ? 7 : 0;
 }
 /// The number of degrees of freedom: of entries in v, a and tau, linear before angular.
-constexpr int nv_of(kind k) {
+[[nodiscard]] constexpr int nv_of(kind k) {
   return k == kind::gen ? 1 : k == kind::rotation_3D || k == kind::pose_2D ? 3 : k == kind::pose_3D ? 6 : 0;
 }
 
 /// Its name in messages and files: "coordinate".
-constexpr std::string_view to_string(kind k) {
+[[nodiscard]] constexpr std::string_view to_string(kind k) {
   switch (k) {
     case kind::gen:
       return "coordinate";
@@ -72,7 +72,9 @@ constexpr std::string_view to_string(kind k) {
 }
 
 /// Its name with an article, for messages: "an input", "a coordinate".
-constexpr std::string_view article(kind k) { return k == kind::input || k == kind::internal ? "an " : "a "; }
+[[nodiscard]] constexpr std::string_view article(kind k) {
+  return k == kind::input || k == kind::internal ? "an " : "a ";
+}
 
 /// A text as a template argument.
 template <std::size_t N>

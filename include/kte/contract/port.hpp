@@ -114,8 +114,8 @@ inline constexpr bool is_rigid_body = false;
 }  // namespace detail
 
 /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
-inline std::string describe_element(std::string_view type, std::span<const port> ports,
-                                    std::span<const std::string_view> names) {
+[[nodiscard]] inline std::string describe_element(std::string_view type, std::span<const port> ports,
+                                                  std::span<const std::string_view> names) {
   std::string s(type);
   for (std::size_t i = 0; i < ports.size(); ++i)
     s.append(i == 0 ? " (" : ", ").append(ports[i].role).append(" '").append(names[i]).append("'");

@@ -112,7 +112,7 @@ void append_numbers(std::vector<double>& v, const R& rotation) {
 /// The record of a core and the names of its connections. A bool parameter is stored, as 1, only if it is true. Throws
 /// `bad_argument` for a core that declares `holds_code`: functions of a program.
 template <class Core, class Names>
-element_record record_of(const Core& core, const Names& names) {
+[[nodiscard]] element_record record_of(const Core& core, const Names& names) {
   if constexpr (detail::holds_code<Core>) {
     std::array<std::string_view, port_count<Core>> texts;
     for (std::size_t p = 0; p < port_count<Core>; ++p) texts[p] = names[p];

@@ -15,13 +15,13 @@ using loads = values<L...>;
 
 /// The `loads` of a doForce, in the order of the input ports.
 template <class... L>
-KTE_INLINE constexpr auto make_loads(const L&... l) {
+[[nodiscard]] KTE_INLINE constexpr auto make_loads(const L&... l) {
   return values<L...>{{{l}...}};
 }
 
 /// The rates of several internal states, the result of `z_dot`, in their order.
 template <class... R>
-KTE_INLINE constexpr auto make_rates(const R&... r) {
+[[nodiscard]] KTE_INLINE constexpr auto make_rates(const R&... r) {
   return values<R...>{{{r}...}};
 }
 

@@ -19,7 +19,7 @@ namespace kte {
 ///
 /// by the matrix exponential of Eigen (scaling and squaring, Higham 2005). C, D and y0 are unchanged. Throws
 /// `bad_argument` unless dt is finite and positive, if the result overflows, and if sizes do not fit.
-discrete_linear_system<> discretize(const linear_system<>& c, double dt);
+[[nodiscard]] discrete_linear_system<> discretize(const linear_system<>& c, double dt);
 
 #ifdef KTE_FUNCTION
 KTE_FUNCTION discrete_linear_system<> discretize(const linear_system<>& c, double dt) {

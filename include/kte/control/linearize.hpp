@@ -79,7 +79,8 @@ void derive_outputs(Model& m, const S& t, const typename Model::state& x, linear
 /// equilibrium: x_dot and y0 are those of the model there. Throws as `forward_dynamics_derivatives`; `bad_argument` for
 /// an x or u of wrong size and for numbers that are not finite.
 template <detail::linearizable_model Model, class X, class S = typename Model::state::Scalar>
-linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, const std::type_identity_t<S>& t = S(0)) {
+[[nodiscard]] linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x,
+                                         const std::type_identity_t<S>& t = S(0)) {
   Model m = model;
   check_size(static_cast<std::size_t>(m.state_size()), x.derived(), "x", "numbers of a state");
   const typename Model::state at = x;
@@ -95,8 +96,8 @@ linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, co
 }
 /// Linearization of a model about the state x, inputs u and the time t, s.
 template <detail::linearizable_model Model, class X, indexable U, class S = typename Model::state::Scalar>
-linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, const U& u,
-                           const std::type_identity_t<S>& t = S(0)) {
+[[nodiscard]] linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, const U& u,
+                                         const std::type_identity_t<S>& t = S(0)) {
   Model m = model;
   m.setInput(u);
   return linearize(m, x, t);
@@ -111,8 +112,8 @@ linear_system<S> linearize(const Model& model, const Eigen::MatrixBase<X>& x, co
 /// x`, are differentiated by dual numbers; laws of double by differences of order 4, with a relative error of some
 /// 1e-12.
 template <class Model, class Law, class Rates, int N, class X, class S = typename controlled<Model, Law, Rates, N>::S>
-linear_system<S> linearize(const controlled<Model, Law, Rates, N>& closed, const Eigen::MatrixBase<X>& x,
-                           const std::type_identity_t<S>& t = S(0)) {
+[[nodiscard]] linear_system<S> linearize(const controlled<Model, Law, Rates, N>& closed, const Eigen::MatrixBase<X>& x,
+                                         const std::type_identity_t<S>& t = S(0)) {
   using namespace detail;
   auto loop = closed;
   check_size(static_cast<std::size_t>(loop.state_size()), x.derived(), "x", "numbers of a state");
@@ -213,7 +214,8 @@ requires(!detail::linearizable_model<F>) linear_system<S> linearize(F f, const E
 /// The displacement d from x0 to x, in the coordinates of the matrices of `linearize`; rotations take the shorter way.
 /// For numbers x - x0. Throws `bad_argument` for states of wrong size.
 template <class Model, class X0, class X>
-typename Model::rate displacement(const Model& model, const Eigen::MatrixBase<X0>& x0, const Eigen::MatrixBase<X>& x) {
+[[nodiscard]] typename Model::rate displacement(const Model& model, const Eigen::MatrixBase<X0>& x0,
+                                                const Eigen::MatrixBase<X>& x) {
   using S = typename Model::state::Scalar;
   for (const auto size : {x0.size(), x.size()})
     if (size != model.state_size()) [[unlikely]]

@@ -20,21 +20,21 @@ struct lqr_gain {
 ///
 /// N (n x m) may be omitted, for 0. Throws as `care`; also `bad_argument` if Q - N R^-1 N' is not positive
 /// semidefinite, so that the cost has no minimum.
-lqr_gain lqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-             const Eigen::MatrixXd& N = {});
+[[nodiscard]] lqr_gain lqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                           const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 /// The linear quadratic regulator in discrete time, for d_(k+1) = A d_k + B u_k:
 ///
 ///   sum of d' Q d + 2 d' N u + u' R u,   K = (R + B'X B)^-1 (B'X A + N'),   X of `dare`
-lqr_gain dlqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-              const Eigen::MatrixXd& N = {});
+[[nodiscard]] lqr_gain dlqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                            const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 
 /// The linear quadratic regulator of a linear system. x_dot, not zero where x0 is no equilibrium, is ignored.
-inline lqr_gain lqr(const linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-                    const Eigen::MatrixXd& N = {}) {
+[[nodiscard]] inline lqr_gain lqr(const linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
+                                  const Eigen::MatrixXd& N = {}) {
   return lqr(s.A, s.B, Q, R, N);
 }
-inline lqr_gain lqr(const discrete_linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
-                    const Eigen::MatrixXd& N = {}) {
+[[nodiscard]] inline lqr_gain lqr(const discrete_linear_system<>& s, const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R,
+                                  const Eigen::MatrixXd& N = {}) {
   return dlqr(s.A, s.B, Q, R, N);
 }
 

@@ -19,8 +19,8 @@ namespace kte {
 /// Throws `bad_argument` for sizes that do not fit, numbers that are not finite, Q or R not symmetric, R not positive
 /// definite; `no_solution` if (A, B) is not stabilizable, naming the mode, and if the Hamiltonian matrix has
 /// eigenvalues on the imaginary axis, as for an undamped mode without weight in Q.
-Eigen::MatrixXd care(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
-                     const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
+[[nodiscard]] Eigen::MatrixXd care(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                                   const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 
 /// The stabilizing symmetric solution X of the algebraic Riccati equation in discrete time,
 ///
@@ -28,8 +28,8 @@ Eigen::MatrixXd care(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const E
 ///
 /// for which all eigenvalues of A - B K, K = (R + B'X B)^-1 (B'X A + N'), are inside the unit circle. By structured
 /// doubling (Chu, Fan, Lin and Wang, Int. J. Control 77, 2004), also for singular A. Throws as `care`.
-Eigen::MatrixXd dare(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
-                     const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
+[[nodiscard]] Eigen::MatrixXd dare(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                                   const Eigen::MatrixXd& R, const Eigen::MatrixXd& N = {});
 
 }  // namespace kte
 

@@ -28,7 +28,7 @@ KTE_INLINE auto forces_at_no_acceleration(const Chain& c, const At& at, const V&
 /// The generalized forces that hold the chain at rest: inverse dynamics for v = a = 0, with gravity and the forces of
 /// elements. (1)
 template <class Gravity, class... E, indexable Q>
-auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   check_configuration<chain_type>(q);
@@ -40,7 +40,7 @@ auto static_forces(const static_chain<Gravity, E...>& c, const Q& q) {
 ///
 ///   v . g = d/dt (-sum m gravity . c)          (4)
 template <class Gravity, class... E, indexable Q>
-auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   check_configuration<chain_type>(q);
@@ -51,7 +51,7 @@ auto gravity_forces(const static_chain<Gravity, E...>& c, const Q& q) {
 
 /// The bias of the equations of motion: inverse dynamics for a = 0. (2)
 template <class Gravity, class... E, indexable Q, indexable V>
-auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -65,7 +65,7 @@ auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V
 ///
 ///   v . (C v) = v . (dM/dt v) / 2          (5)
 template <class Gravity, class... E, indexable Q, indexable V>
-auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

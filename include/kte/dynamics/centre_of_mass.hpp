@@ -22,7 +22,7 @@ struct mass_centre {
 /// q)`, or `centre_of_mass(c, s)` at the positions of the state s, in axes of the world. Arguments and errors as for
 /// `inverse_dynamics`. Throws `bad_argument` also for a mass of zero, and for distributed masses.
 template <class Gravity, class... E, indexable Q>
-auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
@@ -39,7 +39,7 @@ auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
 /// The velocity of the centre of mass, m/s, in axes of the base, with bases at rest: momentum over mass. Runtime
 /// chains: `centre_of_mass_velocity(c, s, q, v)` or `(c, s)`, with the motion of bases that elements move by signals.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

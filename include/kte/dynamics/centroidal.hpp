@@ -12,7 +12,7 @@ namespace kte {
 ///
 /// Runtime chains: `centroidal_momentum(c, s, q, v)` or `(c, s)`. Arguments and errors as for `centre_of_mass`.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -37,7 +37,7 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
 /// the end of the joint to the centre of mass, in axes of the base. Runtime chains: `centroidal_momentum_matrix(c, s,
 /// q)` or `(c, s)`, a value, for which memory is allocated.
 template <class Gravity, class... E, indexable Q>
-auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

@@ -34,7 +34,7 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
 /// The time derivatives of the numbers of q at the velocities v: v itself for numbers; R v for positions, q (0, w/2)
 /// for quaternions q. For methods that accept vectors only; lengths of quaternions then drift.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
+[[nodiscard]] auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
   using wiring = detail::wiring<E...>;
   using S = value_of<Q>;
   detail::check_configuration<wiring>(q), check_size<wiring::dofs>(v, "v");
@@ -49,7 +49,7 @@ auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V&
 /// The velocity v with which `integrate` goes from one configuration to another in unit time; rotations take the
 /// shorter way. In the plane the angle is in [-pi, pi].
 template <class Gravity, class... E, indexable Q>
-auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) {
+[[nodiscard]] auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) {
   using wiring = detail::wiring<E...>;
   using S = value_of<Q>;
   detail::check_configuration<wiring>(from), detail::check_configuration<wiring>(to);
@@ -63,7 +63,7 @@ auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) 
 
 /// The configuration with all numbers 0 and all rotations the identity.
 template <class S = double, class Gravity, class... E>
-auto neutral_configuration(const static_chain<Gravity, E...>&) {
+[[nodiscard]] auto neutral_configuration(const static_chain<Gravity, E...>&) {
   using wiring = detail::wiring<E...>;
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::neutral_one(wiring::table.free[i], out);
@@ -113,7 +113,7 @@ Eigen::VectorXd integrate(const runtime_chain& c, const Q& q, const V& v, double
   return out;
 }
 template <indexable Q>
-Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
+[[nodiscard]] Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
   detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
   Eigen::VectorXd out(c.dofs());
   for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
@@ -125,7 +125,7 @@ Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
   });
   return out;
 }
-inline Eigen::VectorXd neutral_configuration(const runtime_chain& c) {
+[[nodiscard]] inline Eigen::VectorXd neutral_configuration(const runtime_chain& c) {
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::neutral_one(f, out);
   return out;

@@ -19,11 +19,11 @@ namespace kte {
 ///
 /// Numbers move on a line, rotations about one axis by the shorter way, poses on a screw. t may be outside of [0, 1].
 template <class Gravity, class... E, indexable Q, class T>
-auto interpolate(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const T& t) {
+[[nodiscard]] auto interpolate(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const T& t) {
   return integrate(c, q0, difference(c, q0, q1), t);
 }
 template <indexable Q>
-Eigen::VectorXd interpolate(const runtime_chain& c, const Q& q0, const Q& q1, double t) {
+[[nodiscard]] Eigen::VectorXd interpolate(const runtime_chain& c, const Q& q0, const Q& q1, double t) {
   return integrate(c, q0, difference(c, q0, q1), t);
 }
 
@@ -50,20 +50,20 @@ struct weight_of_one {
 /// The distance of q1 from q0: the root of the sum of w_i d_i^2, with d of `difference` and weights w, a number for
 /// each degree of freedom; without weights metres and radians count equally.
 template <class Gravity, class... E, indexable Q>
-auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1) {
+[[nodiscard]] auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1) {
   return detail::weighted_length(difference(c, q0, q1), detail::weight_of_one{});
 }
 template <class Gravity, class... E, indexable Q, indexable W>
-auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const W& weights) {
+[[nodiscard]] auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, const W& weights) {
   check_size<static_chain<Gravity, E...>::dofs>(weights, "weights");
   return detail::weighted_length(difference(c, q0, q1), [&weights](std::size_t i) { return weights[i]; });
 }
 template <indexable Q>
-double distance(const runtime_chain& c, const Q& q0, const Q& q1) {
+[[nodiscard]] double distance(const runtime_chain& c, const Q& q0, const Q& q1) {
   return detail::weighted_length(difference(c, q0, q1), detail::weight_of_one{});
 }
 template <indexable Q, indexable W>
-double distance(const runtime_chain& c, const Q& q0, const Q& q1, const W& weights) {
+[[nodiscard]] double distance(const runtime_chain& c, const Q& q0, const Q& q1, const W& weights) {
   check_size(static_cast<std::size_t>(c.dofs()), weights, "weights");
   return detail::weighted_length(difference(c, q0, q1), [&weights](std::size_t i) { return weights[i]; });
 }

@@ -56,7 +56,7 @@ Matrix with_transpose(const Matrix& m) {
 /// as passivity-based and adaptive controllers need (tree/coriolis.hpp). Bases are at rest; of elements with a mass and
 /// forces only the mass counts. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -79,7 +79,7 @@ auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 }
 /// The time derivative of M at the velocities v: (1).
 template <class Gravity, class... E, indexable Q, indexable V>
-auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   return detail::with_transpose(coriolis_matrix(c, q, v));
 }
 

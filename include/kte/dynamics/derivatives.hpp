@@ -21,7 +21,8 @@ namespace kte {
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
 /// acts by more than body nodes hold.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                                const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -31,7 +32,8 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   return detail::derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, a);
 }
 template <class Gravity, class... E, class S>
-auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c,
+                                                const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);
@@ -43,7 +45,8 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
 /// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, with the
 /// accuracy of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
-auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
+[[nodiscard]] auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                                const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   constexpr int n = chain_type::dofs;
@@ -54,7 +57,8 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   return detail::forward_derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, f);
 }
 template <class Gravity, class... E, class S>
-auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c,
+                                                const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s);

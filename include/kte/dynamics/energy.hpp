@@ -22,7 +22,7 @@ struct energies {
 /// s, of which the frames then are those of `doMotion`; bases move as it says. Arguments and errors as for
 /// `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -41,7 +41,7 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 /// Elements have a part in it by a function `potential_energy`; dampers and motors have none. Of a runtime chain
 /// `potential_energy(c, s, q)`, or `potential_energy(c, s)`.
 template <class Gravity, class... E, indexable Q>
-auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -55,7 +55,7 @@ auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
 
 /// Kinetic and potential energy, J. Their sum is constant if no other force does work.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

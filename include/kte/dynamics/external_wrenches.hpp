@@ -48,8 +48,8 @@ struct wrench_on_frame {
 
 /// An external wrench on a frame of a static chain: force, N, and torque, Nm, at its origin, in its axes.
 template <key_type Frame>
-constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vector& force,
-                                           const detail::any_vector& torque = {}) {
+[[nodiscard]] constexpr wrench_on_frame<Frame> wrench_on(const Frame&, const detail::any_vector& force,
+                                                         const detail::any_vector& torque = {}) {
   return {force.numbers, torque.numbers};
 }
 
@@ -113,7 +113,8 @@ runtime_vector<S> external_forces(const runtime_chain& c, basic_runtime_state<S>
 }
 /// The generalized forces of external wrenches on a static chain, N and Nm: Q of (1).
 template <class Gravity, class... E, indexable Q, key_type... Frames>
-auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wrench_on_frame<Frames>&... loads) {
+[[nodiscard]] auto external_forces(const static_chain<Gravity, E...>& c, const Q& q,
+                                   const wrench_on_frame<Frames>&... loads) {
   static_assert(detail::no_load_dependent_friction<typename E::core_type...>,
                 "kte: external wrenches on a chain with load-dependent friction must be elements of the chain");
   static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);
@@ -139,8 +140,8 @@ runtime_vector<S> inverse_dynamics(const runtime_chain& c, basic_runtime_state<S
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type First, key_type... Frames>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
-                      const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                    const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
   auto tau = inverse_dynamics(c, q, v, a);
   tau -= external_forces(c, q, load, loads...);
   return tau;
@@ -159,8 +160,8 @@ runtime_vector<S> forward_dynamics(const runtime_chain& c, basic_runtime_state<S
   });
 }
 template <class Gravity, class... E, indexable Q, indexable V, indexable T, key_type First, key_type... Frames>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,
-                      const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau,
+                                    const wrench_on_frame<First>& load, const wrench_on_frame<Frames>&... loads) {
   constexpr int n = static_chain<Gravity, E...>::dofs;
   check_size<n>(tau, "tau");
   auto all = external_forces(c, q, load, loads...);

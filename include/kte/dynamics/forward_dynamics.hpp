@@ -57,7 +57,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///
 /// Arguments and errors as for `inverse_dynamics`, chains as for `mass_matrix`. Throws `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   constexpr int n = chain_type::dofs;
@@ -69,7 +69,8 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);

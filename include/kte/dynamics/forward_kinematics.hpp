@@ -98,7 +98,7 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
 /// Arguments and errors as for `inverse_dynamics`; a text that names no frame throws `unknown_name`. All frames at
 /// once: dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -108,8 +108,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const 
 }
 
 template <class Gravity, class... E, class S, key_type Frame>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s,
-                        const Frame&) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c,
+                                      const chain_state<S, detail::wiring<E...>>& s, const Frame&) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);

@@ -107,7 +107,7 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 ///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z
 template <class Gravity, class... E, indexable Q>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -129,7 +129,7 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
 /// and no others. It is `jacobian(c, q, frame)` times v. Of a runtime chain `frame_velocity(c, s, q, v, "hand")`, or
 /// `frame_velocity(c, s, "hand")` at the positions and rates of the state s.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
-auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
+[[nodiscard]] auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -148,7 +148,8 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 /// `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`: without the gravity that bases have in the state
 /// (dynamics/runtime/motion_in_world.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
-auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
+[[nodiscard]] auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                      const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

@@ -11,7 +11,7 @@ template <key_type... Keys>
 struct prescribed_coordinates {};
 /// The coordinates with prescribed accelerations, an argument of `hybrid_dynamics`.
 template <key_type... Keys>
-constexpr prescribed_coordinates<Keys...> prescribed(const Keys&...) {
+[[nodiscard]] constexpr prescribed_coordinates<Keys...> prescribed(const Keys&...) {
   return {};
 }
 
@@ -64,8 +64,8 @@ struct some_accelerations {
 /// value; other arguments and errors as for `forward_dynamics`. A text that names no degree of freedom throws
 /// `bad_argument` or `unknown_name`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type... Keys>
-auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
-                     prescribed_coordinates<Keys...>) {
+[[nodiscard]] auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& known,
+                                   prescribed_coordinates<Keys...>) {
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
   using S = value_of<Q>;

@@ -72,7 +72,7 @@ KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
 /// velocities and accelerations of the state as they were, unless what they refuse are signals or bases that the state
 /// has.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
@@ -83,7 +83,8 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);

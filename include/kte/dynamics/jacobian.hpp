@@ -26,7 +26,7 @@ inline constexpr struct in_world_axes_t {
 ///
 /// Names and errors as in dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   return detail::jacobian_of<false, Frame>(c, q);
 }
 
@@ -36,7 +36,7 @@ auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
 ///
 ///   ( R_E s_v + R_E s_w x (p - p_E), R_E s_w )          (2)
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in_world_axes_t) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in_world_axes_t) {
   return detail::jacobian_of<true, Frame>(c, q);
 }
 

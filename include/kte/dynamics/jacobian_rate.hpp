@@ -21,7 +21,7 @@ namespace kte {
 
 /// The Jacobian at the origin of the world: (1) of dynamics/axes_of_rates.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, at_world_origin_t) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, at_world_origin_t) {
   using S = value_of<Q>;
   auto j = jacobian(c, q, frame, in_world_axes);
   const auto p = forward_kinematics(c, q, frame).position;
@@ -32,13 +32,14 @@ auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& fra
   return j;
 }
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, in_own_axes_t) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, in_own_axes_t) {
   return jacobian(c, q, frame);
 }
 
 /// The time derivative J_dot of `jacobian(c, q, frame, axes)` at the velocities v, by dual numbers, exact to rounding.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, axes_of_rates Axes = in_own_axes_t>
-auto jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame& frame, Axes axes = {}) {
+[[nodiscard]] auto jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame& frame,
+                                 Axes axes = {}) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -54,7 +55,8 @@ auto jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
 
 /// J_dot v: the acceleration of a frame without accelerations of coordinates, m/s^2 and rad/s^2. O(d).
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, axes_of_rates Axes = in_own_axes_t>
-auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&, Axes axes = {}) {
+[[nodiscard]] auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&,
+                                     Axes axes = {}) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

@@ -33,7 +33,8 @@ wrench<vec3<S>, vec3<S>> reaction_to(const L& load, const Diagnose& why = {"a fo
 /// if no element acts on its coordinate, and w = m (a_c - g) at the centre of a subtree that is one mass m. By the
 /// passes of inverse dynamics, with bases at rest and inputs zero.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
-auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
+[[nodiscard]] auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                  const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;

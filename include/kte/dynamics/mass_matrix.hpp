@@ -20,7 +20,7 @@ namespace kte {
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
 /// than the data of a body node.
 template <class Gravity, class... E, indexable Q>
-auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -29,7 +29,7 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
 }
 
 template <class Gravity, class... E, class S>
-auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   const auto q = positions(s);
   const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);

@@ -28,7 +28,7 @@ struct masses_alone {
 /// by the recursion of inverse dynamics, without forming M. For rotations and poses p is an angular momentum, and a
 /// linear one, in axes of the moving frame. q and v as for `inverse_dynamics`; kg m/s, kg m^2/s.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -46,7 +46,7 @@ auto generalized_momenta(const static_chain<Gravity, E...>& c, const Q& q, const
 ///
 /// by dual numbers, exact to rounding.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto generalized_momenta_along(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto generalized_momenta_along(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   const auto moving = detail::moving_along(c, q, v);

@@ -24,7 +24,7 @@ KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, 
 /// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. It is the linear rows of
 /// `centroidal_momentum_matrix` over the mass. Throws `bad_argument` for a mass of zero.
 template <class Gravity, class... E, indexable Q>
-auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -49,7 +49,7 @@ auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
 ///
 /// with the centre of mass c; it equals the sum of external loads: gravity and bases.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -65,7 +65,8 @@ auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, 
 }
 /// The acceleration of the centre of mass, m/s^2: p' over the mass.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                               const A& a) {
   using S = value_of<Q>;
   const S mass = centre_of_mass(c, q).mass;
   const vec3<S> f = centroidal_momentum_rate(c, q, v, a).linear;

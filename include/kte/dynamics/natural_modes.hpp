@@ -149,7 +149,8 @@ KTE_FUNCTION natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, con
   return x;
 }
 #else
-natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k, const Eigen::MatrixXd& c);
+[[nodiscard]] natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k,
+                                                    const Eigen::MatrixXd& c);
 #endif
 
 namespace detail {
@@ -186,7 +187,7 @@ natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, con
 }
 /// The natural modes of a static chain, with inputs 0.
 template <class Gravity, class... E, indexable Q>
-natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q) {
   const joint_vector<double, static_chain<Gravity, E...>::dofs> none =
       joint_vector<double, static_chain<Gravity, E...>::dofs>::Zero();
   const auto d = inverse_dynamics_derivatives(c, q, none, none);

@@ -27,7 +27,7 @@ requires(!names_something<Q>) runtime_chain reduced(const runtime_chain& c, cons
   return r.make();
 }
 template <indexable Q>
-runtime_chain reduced(const runtime_chain& c, const Q& q, const std::vector<std::string>& names) {
+[[nodiscard]] runtime_chain reduced(const runtime_chain& c, const Q& q, const std::vector<std::string>& names) {
   detail::chain_reduction r(c, q);
   for (const auto& name : names) r.lock(name);
   return r.make();
@@ -35,7 +35,7 @@ runtime_chain reduced(const runtime_chain& c, const Q& q, const std::vector<std:
 
 /// The same of a static chain, by keys; in double. Nothing but joints may read a coordinate that is locked.
 template <class Gravity, class... E, indexable Q, key_type... Locked>
-auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...) {
+[[nodiscard]] auto reduced(const static_chain<Gravity, E...>& c, const Q& q, const Locked&...) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;

@@ -9,22 +9,22 @@ namespace kte {
 
 /// The positions q of a state: numbers, angles, quaternions.
 template <class S, class W>
-KTE_INLINE auto positions(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto positions(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::q, W::nq>(s);
 }
 /// The velocities v of a state.
 template <class S, class W>
-KTE_INLINE auto velocities(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto velocities(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::v, W::dofs>(s);
 }
 /// The accelerations a of a state.
 template <class S, class W>
-KTE_INLINE auto accelerations(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto accelerations(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::a, W::dofs>(s);
 }
 /// The generalized forces on the degrees of freedom, after doForce.
 template <class S, class W>
-KTE_INLINE auto forces(const chain_state<S, W>& s) {
+[[nodiscard]] KTE_INLINE auto forces(const chain_state<S, W>& s) {
   return detail::read_numbers<detail::vector_of::f, W::dofs>(s);
 }
 
@@ -61,19 +61,19 @@ constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
 namespace kte {
 
 template <class S>
-runtime_vector<S> positions(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> positions(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::q>(s);
 }
 template <class S>
-runtime_vector<S> velocities(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> velocities(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::v>(s);
 }
 template <class S>
-runtime_vector<S> accelerations(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> accelerations(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::a>(s);
 }
 template <class S>
-runtime_vector<S> forces(const basic_runtime_state<S>& s) {
+[[nodiscard]] runtime_vector<S> forces(const basic_runtime_state<S>& s) {
   return detail::read_numbers<detail::vector_of::f>(s);
 }
 

@@ -32,7 +32,7 @@ dense_composite_inertia<S> checked_composite(const composite<M, H, I>& b, const 
 /// The composite inertia of the subtree of a frame, about its origin and in its axes: the sum over links and joints R,
 /// p, from the tips on, of `transported` (math/rigid_body.hpp).
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto subtree_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+[[nodiscard]] auto subtree_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -64,7 +64,7 @@ mass_centre<S> centre_in_base(const dense_composite_inertia<S>& b, const pose<R,
 /// The mass of the subtree of a frame, kg, and its centre, m, in axes of the base. Throws `bad_argument` for a mass of
 /// zero.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto carried_mass_centre(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame) {
+[[nodiscard]] auto carried_mass_centre(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame) {
   return detail::centre_in_base(subtree_inertia(c, q, frame), forward_kinematics(c, q, frame));
 }
 

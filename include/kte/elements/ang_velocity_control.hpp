@@ -82,16 +82,17 @@ struct ang_velocity_control_3D : no_parameters {
 /// A frame `end` that rotates in `base` at the prescribed rate `ang_velocity`, rad/s. `ang_acceleration` is its
 /// derivative, rad/s^2. The internal state `angle` is the angle, rad.
 template <class W, class AL, class Z, class B, class E>
-constexpr auto ang_velocity_control_2D(const W& ang_velocity, const AL& ang_acceleration, const Z& angle, const B& base,
-                                       const E& end) {
+[[nodiscard]] constexpr auto ang_velocity_control_2D(const W& ang_velocity, const AL& ang_acceleration, const Z& angle,
+                                                     const B& base, const E& end) {
   return connect(core::ang_velocity_control_2D{}, ang_velocity, ang_acceleration, angle, base, end);
 }
 /// A frame `end` in space that rotates in `base` at the angular velocity of a signal of three numbers, rad/s, in axes
 /// of the end. `ang_acceleration` is its derivative, rad/s^2. The internal states e, x, y, z are the rotation, the
 /// quaternion (1 + e, x, y, z).
 template <class W, class AL, class Q0, class Q1, class Q2, class Q3, class B, class E>
-constexpr auto ang_velocity_control_3D(const W& ang_velocity, const AL& ang_acceleration, const Q0& e, const Q1& x,
-                                       const Q2& y, const Q3& z, const B& base, const E& end) {
+[[nodiscard]] constexpr auto ang_velocity_control_3D(const W& ang_velocity, const AL& ang_acceleration, const Q0& e,
+                                                     const Q1& x, const Q2& y, const Q3& z, const B& base,
+                                                     const E& end) {
   return connect(core::ang_velocity_control_3D{}, ang_velocity, ang_acceleration, e, x, y, z, base, end);
 }
 

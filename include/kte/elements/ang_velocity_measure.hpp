@@ -35,12 +35,12 @@ struct ang_velocity_measure_3D : no_parameters {
 /// Measures the angular velocity of a frame, rad/s, in axes of the world. `output` is a signal: a number in the plane,
 /// three numbers in space.
 template <class F, class Y>
-constexpr auto ang_velocity_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto ang_velocity_measure_2D(const F& frame, const Y& output) {
   return connect(core::ang_velocity_measure_2D{}, frame, output);
 }
 /// Measures the angular velocity of a frame in space.
 template <class F, class Y>
-constexpr auto ang_velocity_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto ang_velocity_measure_3D(const F& frame, const Y& output) {
   return connect(core::ang_velocity_measure_3D{}, frame, output);
 }
 

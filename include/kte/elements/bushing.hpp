@@ -21,7 +21,7 @@ struct bushing_matrix {
       : linear(as<double>(on_displacement)), angular(as<double>(on_rotation)) {}
 };
 /// An isotropic matrix: k in all directions, k_t about all axes.
-constexpr bushing_matrix isotropic_bushing(double k, double k_t) {
+[[nodiscard]] constexpr bushing_matrix isotropic_bushing(double k, double k_t) {
   return {diagonal(k, k, k), diagonal(k_t, k_t, k_t)};
 }
 
@@ -120,8 +120,8 @@ struct bushing_3D {
 ///
 ///   bushing_3D(chassis, engine, {diagonal(1e6, 1e6, 2e5), diagonal(40.0, 40.0, 10.0)}, isotropic_bushing(300, 0.1))
 template <class F1, class F2, class X = double, class Y = X, class Z = Y>
-constexpr auto bushing_3D(const F1& anchor1, const F2& anchor2, const bushing_matrix& stiffness,
-                          const bushing_matrix& damping = {}, const vec3<X, Y, Z>& rest_position = {}) {
+[[nodiscard]] constexpr auto bushing_3D(const F1& anchor1, const F2& anchor2, const bushing_matrix& stiffness,
+                                        const bushing_matrix& damping = {}, const vec3<X, Y, Z>& rest_position = {}) {
   return connect(core::bushing_3D{stiffness, damping, as<double>(rest_position)}, anchor1, anchor2);
 }
 

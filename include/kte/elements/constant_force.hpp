@@ -70,7 +70,7 @@ struct follower_force : load_parameters<Dim, Force, Torque> {
 /// A constant force, N, and optionally a torque, Nm, on a frame in the plane, in axes of the world: `along_y(-2.0)`,
 /// `vec2`.
 template <class F, geometric Force, entry Torque = zero_t>
-constexpr auto constant_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
+[[nodiscard]] constexpr auto constant_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
   const auto f = detail::planar(force);
   const vec3 t{zero, zero, real(torque)};
   return connect(
@@ -79,12 +79,13 @@ constexpr auto constant_force_2D(const F& frame, const Force& force, const Torqu
 }
 /// A constant force, N, and optionally a torque, Nm, on a frame in space, in axes of the world.
 template <class F, class X, class Y, class Z, class TX = zero_t, class TY = TX, class TZ = TY>
-constexpr auto constant_force_3D(const F& frame, const vec3<X, Y, Z>& force, const vec3<TX, TY, TZ>& torque = {}) {
+[[nodiscard]] constexpr auto constant_force_3D(const F& frame, const vec3<X, Y, Z>& force,
+                                               const vec3<TX, TY, TZ>& torque = {}) {
   return connect(core::constant_force<kind::frame_3D, vec3<X, Y, Z>, vec3<TX, TY, TZ>>{{force, torque}}, frame);
 }
 /// A constant force, N, and optionally a torque, Nm, on a frame in the plane, in axes of the frame.
 template <class F, geometric Force, entry Torque = zero_t>
-constexpr auto follower_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
+[[nodiscard]] constexpr auto follower_force_2D(const F& frame, const Force& force, const Torque& torque = {}) {
   const auto f = detail::planar(force);
   const vec3 t{zero, zero, real(torque)};
   return connect(
@@ -93,7 +94,8 @@ constexpr auto follower_force_2D(const F& frame, const Force& force, const Torqu
 }
 /// A constant force, N, and optionally a torque, Nm, on a frame in space, in axes of the frame.
 template <class F, class X, class Y, class Z, class TX = zero_t, class TY = TX, class TZ = TY>
-constexpr auto follower_force_3D(const F& frame, const vec3<X, Y, Z>& force, const vec3<TX, TY, TZ>& torque = {}) {
+[[nodiscard]] constexpr auto follower_force_3D(const F& frame, const vec3<X, Y, Z>& force,
+                                               const vec3<TX, TY, TZ>& torque = {}) {
   return connect(core::follower_force<kind::frame_3D, vec3<X, Y, Z>, vec3<TX, TY, TZ>>{{force, torque}}, frame);
 }
 

@@ -12,8 +12,8 @@ namespace kte {
 ///
 ///   R = Rot(n, turn),  p = slide n
 template <class Q1, class Q2, class B, class E, class X, class Y, class Z>
-constexpr auto cylindrical_joint_3D(const Q1& turn, const Q2& slide, const B& base, const E& end,
-                                    const vec3<X, Y, Z>& axis) {
+[[nodiscard]] constexpr auto cylindrical_joint_3D(const Q1& turn, const Q2& slide, const B& base, const E& end,
+                                                  const vec3<X, Y, Z>& axis) {
   const auto inner = inner_of(end);
   const auto turning = revolute_joint_3D(turn, base, inner, axis);  // which is checked first, whatever the compiler
   return detail::in_series(turning, prismatic_joint_3D(slide, inner, end, axis));

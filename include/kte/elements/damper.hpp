@@ -62,17 +62,17 @@ struct damper : damper_parameters<Damping> {
 
 /// A damper between two coordinates: damping, N s/m or Nm s/rad.
 template <class Q1, class Q2, entry Damping>
-constexpr auto damper_gen(const Q1& anchor1, const Q2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto damper_gen(const Q1& anchor1, const Q2& anchor2, const Damping& damping) {
   return connect(core::damper_gen<decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 /// A damper between the origins of two frames in the plane: damping, N s/m.
 template <class F1, class F2, entry Damping>
-constexpr auto damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::damper<kind::frame_2D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 /// A damper between the origins of two frames in space: damping, N s/m.
 template <class F1, class F2, entry Damping>
-constexpr auto damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::damper<kind::frame_3D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 

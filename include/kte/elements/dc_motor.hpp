@@ -57,7 +57,8 @@ struct dc_motor_gen {
 ///
 ///   dc_motor_gen(q, volts, amperes, {.resistance = 0.6, .inductance = 1e-4, .torque_constant = 0.03, .ratio = 50})
 template <class Q, class U, class I>
-constexpr auto dc_motor_gen(const Q& coordinate, const U& voltage, const I& current, const dc_motor_parameters& p) {
+[[nodiscard]] constexpr auto dc_motor_gen(const Q& coordinate, const U& voltage, const I& current,
+                                          const dc_motor_parameters& p) {
   return connect(core::dc_motor_gen{p}, coordinate, voltage, current);
 }
 

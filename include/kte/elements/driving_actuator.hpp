@@ -52,19 +52,19 @@ struct driving_actuator : no_parameters {
 
 /// A motor that drives a coordinate by the generalized force `input`, N or Nm, set in the state: `s[motor] = 2.0`.
 template <class Q, class U>
-constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
+[[nodiscard]] constexpr auto driving_actuator_gen(const Q& coordinate, const U& input) {
   return connect(core::driving_actuator_gen{}, coordinate, input);
 }
 
 /// Thrusters on a frame in the plane: signals `force`, three numbers, N, and `torque`, a number, Nm, in axes of the
 /// frame.
 template <class F, class U, class T>
-constexpr auto driving_actuator_2D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto driving_actuator_2D(const F& frame, const U& force, const T& torque) {
   return connect(core::driving_actuator<kind::frame_2D>{}, frame, force, torque);
 }
 /// Thrusters on a frame in space: signals `force`, N, and `torque`, Nm, of three numbers each, in axes of the frame.
 template <class F, class U, class T>
-constexpr auto driving_actuator_3D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto driving_actuator_3D(const F& frame, const U& force, const T& torque) {
   return connect(core::driving_actuator<kind::frame_3D>{}, frame, force, torque);
 }
 

@@ -66,8 +66,8 @@ struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute
 /// A revolute joint in the plane with dry friction by the load on its bearing. `friction_radius`: coefficient of
 /// friction times radius of the bearing, m. `smoothing`: the rate below which the friction is smoothed, rad/s.
 template <class Q, class B, class E>
-constexpr auto dry_revolute_joint_2D(const Q& coordinate, const B& base, const E& end, double friction_radius,
-                                     double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto dry_revolute_joint_2D(const Q& coordinate, const B& base, const E& end,
+                                                   double friction_radius, double smoothing = 1e-3) {
   using out_of_plane = std::remove_const_t<decltype(axis::z)>;
   return connect(core::dry_revolute_joint<kind::frame_2D, out_of_plane>(axis::z, friction_radius, smoothing),
                  coordinate, base, end);
@@ -75,8 +75,9 @@ constexpr auto dry_revolute_joint_2D(const Q& coordinate, const B& base, const E
 /// A revolute joint in space with dry friction by the radial load on its bearing. Parameters as of
 /// `dry_revolute_joint_2D`.
 template <class Q, class B, class E, class X, class Y, class Z>
-constexpr auto dry_revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
-                                     double friction_radius, double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto dry_revolute_joint_3D(const Q& coordinate, const B& base, const E& end,
+                                                   const vec3<X, Y, Z>& axis, double friction_radius,
+                                                   double smoothing = 1e-3) {
   return connect(core::dry_revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis, friction_radius, smoothing), coordinate,
                  base, end);
 }

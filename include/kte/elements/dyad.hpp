@@ -94,12 +94,14 @@ struct dyad_bar2 : coordinate_follower<dyad_bar2>, dyad_parameters {
 
 /// The angle of the first bar in the first crank, rad; see `dyad_2D`.
 template <class Q1, class Q2, class B>
-constexpr auto dyad_bar1_2D(const Q1& crank1, const Q2& crank2, const B& bar, const dyad_lengths& lengths) {
+[[nodiscard]] constexpr auto dyad_bar1_2D(const Q1& crank1, const Q2& crank2, const B& bar,
+                                          const dyad_lengths& lengths) {
   return connect(core::dyad_bar1(lengths), crank1, crank2, bar);
 }
 /// The angle of the second bar in the second crank, rad; see `dyad_2D`.
 template <class Q1, class Q2, class B>
-constexpr auto dyad_bar2_2D(const Q1& crank1, const Q2& crank2, const B& bar, const dyad_lengths& lengths) {
+[[nodiscard]] constexpr auto dyad_bar2_2D(const Q1& crank1, const Q2& crank2, const B& bar,
+                                          const dyad_lengths& lengths) {
   return connect(core::dyad_bar2(lengths), crank1, crank2, bar);
 }
 
@@ -107,8 +109,8 @@ constexpr auto dyad_bar2_2D(const Q1& crank1, const Q2& crank2, const B& bar, co
 /// with a revolute joint for each of the four angles the loop is closed exactly. Two elements. Angles are in (-pi, pi],
 /// and jump by a turn at the ends.
 template <class Q1, class Q2, class B1, class B2>
-constexpr auto dyad_2D(const Q1& crank1, const Q2& crank2, const B1& bar1, const B2& bar2,
-                       const dyad_lengths& lengths) {
+[[nodiscard]] constexpr auto dyad_2D(const Q1& crank1, const Q2& crank2, const B1& bar1, const B2& bar2,
+                                     const dyad_lengths& lengths) {
   return detail::in_series(dyad_bar1_2D(crank1, crank2, bar1, lengths), dyad_bar2_2D(crank1, crank2, bar2, lengths));
 }
 

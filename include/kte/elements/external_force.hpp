@@ -29,13 +29,13 @@ struct external_force : no_parameters {
 /// An external load on a frame in the plane: signals `force`, three numbers, N, and `torque`, a number, Nm, in axes of
 /// the world.
 template <class F, class U, class T>
-constexpr auto external_force_2D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto external_force_2D(const F& frame, const U& force, const T& torque) {
   return connect(core::external_force<kind::frame_2D>{}, frame, force, torque);
 }
 /// An external load on a frame in space: signals `force`, N, and `torque`, Nm, of three numbers each, in axes of the
 /// world.
 template <class F, class U, class T>
-constexpr auto external_force_3D(const F& frame, const U& force, const T& torque) {
+[[nodiscard]] constexpr auto external_force_3D(const F& frame, const U& force, const T& torque) {
   return connect(core::external_force<kind::frame_3D>{}, frame, force, torque);
 }
 

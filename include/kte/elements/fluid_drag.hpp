@@ -45,8 +45,8 @@ struct fluid_drag {
 /// Drag on a frame in the plane: quadratic coefficient rho C A/2, N s^2/m^2, and optionally the linear coefficient, N
 /// s/m, and the velocity of the flow in axes of the world, m/s.
 template <class F, entry Quadratic, entry Linear = zero_t, geometric Flow = zero3>
-constexpr auto fluid_drag_2D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
-                             const Flow& flow = {}) {
+[[nodiscard]] constexpr auto fluid_drag_2D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
+                                           const Flow& flow = {}) {
   const auto w = detail::planar(flow);
   using core_type = core::fluid_drag<kind::frame_2D, decltype(real(quadratic)), decltype(real(linear)),
                                      std::remove_const_t<decltype(w)>>;
@@ -55,8 +55,8 @@ constexpr auto fluid_drag_2D(const F& frame, const Quadratic& quadratic, const L
 /// Drag on a frame in space: quadratic coefficient rho C A/2, N s^2/m^2, and optionally the linear coefficient, N s/m,
 /// and the velocity of the flow in axes of the world, m/s.
 template <class F, entry Quadratic, entry Linear = zero_t, class X = zero_t, class Y = X, class Z = Y>
-constexpr auto fluid_drag_3D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
-                             const vec3<X, Y, Z>& flow = {}) {
+[[nodiscard]] constexpr auto fluid_drag_3D(const F& frame, const Quadratic& quadratic, const Linear& linear = {},
+                                           const vec3<X, Y, Z>& flow = {}) {
   using core_type = core::fluid_drag<kind::frame_3D, decltype(real(quadratic)), decltype(real(linear)), vec3<X, Y, Z>>;
   return connect(core_type{real(quadratic), real(linear), flow}, frame);
 }

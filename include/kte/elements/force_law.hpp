@@ -41,7 +41,7 @@ struct force_law {
 ///
 /// A chain with it cannot be saved.
 template <class Q, class Law>
-constexpr auto force_law_gen(const Q& coordinate, const Law& law) {
+[[nodiscard]] constexpr auto force_law_gen(const Q& coordinate, const Law& law) {
   return connect(core::force_law<kind::gen, Law>{law}, coordinate);
 }
 /// A load on a frame in the plane, computed by your function of the frame: `x.position`, `x.rotation`, `x.velocity`,
@@ -49,12 +49,12 @@ constexpr auto force_law_gen(const Q& coordinate, const Law& law) {
 ///
 ///   force_law_2D(hull, [](const auto& x) { return vec3{zero, -40.0 * x.velocity.y, zero}; })
 template <class F, class Law>
-constexpr auto force_law_2D(const F& frame, const Law& law) {
+[[nodiscard]] constexpr auto force_law_2D(const F& frame, const Law& law) {
   return connect(core::force_law<kind::frame_2D, Law>{law}, frame);
 }
 /// A load on a frame in space, computed by your function of the frame; see `force_law_2D`.
 template <class F, class Law>
-constexpr auto force_law_3D(const F& frame, const Law& law) {
+[[nodiscard]] constexpr auto force_law_3D(const F& frame, const Law& law) {
   return connect(core::force_law<kind::frame_3D, Law>{law}, frame);
 }
 

@@ -88,12 +88,12 @@ struct four_bar_rocker : coordinate_follower<four_bar_rocker>, four_bar_paramete
 
 /// The angle of the coupler in the crank, rad; see `four_bar_2D`.
 template <class Q, class C>
-constexpr auto four_bar_coupler_2D(const Q& crank, const C& coupler, const four_bar_lengths& lengths) {
+[[nodiscard]] constexpr auto four_bar_coupler_2D(const Q& crank, const C& coupler, const four_bar_lengths& lengths) {
   return connect(core::four_bar_coupler(lengths), crank, coupler);
 }
 /// The angle of the rocker in the ground, rad; see `four_bar_2D`.
 template <class Q, class R>
-constexpr auto four_bar_rocker_2D(const Q& crank, const R& rocker, const four_bar_lengths& lengths) {
+[[nodiscard]] constexpr auto four_bar_rocker_2D(const Q& crank, const R& rocker, const four_bar_lengths& lengths) {
   return connect(core::four_bar_rocker(lengths), crank, rocker);
 }
 
@@ -101,7 +101,8 @@ constexpr auto four_bar_rocker_2D(const Q& crank, const R& rocker, const four_ba
 /// with three revolute joints the loop is closed exactly. Two elements. Angles are in (-pi, pi], and jump by a turn at
 /// the ends.
 template <class Q, class C, class R>
-constexpr auto four_bar_2D(const Q& crank, const C& coupler, const R& rocker, const four_bar_lengths& lengths) {
+[[nodiscard]] constexpr auto four_bar_2D(const Q& crank, const C& coupler, const R& rocker,
+                                         const four_bar_lengths& lengths) {
   return detail::in_series(four_bar_coupler_2D(crank, coupler, lengths), four_bar_rocker_2D(crank, rocker, lengths));
 }
 

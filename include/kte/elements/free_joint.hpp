@@ -34,13 +34,13 @@ struct free_joint : transmission<free_joint<Dim>> {
 
 /// A body that moves freely in the plane: `coordinate`, a pose_2D_key, is the pose of `end` in `base`.
 template <class X, class B, class E>
-constexpr auto free_joint_2D(const X& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto free_joint_2D(const X& coordinate, const B& base, const E& end) {
   return connect(core::free_joint<kind::frame_2D>{}, coordinate, base, end);
 }
 /// A body that moves freely in space, such as the trunk of a walking robot: `coordinate`, a pose_3D_key, is the pose of
 /// `end` in `base`.
 template <class X, class B, class E>
-constexpr auto free_joint_3D(const X& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto free_joint_3D(const X& coordinate, const B& base, const E& end) {
   return connect(core::free_joint<kind::frame_3D>{}, coordinate, base, end);
 }
 

@@ -68,8 +68,8 @@ struct joint_backlash_gen {
 /// Backlash between two coordinates: gap, m or rad, stiffness of the teeth, N/m or Nm/rad, and damping in contact, N
 /// s/m or Nm s/rad.
 template <class Q1, class Q2, entry S>
-constexpr auto joint_backlash_gen(const Q1& anchor1, const Q2& anchor2, const S& gap, const S& stiffness,
-                                  const S& damping) {
+[[nodiscard]] constexpr auto joint_backlash_gen(const Q1& anchor1, const Q2& anchor2, const S& gap, const S& stiffness,
+                                                const S& damping) {
   return connect(core::joint_backlash_gen<S>{gap, stiffness, damping}, anchor1, anchor2);
 }
 

@@ -95,8 +95,8 @@ struct joint_backlash_mode_gen {
 /// end at events also with damping (`element_events`). Without events it is `joint_backlash_gen`. The initial mode is
 /// 0.
 template <class Q1, class Q2, class Z, entry S>
-constexpr auto joint_backlash_mode_gen(const Q1& anchor1, const Q2& anchor2, const Z& mode, const S& gap,
-                                       const S& stiffness, const S& damping) {
+[[nodiscard]] constexpr auto joint_backlash_mode_gen(const Q1& anchor1, const Q2& anchor2, const Z& mode, const S& gap,
+                                                     const S& stiffness, const S& damping) {
   return connect(core::joint_backlash_mode_gen<S>{{gap, stiffness, damping}}, anchor1, anchor2, mode);
 }
 

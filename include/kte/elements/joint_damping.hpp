@@ -25,7 +25,7 @@ struct joint_damping_gen : damper_parameters<Damping> {
 /// Viscous damping of a coordinate, such as the friction of a bearing, N s/m or Nm s/rad. `damper_gen` acts between two
 /// coordinates.
 template <class Q, entry Damping>
-constexpr auto joint_damping_gen(const Q& coordinate, const Damping& damping) {
+[[nodiscard]] constexpr auto joint_damping_gen(const Q& coordinate, const Damping& damping) {
   return connect(core::joint_damping_gen<decltype(real(damping))>{{real(damping)}}, coordinate);
 }
 

@@ -71,7 +71,8 @@ struct joint_elasto_plastic_gen : bristle_friction<joint_elasto_plastic_gen, ela
 ///   joint_elasto_plastic_gen(q, bristles, {.sigma0 = 1e5, .sigma1 = 316.0, .sigma2 = 0.4, .coulomb = 1.0,
 ///                                          .stiction = 1.5, .stribeck_velocity = 0.001, .breakaway = 7e-6})
 template <class Q, class Z>
-constexpr auto joint_elasto_plastic_gen(const Q& coordinate, const Z& bristles, const elasto_plastic_parameters& p) {
+[[nodiscard]] constexpr auto joint_elasto_plastic_gen(const Q& coordinate, const Z& bristles,
+                                                      const elasto_plastic_parameters& p) {
   return connect(core::joint_elasto_plastic_gen(p), coordinate, bristles);
 }
 

@@ -79,7 +79,7 @@ struct joint_friction_gen {
 ///
 /// Dry friction needs a `smoothing_velocity`.
 template <class Q>
-constexpr auto joint_friction_gen(const Q& coordinate, const friction_parameters& p) {
+[[nodiscard]] constexpr auto joint_friction_gen(const Q& coordinate, const friction_parameters& p) {
   return connect(core::joint_friction_gen{p}, coordinate);
 }
 

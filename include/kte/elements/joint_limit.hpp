@@ -78,7 +78,7 @@ struct joint_limit_gen {
 ///   joint_limit_gen(q, {.lower = -1.5, .upper = 1.5, .stiffness = 1e4, .damping = 20})
 ///   joint_limit_gen(height, {.lower = 0, .stiffness = 1e5})
 template <class Q>
-constexpr auto joint_limit_gen(const Q& coordinate, const joint_stops& limits) {
+[[nodiscard]] constexpr auto joint_limit_gen(const Q& coordinate, const joint_stops& limits) {
   return connect(core::joint_limit_gen{limits}, coordinate);
 }
 

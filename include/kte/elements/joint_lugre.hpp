@@ -92,7 +92,7 @@ struct joint_lugre_gen : bristle_friction<joint_lugre_gen, lugre_parameters> {
 ///   joint_lugre_gen(q, bristles, {.sigma0 = 1e5, .sigma1 = 316.0, .sigma2 = 0.4, .coulomb = 1.0, .stiction = 1.5,
 ///                                 .stribeck_velocity = 0.001})
 template <class Q, class Z>
-constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lugre_parameters& p) {
+[[nodiscard]] constexpr auto joint_lugre_gen(const Q& coordinate, const Z& bristles, const lugre_parameters& p) {
   return connect(core::joint_lugre_gen(p), coordinate, bristles);
 }
 

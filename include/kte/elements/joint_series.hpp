@@ -24,11 +24,11 @@ struct inner_key {
 };
 /// The frame between the two joints of a series with the given end, such as a `universal_joint_3D`.
 template <key_type End>
-constexpr inner_key<End> inner_of(const End&) {
+[[nodiscard]] constexpr inner_key<End> inner_of(const End&) {
   return {};
 }
 template <text_type End>
-std::string inner_of(const End& end) {
+[[nodiscard]] std::string inner_of(const End& end) {
   return std::string(std::string_view(end)) + ".inner";
 }
 

@@ -77,8 +77,8 @@ struct pid_control_gen {
 ///   pid_control_gen(q, wanted, integral, output, {.proportional = 80, .integral = 40, .derivative = 6, .limit = 20,
 ///                                                 .tracking = 1 / 80.0})
 template <class Q, class R, class Z, class Y>
-constexpr auto pid_control_gen(const Q& coordinate, const R& wanted, const Z& integral, const Y& output,
-                               const pid_gains& gains) {
+[[nodiscard]] constexpr auto pid_control_gen(const Q& coordinate, const R& wanted, const Z& integral, const Y& output,
+                                             const pid_gains& gains) {
   return connect(core::pid_control_gen{gains}, coordinate, wanted, integral, output);
 }
 

@@ -37,7 +37,7 @@ struct planar_joint : transmission<planar_joint> {
 /// A body that slides on a plane in space, which is x, y of the base: `coordinate`, a pose_2D_key, is the pose of `end`
 /// in it. Other planes: `.at(position, rotation)`.
 template <class X, class B, class E>
-constexpr auto planar_joint_3D(const X& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto planar_joint_3D(const X& coordinate, const B& base, const E& end) {
   return connect(core::planar_joint{}, coordinate, base, end);
 }
 

@@ -62,21 +62,22 @@ struct position_control : no_parameters {
 
 /// A coordinate with the motion of three signals: position, m or rad, and its first and second time derivative.
 template <class U, class V, class A, class Q>
-constexpr auto position_control_gen(const U& position, const V& velocity, const A& acceleration, const Q& coordinate) {
+[[nodiscard]] constexpr auto position_control_gen(const U& position, const V& velocity, const A& acceleration,
+                                                  const Q& coordinate) {
   return connect(core::position_control_gen{}, position, velocity, acceleration, coordinate);
 }
 /// A frame `end` in the plane that moves in `base` without rotation, with the motion of three signals of three numbers:
 /// position, m, and its first and second time derivative, in axes of the base.
 template <class U, class V, class A, class B, class E>
-constexpr auto position_control_2D(const U& position, const V& velocity, const A& acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto position_control_2D(const U& position, const V& velocity, const A& acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::position_control<kind::frame_2D>{}, position, velocity, acceleration, base, end);
 }
 /// A frame `end` in space that moves in `base` without rotation, with the motion of three signals of three numbers:
 /// position, m, and its first and second time derivative, in axes of the base.
 template <class U, class V, class A, class B, class E>
-constexpr auto position_control_3D(const U& position, const V& velocity, const A& acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto position_control_3D(const U& position, const V& velocity, const A& acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::position_control<kind::frame_3D>{}, position, velocity, acceleration, base, end);
 }
 

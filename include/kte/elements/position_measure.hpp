@@ -34,17 +34,17 @@ struct position_measure : no_parameters {
 
 /// Measures a coordinate, m or rad.
 template <class Q, class Y>
-constexpr auto position_measure_gen(const Q& coordinate, const Y& output) {
+[[nodiscard]] constexpr auto position_measure_gen(const Q& coordinate, const Y& output) {
   return connect(core::position_measure_gen{}, coordinate, output);
 }
 /// Measures the position of a frame in the plane, m, in axes of the world.
 template <class F, class Y>
-constexpr auto position_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto position_measure_2D(const F& frame, const Y& output) {
   return connect(core::position_measure<kind::frame_2D>{}, frame, output);
 }
 /// Measures the position of a frame in space, m, in axes of the world.
 template <class F, class Y>
-constexpr auto position_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto position_measure_3D(const F& frame, const Y& output) {
   return connect(core::position_measure<kind::frame_3D>{}, frame, output);
 }
 

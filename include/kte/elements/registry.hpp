@@ -225,11 +225,11 @@ class element_registry {
 };
 
 /// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
-runtime_chain to_chain(const model_record& m, const element_registry& registry);
+[[nodiscard]] runtime_chain to_chain(const model_record& m, const element_registry& registry);
 /// A runtime chain from a record, with the elements of this library. Throws `bad_file`, `bad_parameter` or
 /// `bad_wiring`; each names the element.
 template <class = void>
-runtime_chain to_chain(const model_record& m) {
+[[nodiscard]] runtime_chain to_chain(const model_record& m) {
   return to_chain(m, element_registry::standard());
 }
 

@@ -44,7 +44,7 @@ struct revolute_joint : transmission<revolute_joint<Dim, Axis>> {
 
 /// A revolute joint in the plane. `coordinate`: angle from base to end, rad.
 template <class Q, class B, class E>
-constexpr auto revolute_joint_2D(const Q& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto revolute_joint_2D(const Q& coordinate, const B& base, const E& end) {
   return connect(core::revolute_joint<kind::frame_2D, std::remove_const_t<decltype(axis::z)>>(axis::z), coordinate,
                  base, end);
 }
@@ -52,7 +52,8 @@ constexpr auto revolute_joint_2D(const Q& coordinate, const B& base, const E& en
 /// A revolute joint in space about a unit axis, which is constant in base and end axes. Any `vec3` of length 1 is
 /// valid; the typed axes `axis::x`, `axis::y`, ... save arithmetic.
 template <class Q, class B, class E, class X = zero_t, class Y = zero_t, class Z = one_t>
-constexpr auto revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis = {}) {
+[[nodiscard]] constexpr auto revolute_joint_3D(const Q& coordinate, const B& base, const E& end,
+                                               const vec3<X, Y, Z>& axis = {}) {
   return connect(core::revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis), coordinate, base, end);
 }
 

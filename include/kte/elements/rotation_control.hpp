@@ -84,15 +84,15 @@ struct rotation_control_3D : no_parameters {
 
 /// A frame `end` that rotates in `base` by signals: angle, rad, and its first and second time derivative.
 template <class U, class W, class AL, class B, class E>
-constexpr auto rotation_control_2D(const U& angle, const W& ang_velocity, const AL& ang_acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto rotation_control_2D(const U& angle, const W& ang_velocity, const AL& ang_acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::rotation_control_2D{}, angle, ang_velocity, ang_acceleration, base, end);
 }
 /// A frame `end` that rotates in `base` by signals of three numbers: rotation vector, rad, angular velocity, rad/s, and
 /// angular acceleration, rad/s^2, in axes of the end.
 template <class U, class W, class AL, class B, class E>
-constexpr auto rotation_control_3D(const U& rotation, const W& ang_velocity, const AL& ang_acceleration, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto rotation_control_3D(const U& rotation, const W& ang_velocity, const AL& ang_acceleration,
+                                                 const B& base, const E& end) {
   return connect(core::rotation_control_3D{}, rotation, ang_velocity, ang_acceleration, base, end);
 }
 

@@ -36,12 +36,12 @@ struct rotation_measure_3D : no_parameters {
 
 /// Measures the angle of a frame in the plane.
 template <class F, class Y>
-constexpr auto rotation_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto rotation_measure_2D(const F& frame, const Y& output) {
   return connect(core::rotation_measure_2D{}, frame, output);
 }
 /// Measures the rotation vector of a frame in space.
 template <class F, class Y>
-constexpr auto rotation_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto rotation_measure_3D(const F& frame, const Y& output) {
   return connect(core::rotation_measure_3D{}, frame, output);
 }
 

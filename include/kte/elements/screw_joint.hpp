@@ -42,8 +42,8 @@ struct screw_joint : transmission<screw_joint<Axis, Pitch>> {
 /// A screw joint about a unit axis, which is constant in base and end axes. `pitch`, m/rad: L/(2 pi) for a thread with
 /// a lead of L, m per turn; negative for left-handed threads.
 template <class Q, class B, class E, class X, class Y, class Z, entry Pitch>
-constexpr auto screw_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
-                              const Pitch& pitch) {
+[[nodiscard]] constexpr auto screw_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
+                                            const Pitch& pitch) {
   const auto h = real(pitch);
   return connect(core::screw_joint<vec3<X, Y, Z>, std::remove_const_t<decltype(h)>>(axis, h), coordinate, base, end);
 }

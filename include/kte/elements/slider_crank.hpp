@@ -86,19 +86,21 @@ struct slider_crank_rod : coordinate_follower<slider_crank_rod>, slider_crank_pa
 
 /// The angle of the rod in the crank, rad; see `slider_crank_2D`.
 template <class Q, class R>
-constexpr auto slider_crank_rod_2D(const Q& crank, const R& rod, const slider_crank_lengths& lengths) {
+[[nodiscard]] constexpr auto slider_crank_rod_2D(const Q& crank, const R& rod, const slider_crank_lengths& lengths) {
   return connect(core::slider_crank_rod(lengths), crank, rod);
 }
 /// The position of the slider on its line, m; see `slider_crank_2D`.
 template <class Q, class X>
-constexpr auto slider_crank_slider_2D(const Q& crank, const X& slider, const slider_crank_lengths& lengths) {
+[[nodiscard]] constexpr auto slider_crank_slider_2D(const Q& crank, const X& slider,
+                                                    const slider_crank_lengths& lengths) {
   return connect(core::slider_crank_slider(lengths), crank, slider);
 }
 
 /// The angle of the rod in the crank, rad, and the position of the slider, m, of a slider-crank. Both follow the angle
 /// of the crank. Two elements.
 template <class Q, class R, class X>
-constexpr auto slider_crank_2D(const Q& crank, const R& rod, const X& slider, const slider_crank_lengths& lengths) {
+[[nodiscard]] constexpr auto slider_crank_2D(const Q& crank, const R& rod, const X& slider,
+                                             const slider_crank_lengths& lengths) {
   return detail::in_series(slider_crank_rod_2D(crank, rod, lengths), slider_crank_slider_2D(crank, slider, lengths));
 }
 

@@ -29,7 +29,7 @@ struct spherical_joint : transmission<spherical_joint> {
 /// A spherical joint. `coordinate`, a rotation_3D_key, is the rotation of `end` in `base`; it has no singular
 /// positions.
 template <class X, class B, class E>
-constexpr auto spherical_joint_3D(const X& coordinate, const B& base, const E& end) {
+[[nodiscard]] constexpr auto spherical_joint_3D(const X& coordinate, const B& base, const E& end) {
   return connect(core::spherical_joint{}, coordinate, base, end);
 }
 

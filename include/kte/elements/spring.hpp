@@ -217,8 +217,8 @@ struct spring : spring_parameters<Rest, Stiffness, Saturation> {
 /// A spring between two coordinates: rest length (m, rad), stiffness (N/m, Nm/rad), and optionally the force at which
 /// it saturates (N, Nm).
 template <class Q1, class Q2, entry Rest, entry Stiffness, entry Saturation = zero_t>
-constexpr auto spring_gen(const Q1& anchor1, const Q2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
-                          const Saturation& saturation = {}) {
+[[nodiscard]] constexpr auto spring_gen(const Q1& anchor1, const Q2& anchor2, const Rest& rest_length,
+                                        const Stiffness& stiffness, const Saturation& saturation = {}) {
   using core_type =
       core::spring_gen<decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
@@ -226,8 +226,8 @@ constexpr auto spring_gen(const Q1& anchor1, const Q2& anchor2, const Rest& rest
 /// A spring between the origins of two frames in the plane: rest length (m; `zero` for none), stiffness (N/m), and
 /// optionally the force at which it saturates (N).
 template <class F1, class F2, entry Rest, entry Stiffness, entry Saturation = zero_t>
-constexpr auto spring_2D(const F1& anchor1, const F2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
-                         const Saturation& saturation = {}) {
+[[nodiscard]] constexpr auto spring_2D(const F1& anchor1, const F2& anchor2, const Rest& rest_length,
+                                       const Stiffness& stiffness, const Saturation& saturation = {}) {
   using core_type =
       core::spring<kind::frame_2D, decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);
@@ -235,8 +235,8 @@ constexpr auto spring_2D(const F1& anchor1, const F2& anchor2, const Rest& rest_
 /// A spring between the origins of two frames in space: rest length, m (`zero` for none), stiffness, N/m, and
 /// optionally the force at which it saturates, N.
 template <class F1, class F2, entry Rest, entry Stiffness, entry Saturation = zero_t>
-constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_length, const Stiffness& stiffness,
-                         const Saturation& saturation = {}) {
+[[nodiscard]] constexpr auto spring_3D(const F1& anchor1, const F2& anchor2, const Rest& rest_length,
+                                       const Stiffness& stiffness, const Saturation& saturation = {}) {
   using core_type =
       core::spring<kind::frame_3D, decltype(real(rest_length)), decltype(real(stiffness)), decltype(real(saturation))>;
   return connect(core_type{{real(rest_length), real(stiffness), real(saturation)}}, anchor1, anchor2);

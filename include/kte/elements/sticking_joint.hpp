@@ -100,25 +100,26 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_l
 /// A revolute joint in the plane on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal
 /// state that events switch (docs/events.md).
 template <class Q, class Z, class B, class E>
-constexpr auto sticking_revolute_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                          double radius, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_revolute_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                                        double radius, const dry_friction_parameters& friction) {
   using joint = core::revolute_joint<kind::frame_2D, std::remove_const_t<decltype(axis::z)>>;
   return connect(core::sticking_joint<joint>(joint(axis::z), radius, friction), coordinate, mode, base, end);
 }
 /// A revolute joint in space on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal state
 /// that events switch (docs/events.md).
 template <class Q, class Z, class B, class E, class X, class Y, class W>
-constexpr auto sticking_revolute_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                          const vec3<X, Y, W>& axis, double radius,
-                                          const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_revolute_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                                        const vec3<X, Y, W>& axis, double radius,
+                                                        const dry_friction_parameters& friction) {
   using joint = core::revolute_joint<kind::frame_3D, vec3<X, Y, W>>;
   return connect(core::sticking_joint<joint>(joint(axis), radius, friction), coordinate, mode, base, end);
 }
 /// A prismatic joint in the plane with dry friction that sticks, along a unit axis in base axes. `mode` is an internal
 /// state that events switch.
 template <class Q, class Z, class B, class E, geometric Axis>
-constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                           const Axis& axis, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, const B& base,
+                                                         const E& end, const Axis& axis,
+                                                         const dry_friction_parameters& friction) {
   const auto n = detail::planar(axis);
   using joint = core::prismatic_joint<kind::frame_2D, std::remove_const_t<decltype(n)>>;
   return connect(core::sticking_joint<joint>(joint(n), 1, friction), coordinate, mode, base, end);
@@ -126,8 +127,9 @@ constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, c
 /// A prismatic joint in space with dry friction that sticks, along a unit axis in base axes. `mode` is an internal
 /// state that events switch.
 template <class Q, class Z, class B, class E, class X, class Y, class W>
-constexpr auto sticking_prismatic_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                           const vec3<X, Y, W>& axis, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_prismatic_joint_3D(const Q& coordinate, const Z& mode, const B& base,
+                                                         const E& end, const vec3<X, Y, W>& axis,
+                                                         const dry_friction_parameters& friction) {
   using joint = core::prismatic_joint<kind::frame_3D, vec3<X, Y, W>>;
   return connect(core::sticking_joint<joint>(joint(axis), 1, friction), coordinate, mode, base, end);
 }

@@ -71,7 +71,8 @@ struct torque_speed_motor_gen {
 ///
 ///   torque_speed_motor_gen(q, command, {.max_torque = 40, .max_speed = 6})
 template <class Q, class U>
-constexpr auto torque_speed_motor_gen(const Q& coordinate, const U& command, const torque_speed_line& line) {
+[[nodiscard]] constexpr auto torque_speed_motor_gen(const Q& coordinate, const U& command,
+                                                    const torque_speed_line& line) {
   return connect(core::torque_speed_motor_gen{line}, coordinate, command);
 }
 

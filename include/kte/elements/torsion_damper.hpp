@@ -30,12 +30,12 @@ struct torsion_damper : damper_parameters<Damping> {
 
 /// A damper of the relative rotation of two frames in the plane: damping, Nm s/rad.
 template <class F1, class F2, entry Damping>
-constexpr auto torsion_damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto torsion_damper_2D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::torsion_damper<kind::frame_2D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 /// A damper of the relative rotation of two frames in space: damping, Nm s/rad.
 template <class F1, class F2, entry Damping>
-constexpr auto torsion_damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
+[[nodiscard]] constexpr auto torsion_damper_3D(const F1& anchor1, const F2& anchor2, const Damping& damping) {
   return connect(core::torsion_damper<kind::frame_3D, decltype(real(damping))>{{real(damping)}}, anchor1, anchor2);
 }
 

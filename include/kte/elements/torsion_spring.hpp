@@ -85,8 +85,8 @@ struct torsion_spring {
 /// A torsion spring between two frames in the plane: stiffness (Nm/rad), and optionally the torque at which it
 /// saturates (Nm; `zero` for none) and the angle of the second frame relative to the first at rest (rad).
 template <class F1, class F2, entry Stiffness, entry Saturation = zero_t, entry Rest = zero_t>
-constexpr auto torsion_spring_2D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
-                                 const Saturation& saturation = {}, const Rest& rest_angle = {}) {
+[[nodiscard]] constexpr auto torsion_spring_2D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
+                                               const Saturation& saturation = {}, const Rest& rest_angle = {}) {
   using core_type = core::torsion_spring<kind::frame_2D, decltype(real(stiffness)), decltype(real(saturation)),
                                          decltype(real(rest_angle))>;
   return connect(core_type{real(stiffness), real(saturation), real(rest_angle)}, anchor1, anchor2);
@@ -95,8 +95,8 @@ constexpr auto torsion_spring_2D(const F1& anchor1, const F2& anchor2, const Sti
 /// (Nm; `zero` for none) and the rotation of the second frame in the first at rest (a matrix, a quaternion,
 /// `quarter_turn_x`; none if their axes are parallel).
 template <class F1, class F2, entry Stiffness, entry Saturation = zero_t, class Rest = no_rotation>
-constexpr auto torsion_spring_3D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
-                                 const Saturation& saturation = {}, const Rest& rest_rotation = {}) {
+[[nodiscard]] constexpr auto torsion_spring_3D(const F1& anchor1, const F2& anchor2, const Stiffness& stiffness,
+                                               const Saturation& saturation = {}, const Rest& rest_rotation = {}) {
   using core_type = core::torsion_spring<kind::frame_3D, decltype(real(stiffness)), decltype(real(saturation)), Rest>;
   return connect(core_type{real(stiffness), real(saturation), rest_rotation}, anchor1, anchor2);
 }

@@ -92,21 +92,22 @@ struct velocity_control_3D : no_parameters {
 /// A coordinate with the prescribed rate `velocity`, m/s or rad/s, and its derivative `acceleration`. The internal
 /// state `position` is its position, m or rad.
 template <class V, class A, class Z, class Q>
-constexpr auto velocity_control_gen(const V& velocity, const A& acceleration, const Z& position, const Q& coordinate) {
+[[nodiscard]] constexpr auto velocity_control_gen(const V& velocity, const A& acceleration, const Z& position,
+                                                  const Q& coordinate) {
   return connect(core::velocity_control_gen{}, velocity, acceleration, position, coordinate);
 }
 /// A frame `end` in the plane that moves in `base` without rotation, at the velocity of a signal of three numbers, m/s,
 /// with its derivative `acceleration`. The internal states x, y are its position, m.
 template <class V, class A, class X, class Y, class B, class E>
-constexpr auto velocity_control_2D(const V& velocity, const A& acceleration, const X& x, const Y& y, const B& base,
-                                   const E& end) {
+[[nodiscard]] constexpr auto velocity_control_2D(const V& velocity, const A& acceleration, const X& x, const Y& y,
+                                                 const B& base, const E& end) {
   return connect(core::velocity_control_2D{}, velocity, acceleration, x, y, base, end);
 }
 /// A frame `end` in space that moves in `base` without rotation, at the velocity of a signal of three numbers, m/s,
 /// with its derivative `acceleration`. The internal states x, y, z are its position, m.
 template <class V, class A, class X, class Y, class Z, class B, class E>
-constexpr auto velocity_control_3D(const V& velocity, const A& acceleration, const X& x, const Y& y, const Z& z,
-                                   const B& base, const E& end) {
+[[nodiscard]] constexpr auto velocity_control_3D(const V& velocity, const A& acceleration, const X& x, const Y& y,
+                                                 const Z& z, const B& base, const E& end) {
   return connect(core::velocity_control_3D{}, velocity, acceleration, x, y, z, base, end);
 }
 

@@ -35,17 +35,17 @@ struct velocity_measure : no_parameters {
 
 /// Measures the rate of a coordinate, m/s or rad/s.
 template <class Q, class Y>
-constexpr auto velocity_measure_gen(const Q& coordinate, const Y& output) {
+[[nodiscard]] constexpr auto velocity_measure_gen(const Q& coordinate, const Y& output) {
   return connect(core::velocity_measure_gen{}, coordinate, output);
 }
 /// Measures the linear velocity of a frame in the plane, m/s, in axes of the world.
 template <class F, class Y>
-constexpr auto velocity_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto velocity_measure_2D(const F& frame, const Y& output) {
   return connect(core::velocity_measure<kind::frame_2D>{}, frame, output);
 }
 /// Measures the linear velocity of a frame in space, m/s, in axes of the world.
 template <class F, class Y>
-constexpr auto velocity_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto velocity_measure_3D(const F& frame, const Y& output) {
   return connect(core::velocity_measure<kind::frame_3D>{}, frame, output);
 }
 

@@ -58,8 +58,9 @@ struct vmc_revolute_joint : dry_revolute_joint<Dim, Axis>, transmission<vmc_revo
 /// `friction_radius`, `stiction_radius`: coefficients of sliding and static friction times radius of the bearing, m.
 /// `smoothing`: the rate over which the one changes into the other, rad/s.
 template <class Q, class B, class E>
-constexpr auto vmc_revolute_joint_2D(const Q& coordinate, const B& base, const E& end, double friction_radius,
-                                     double stiction_radius, double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto vmc_revolute_joint_2D(const Q& coordinate, const B& base, const E& end,
+                                                   double friction_radius, double stiction_radius,
+                                                   double smoothing = 1e-3) {
   using out_of_plane = std::remove_const_t<decltype(axis::z)>;
   return connect(
       core::vmc_revolute_joint<kind::frame_2D, out_of_plane>(axis::z, friction_radius, stiction_radius, smoothing),
@@ -67,8 +68,9 @@ constexpr auto vmc_revolute_joint_2D(const Q& coordinate, const B& base, const E
 }
 /// A revolute joint in space for controllers; see `vmc_revolute_joint_2D`.
 template <class Q, class B, class E, class X, class Y, class Z>
-constexpr auto vmc_revolute_joint_3D(const Q& coordinate, const B& base, const E& end, const vec3<X, Y, Z>& axis,
-                                     double friction_radius, double stiction_radius, double smoothing = 1e-3) {
+[[nodiscard]] constexpr auto vmc_revolute_joint_3D(const Q& coordinate, const B& base, const E& end,
+                                                   const vec3<X, Y, Z>& axis, double friction_radius,
+                                                   double stiction_radius, double smoothing = 1e-3) {
   return connect(
       core::vmc_revolute_joint<kind::frame_3D, vec3<X, Y, Z>>(axis, friction_radius, stiction_radius, smoothing),
       coordinate, base, end);

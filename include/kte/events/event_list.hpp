@@ -90,7 +90,8 @@ requires(requires { detail::kind_of_event<E>::is_one; } && ...) event_list<detai
 
 /// The events of both lists, those of the first before those of the second; settings and `report_to` of the first.
 template <class Sink, class... A, class... B>
-event_list<Sink, A..., B...> joined(const event_list<Sink, A...>& a, const event_list<detail::no_handler, B...>& b) {
+[[nodiscard]] event_list<Sink, A..., B...> joined(const event_list<Sink, A...>& a,
+                                                  const event_list<detail::no_handler, B...>& b) {
   return {std::tuple_cat(a.list, b.list), a.settings, a.sink};
 }
 

@@ -28,13 +28,13 @@ inline constexpr articulated<sym3<zero_t>, mat3<zero3>, sym3<zero_t>> no_articul
 
 /// The wrench of (1) in math/rigid_body.hpp for accelerations a, m/s^2, and al, rad/s^2.
 template <class M, class H, class J, class A, class AL>
-KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const A& a, const AL& al) {
+[[nodiscard]] KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const A& a, const AL& al) {
   return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
 }
 
 /// The articulated-body inertia of rigid bodies: M = m 1, H = -[h]x.
 template <class M, class H, class I>
-KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {
   const auto& h = b.moment;
   return articulated{diagonal(b.mass, b.mass, b.mass),
                      mat3{vec3{zero, h.z, -h.y}, vec3{-h.z, zero, h.x}, vec3{h.y, -h.x, zero}}, b.inertia};
@@ -47,7 +47,7 @@ KTE_INLINE constexpr auto operator+(const articulated<M, H, J>& a, const articul
 
 /// The wrench of (1) for accelerations a, m/s^2, and al, rad/s^2.
 template <class M, class H, class J, class A, class AL>
-KTE_INLINE constexpr auto accelerating_wrench(const articulated<M, H, J>& b, const A& a, const AL& al) {
+[[nodiscard]] KTE_INLINE constexpr auto accelerating_wrench(const articulated<M, H, J>& b, const A& a, const AL& al) {
   return wrench{b.linear * a + b.coupling * al, transpose(b.coupling) * a + b.angular * al};
 }
 
@@ -73,7 +73,7 @@ KTE_INLINE constexpr auto shifted(const P& p, const articulated<M, H, J>& b) {
 }
 /// The inertia in another frame, in which this one has the rotation R and the position p, m.
 template <class R, class P, class M, class H, class J>
-KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto transported(const R& rotation, const P& p, const articulated<M, H, J>& b) {
   const auto r = matrix(rotation);
   return shifted(p, articulated{turned_by(r, b.linear), turned_by(r, b.coupling), turned_by(r, b.angular)});
 }

@@ -10,9 +10,9 @@
 namespace kte {
 
 /// A rotation in space as a coordinate.
-///   rotation          maps axes of the moving frame to those of the parent; any length but 0, `integrate` keeps it at 1
-///   ang_velocity      rad/s, ang_acceleration rad/s^2, torque Nm (generalized force): in the axes of the moving frame
-///   matrix            of `rotation`, set by doMotion
+///   rotation          maps axes of the moving frame to those of the parent; any length but 0, `integrate` keeps it at
+///   1 ang_velocity      rad/s, ang_acceleration rad/s^2, torque Nm (generalized force): in the axes of the moving
+///   frame matrix            of `rotation`, set by doMotion
 template <class S = double>
 struct rotation_coord_3D {
   unit_quaternion<S> rotation{S(1), S(0), S(0), S(0)};
@@ -64,17 +64,17 @@ struct pose_coord_3D {
 // ---- conversion to motions; the accelerations are those described above
 /// The coordinate as a `motion` in space.
 template <class S>
-KTE_INLINE constexpr auto spatial(const rotation_coord_3D<S>& c) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const rotation_coord_3D<S>& c) {
   return motion{zero3{}, c.matrix, zero3{}, c.ang_velocity, zero3{}, c.ang_acceleration};
 }
 template <class S>
-KTE_INLINE constexpr auto spatial(const pose_coord_2D<S>& c) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const pose_coord_2D<S>& c) {
   using namespace detail;
   return motion{in_plane(c.position),    rotation_2D{c.cos, c.sin}, in_plane(c.velocity),
                 about_z(c.ang_velocity), in_plane(c.acceleration),  about_z(c.ang_acceleration)};
 }
 template <class S>
-KTE_INLINE constexpr auto spatial(const pose_coord_3D<S>& c) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const pose_coord_3D<S>& c) {
   return motion{c.position, c.matrix, c.velocity, c.ang_velocity, c.acceleration, c.ang_acceleration};
 }
 

@@ -65,8 +65,8 @@ class fitted_motion {
 /// `measured` are in the same order. The result is a rotation, never a reflection. Three points that are not on a line
 /// determine the pose; with fewer, the result is one of several. Throws `bad_argument` for lists of different length,
 /// for empty lists and for numbers that are not finite.
-inline pose<unit_quaternion<double>, vec3<>> fitted_pose(std::span<const vec3<>> body,
-                                                         std::span<const vec3<>> measured) {
+[[nodiscard]] inline pose<unit_quaternion<double>, vec3<>> fitted_pose(std::span<const vec3<>> body,
+                                                                       std::span<const vec3<>> measured) {
   if (body.empty() || body.size() != measured.size())
     detail::raise<bad_argument>(
         "kte: fitted_pose needs as many points of the body as were measured, and one at least: " +

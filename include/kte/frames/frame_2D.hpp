@@ -46,7 +46,7 @@ KTE_INLINE constexpr S normal_part(const vec3<X, Y, Z>& v) {
 /// The frame as a motion in space. Components out of the plane are typed zeros, so that kernels are written once for
 /// both dimensions.
 template <class S>
-KTE_INLINE constexpr auto spatial(const frame_2D<S>& x) {
+[[nodiscard]] KTE_INLINE constexpr auto spatial(const frame_2D<S>& x) {
   using namespace detail;
   return motion{in_plane(x.position),     x.rotation,
                 in_plane(x.velocity),     about_z(x.ang_velocity),
@@ -54,7 +54,7 @@ KTE_INLINE constexpr auto spatial(const frame_2D<S>& x) {
 }
 /// The load of the frame as a wrench in space.
 template <class S>
-KTE_INLINE constexpr auto load_of(const frame_2D<S>& x) {
+[[nodiscard]] KTE_INLINE constexpr auto load_of(const frame_2D<S>& x) {
   return wrench{detail::in_plane(x.force), detail::about_z(x.torque)};
 }
 /// Sets position, rotation, rates and accelerations.

@@ -28,7 +28,7 @@ KTE_INLINE constexpr const frame_3D<S>& spatial(const frame_3D<S>& x) {
 }
 /// The load of the frame as a wrench.
 template <class S>
-KTE_INLINE constexpr auto load_of(const frame_3D<S>& x) {
+[[nodiscard]] KTE_INLINE constexpr auto load_of(const frame_3D<S>& x) {
   return wrench{x.force, x.torque};
 }
 /// Sets position, rotation, rates and accelerations.

@@ -78,7 +78,7 @@ KTE_INLINE constexpr auto operator-(const wrench<F, T>& a, const wrench<G, U>& b
 ///   a  = R_B^T (a_A + al_A x p_B + w_A x (w_A x p_B)) + 2 (R_B^T w_A) x v_B + a_B     (3)
 ///   al = R_B^T al_A + (R_B^T w_A) x w_B + al_B                                        (4)
 template <class A, class B>
-KTE_INLINE constexpr auto compose(const A& a, const B& b) {
+[[nodiscard]] KTE_INLINE constexpr auto compose(const A& a, const B& b) {
   const auto t = transpose(b.rotation);
   const auto& p = b.position;
   const auto& w = a.ang_velocity;
@@ -94,7 +94,7 @@ KTE_INLINE constexpr auto compose(const A& a, const B& b) {
 
 /// A wrench at a frame B, transmitted to a frame A in which B has the given pose: the transpose of (1) and (2).
 template <class Pose, class F, class T>
-KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b) {
+[[nodiscard]] KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b) {
   const auto f = b_in_a.rotation * at_b.force;
   return wrench{vec3{f.x, f.y, f.z},  // a copy of f as a whole, g++ 12 would keep in memory
                 plus_cross(b_in_a.rotation * at_b.torque, b_in_a.position, f)};
@@ -102,7 +102,7 @@ KTE_INLINE constexpr auto transmit(const Pose& b_in_a, const wrench<F, T>& at_b)
 
 /// A frame at rest relative to its parent.
 template <class R, class P>
-KTE_INLINE constexpr auto at_rest(const R& rotation, const P& position) {
+[[nodiscard]] KTE_INLINE constexpr auto at_rest(const R& rotation, const P& position) {
   return motion{position, rotation, zero3{}, zero3{}, zero3{}, zero3{}};
 }
 

@@ -10,7 +10,7 @@ namespace kte {
 /// n is f.velocity_count() where f has it, as `manipulator_dynamics_model` does; else half of the rates, which then
 /// have no third part.
 template <class F, class Rate>
-Eigen::Index velocities_in(const F& f, const Rate& r) {
+[[nodiscard]] Eigen::Index velocities_in(const F& f, const Rate& r) {
   if constexpr (requires { f.velocity_count(); }) {
     return f.velocity_count();
   } else {
@@ -49,7 +49,7 @@ class second_order_system {
 ///
 /// g(t, q): q is a view of the first half of x; g returns as many numbers.
 template <class G>
-second_order_system<G> second_order(G g) {
+[[nodiscard]] second_order_system<G> second_order(G g) {
   return second_order_system<G>(std::move(g));
 }
 

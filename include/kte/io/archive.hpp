@@ -202,7 +202,7 @@ class archive {
 
 /// Reads a file by its ending: .xml, .json or .kte. One of a chain alone (`save_model`) is an archive with the root
 /// "model". Throws `bad_file`.
-inline archive load_archive(const std::filesystem::path& path, const read_options& options = {}) {
+[[nodiscard]] inline archive load_archive(const std::filesystem::path& path, const read_options& options = {}) {
   return archive(detail::read_archive(path, options));
 }
 

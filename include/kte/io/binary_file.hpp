@@ -19,7 +19,7 @@ inline std::string write_file(field_writer& out, const archive_record& all) {
 
 /// The bytes of a .kte file. Throws `bad_file` for a record that `from_binary` would reject.
 template <class Record = model_record>
-std::string to_binary(const Record& r) {
+[[nodiscard]] std::string to_binary(const Record& r) {
   detail::binary_writer out;
   return detail::write_file(out, r);
 }

@@ -71,7 +71,7 @@ class dot_graph {
 /// signals and internal states diamonds. Arrows lead from the inputs of an element to it, and from it to its outputs;
 /// dashed arrows to coordinates and frames on which it acts by a force. They are labelled by the roles of ports.
 template <class Gravity, class... E>
-std::string to_dot(const static_chain<Gravity, E...>& chain) {
+[[nodiscard]] std::string to_dot(const static_chain<Gravity, E...>& chain) {
   detail::dot_graph graph;
   boost::hana::for_each(chain.elements(), [&graph]<class Core, class... Keys>(const element<Core, Keys...>&) {
     graph.add(Core::type, Core::ports, std::array<std::string_view, sizeof...(Keys)>{Keys::name...});
@@ -79,7 +79,7 @@ std::string to_dot(const static_chain<Gravity, E...>& chain) {
   return graph.text();
 }
 /// The graph of a runtime chain for Graphviz; a part that is neither an element nor a chain is shown by its elements.
-inline std::string to_dot(const runtime_chain& chain) {
+[[nodiscard]] inline std::string to_dot(const runtime_chain& chain) {
   detail::dot_graph graph;
   chain.for_each_element([&graph](const kte_element& e) { graph.add(e.type(), e.ports(), e.names()); });
   return graph.text();

@@ -55,7 +55,7 @@ struct named_vector {
 /// A joint vector for printing with the names of the coordinates: `std::cout << by_names(arm, tau)`. Printing throws
 /// `bad_argument` if x has neither the length of q nor that of v.
 template <class Chain, indexable X>
-named_vector<Chain, X> by_names(const Chain& chain, const X& x) {
+[[nodiscard]] named_vector<Chain, X> by_names(const Chain& chain, const X& x) {
   return {chain, x};
 }
 template <class Chain, indexable X>

@@ -56,7 +56,7 @@ concept any_state = requires {
 
 /// The record of all values of a state. Its scalar is float, double or long double.
 template <detail::any_state State>
-state_record record_of(const State& s) {
+[[nodiscard]] state_record record_of(const State& s) {
   static_assert(std::floating_point<typename State::scalar>, "kte: files hold states of float, double and long double");
   state_record r;
   detail::for_each_thing(s, [&r](kind k, std::string_view name, const auto& x) {

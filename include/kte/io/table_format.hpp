@@ -35,7 +35,7 @@ constexpr char separator_of(table_format f) {
 }  // namespace detail
 
 /// The format of a file by its extension. Throws `bad_argument`, listing the known ones.
-inline table_format format_of(const std::filesystem::path& path) {
+[[nodiscard]] inline table_format format_of(const std::filesystem::path& path) {
   const std::string extension = detail::lower_extension(path);
   std::string known;
   for (const auto& e : detail::known_extensions) {

@@ -11,7 +11,7 @@ namespace kte {
 /// Reads a file of a `table_writer`, or another file of that format. Throws `bad_file` with the path, and the line and
 /// column counted from 1, or the offset in bytes counted from 0; also for a file that ends within a row. The memory
 /// needed is that of the file and its numbers, whatever its headers claim.
-inline table read_table(const std::filesystem::path& path, table_format format) {
+[[nodiscard]] inline table read_table(const std::filesystem::path& path, table_format format) {
   const std::string bytes = detail::read_file(path);
   switch (format) {
     case table_format::npy:
@@ -23,6 +23,6 @@ inline table read_table(const std::filesystem::path& path, table_format format) 
   }
 }
 /// Reads a table in the format of its extension. Throws `bad_argument` for an unknown one.
-inline table read_table(const std::filesystem::path& path) { return read_table(path, format_of(path)); }
+[[nodiscard]] inline table read_table(const std::filesystem::path& path) { return read_table(path, format_of(path)); }
 
 }  // namespace kte

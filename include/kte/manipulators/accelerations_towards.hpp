@@ -25,8 +25,8 @@ struct acceleration_step {
 /// (`pose_error`). `a_wanted`, 0 if omitted, is the desired acceleration in the null space of the tools: -k v damps
 /// motions there. Throws as `rates_towards`.
 template <class Arm, indexable Q, indexable V, indexable T, indexable W>
-auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
-                           const rate_options& options, const W& a_wanted) {
+[[nodiscard]] auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
+                                         const rate_options& options, const W& a_wanted) {
   using S = value_of<Q>;
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
@@ -47,8 +47,8 @@ auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& want
                                  step.status,         step.linear / dt, step.angular / dt};
 }
 template <class Arm, indexable Q, indexable V, indexable T>
-auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
-                           const rate_options& options = {}) {
+[[nodiscard]] auto accelerations_towards(const Arm& arm, const Q& q, const V& v, const T& wanted, value_of<Q> dt,
+                                         const rate_options& options = {}) {
   using vector = joint_vector<value_of<Q>, detail::arm_dofs<Arm>>;
   return accelerations_towards(arm, q, v, wanted, dt, options,
                                vector(vector::Zero(static_cast<Eigen::Index>(detail::dofs_of(arm)))));

@@ -80,8 +80,8 @@ box_minimum<S, N>& finite_minimum(box_minimum<S, N>& found) {
 /// Nothing is allocated for a fixed size. Throws `bad_argument` unless lower <= upper and H, g are finite, and if x is
 /// not finite: numbers are too large or too small.
 template <class S, int N>
-box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vector<S, N>& g,
-                                  const joint_vector<S, N>& lower, const joint_vector<S, N>& upper) {
+[[nodiscard]] box_minimum<S, N> minimise_in_box(const joint_matrix<S, N>& h, const joint_vector<S, N>& g,
+                                                const joint_vector<S, N>& lower, const joint_vector<S, N>& upper) {
   const Eigen::Index n = g.size();
   detail::check_finite(g, static_cast<std::size_t>(n), "kte: the linear part of a quadratic function is not finite");
   detail::check_finite(h.data(), static_cast<std::size_t>(h.size()), "kte: a quadratic function is not finite");

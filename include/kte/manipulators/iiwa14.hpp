@@ -10,7 +10,7 @@ namespace kte {
 /// The KUKA LBR iiwa 14 R820: seven revolute joints, z y z -y z y z; at q = 0 all along z: the shoulder at 0.36 m, the
 /// elbow 0.42 m from it, the wrist 0.40 m from the elbow, the flange ("tool") 0.126 m from the wrist. Bodies and
 /// lengths are those of the manufacturer; axes of all links are those of the base at q = 0.
-constexpr auto iiwa14_chain() {
+[[nodiscard]] constexpr auto iiwa14_chain() {
   using namespace arm_names;
   return chain(revolute_joint_3D(q1, base, link1).at(along_z(0.1575)),
                inertia_3D(link1, rigid_body{5.76, vec3{zero, -0.03, 0.12}, diagonal(0.033, 0.0333, 0.0123)}),
@@ -31,7 +31,7 @@ constexpr auto iiwa14_chain() {
 }
 
 /// Limits of position, rate and torque, from the manufacturer's data sheet.
-constexpr auto iiwa14_limits() {
+[[nodiscard]] constexpr auto iiwa14_limits() {
   auto limits = unlimited(iiwa14_chain());
   limits.upper = detail::in_radians<7>({170, 120, 170, 120, 170, 120, 175});
   limits.lower = detail::negated(limits.upper);
@@ -41,6 +41,6 @@ constexpr auto iiwa14_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto iiwa14() { return manipulator(iiwa14_chain(), arm_names::tool, iiwa14_limits()); }
+[[nodiscard]] constexpr auto iiwa14() { return manipulator(iiwa14_chain(), arm_names::tool, iiwa14_limits()); }
 
 }  // namespace kte

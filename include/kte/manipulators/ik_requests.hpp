@@ -33,10 +33,10 @@ struct locked_joint {
 };
 /// Requests solutions with a joint, by its key or name, locked at a value, rad or m.
 template <key_type Key>
-constexpr locked_joint locked(const Key&, double value) {
+[[nodiscard]] constexpr locked_joint locked(const Key&, double value) {
   return {Key::name, value};
 }
-constexpr locked_joint locked(std::string_view coordinate, double value) { return {coordinate, value}; }
+[[nodiscard]] constexpr locked_joint locked(std::string_view coordinate, double value) { return {coordinate, value}; }
 
 /// Requests the solution within limits that is nearest to the posture q.
 template <class Q>
@@ -45,7 +45,7 @@ struct nearest_to {
 };
 /// Requests the solution within limits that is nearest to the posture q.
 template <indexable Q>
-constexpr nearest_to<Q> nearest(const Q& q) {
+[[nodiscard]] constexpr nearest_to<Q> nearest(const Q& q) {
   return {q};
 }
 

@@ -25,7 +25,7 @@ namespace kte {
 /// for all arms except those with equations of degree four. Throws `no_closed_form`, and `bad_argument` for an invalid
 /// pose; a static arm whose type has no closed form does not compile.
 template <class Chain, class Tools, class Rotation, class Position>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted) {
   detail::refuse_by_type(arm);
   detail::check_closed_form(arm);
   const auto x = detail::checked_pose(detail::spatial(wanted));
@@ -35,7 +35,8 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
 
 /// All postures of an arm of seven axes at an arm angle.
 template <class Chain, class Tools, class Rotation, class Position>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted, arm_angle angle) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                                      arm_angle angle) {
   detail::refuse_by_type(arm);
   detail::check_arm_angle(arm);
   if (!(angle.psi - angle.psi == 0)) detail::raise<bad_argument>("kte: an arm angle must be finite");
@@ -48,8 +49,8 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
 
 /// All postures of an arm of seven joints with its first or last joint locked.
 template <class Chain, class Tools, class Rotation, class Position>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
-                        const locked_joint& joint) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                                      const locked_joint& joint) {
   detail::refuse_by_type(arm);
   if (!(joint.value - joint.value == 0)) detail::raise<bad_argument>("kte: the value of a locked joint must be finite");
   const auto s = detail::structure_locked(arm, joint.coordinate);
@@ -62,8 +63,9 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
 /// their ends are accurate to rounding (near singular postures of shoulder or wrist, to its square root). All intervals
 /// are found, however narrow. For shoulders and wrists with orthogonal axes.
 template <class Chain, class Tools, class Rotation, class Position>
-detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
-                                           arm_angle_from reference = arm_angle_from::stereographic) {
+[[nodiscard]] detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
+                                                         const pose<Rotation, Position>& wanted,
+                                                         arm_angle_from reference = arm_angle_from::stereographic) {
   detail::check_arm_angle(arm);
   const auto x = detail::checked_pose(detail::spatial(wanted));
   const auto [R, p] = detail::goal_of(arm.structure(), x);
@@ -79,8 +81,8 @@ detail::arm_angle_list arm_angle_intervals(const manipulator<Chain, Tools>& arm,
 
 /// The arm angle of a posture, rad. Throws `bad_argument` for a q of wrong size or that is not finite.
 template <class Chain, class Tools, indexable Q>
-auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q,
-                  arm_angle_from reference = arm_angle_from::stereographic) {
+[[nodiscard]] auto arm_angle_of(const manipulator<Chain, Tools>& arm, const Q& q,
+                                arm_angle_from reference = arm_angle_from::stereographic) {
   detail::check_arm_angle(arm);
   detail::check_configuration_of(arm, q, "q");
   using S = value_of<Q>;

@@ -89,7 +89,7 @@ template <class Arm, class D>
 /// instants. Throws `bad_argument`, naming a coordinate, if no moving coordinate has a limit of acceleration, for ends
 /// beyond limits of positions, and for equal ends.
 template <class Arm, indexable Q0, indexable Q1>
-auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
+[[nodiscard]] auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
   return detail::motion_between(arm, from, to, [&arm](const auto& limits, const auto& d) {
     if (limits.acceleration == limits.none) detail::refuse_unlimited(arm, d, "trapezoidal_motion", "acceleration");
     return trapezoidal_profile<double>(limits);
@@ -99,7 +99,7 @@ auto trapezoidal_motion(const Arm& arm, const Q0& from, const Q1& to) {
 /// and jerks, with a duration of at least `at_least`, s. Throws `bad_argument` for ends beyond limits of positions, and
 /// without limits and duration.
 template <class Arm, indexable Q0, indexable Q1>
-auto quintic_motion(const Arm& arm, const Q0& from, const Q1& to, double at_least = 0) {
+[[nodiscard]] auto quintic_motion(const Arm& arm, const Q0& from, const Q1& to, double at_least = 0) {
   return detail::motion_between(arm, from, to, [&arm, at_least](const auto& limits, const auto& d) {
     const bool unlimited =
         limits.rate == limits.none && limits.acceleration == limits.none && limits.jerk == limits.none;

@@ -13,7 +13,7 @@ namespace kte {
 ///
 /// about its centre of mass. Arms that use it say so.
 template <class X, class Y, class Z>
-constexpr auto link_body(double m, const vec3<X, Y, Z>& d, double r) {
+[[nodiscard]] constexpr auto link_body(double m, const vec3<X, Y, Z>& d, double r) {
   const auto v = as<double>(d);
   const double k = m / 12, own = 0.4 * m * r * r;
   return rigid_body{m, vec3<>{v.x / 2, v.y / 2, v.z / 2},

@@ -132,8 +132,8 @@ best_answer<Q> best_near(const Arm& arm, const plain_pose_of<S>& x, const Q& now
 /// Throws `unreachable` if there is no solution, with the best posture; without a posture, and with infinite errors, if
 /// the closed form has no solution at all.
 template <class Chain, class Tools, class Rotation, class Position, class Q>
-auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
-                        const nearest_to<Q>& to) {
+[[nodiscard]] auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotation, Position>& wanted,
+                                      const nearest_to<Q>& to) {
   using namespace detail;
   refuse_by_type(arm);
   check_closed_form(arm);
@@ -163,7 +163,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
 /// All solutions within limits, with every multiple of a turn that the limits of each joint allow: for joints of more
 /// than one turn.
 template <class Chain, class Tools, class Q>
-std::vector<ik_answer<Q>> unwrapped(const manipulator<Chain, Tools>& arm, const ik_answers<Q>& answers) {
+[[nodiscard]] std::vector<ik_answer<Q>> unwrapped(const manipulator<Chain, Tools>& arm, const ik_answers<Q>& answers) {
   using S = value_of<Q>;
   const auto& original = arm.structure().original;
   const S turn = S(2) * detail::half_turn<S>();

@@ -74,7 +74,7 @@ inline constexpr bool has_hard<std::tuple<Goal...>> = (Goal::hard || ...);
 /// a rotation or pose, `unreachable` with `must_reach`. Nothing is allocated for static chains, except by `posture` and
 /// `manipulability`.
 template <class Arm, class Goals, indexable Q>
-numerical_ik_result<value_of<Q>, detail::arm_at<Arm, value_of<Q>>::configuration::RowsAtCompileTime>
+[[nodiscard]] numerical_ik_result<value_of<Q>, detail::arm_at<Arm, value_of<Q>>::configuration::RowsAtCompileTime>
 numerical_inverse_kinematics(const Arm& arm, const Goals& wanted, const Q& q_start,
                              const numerical_ik_options& options = {}) {
   using S = value_of<Q>;

@@ -15,7 +15,7 @@ struct opw_lengths {
 
 /// Six revolute joints: z (a1, 0, c1), y (0, 0, c2), y (a2, b, c3), z, y, z (0, 0, c4), each with the vector to the
 /// next joint. The arm is upright at q = 0. Masses are not published; rods of 150, 60, 60, 10, 5, 2 kg are assumed.
-constexpr auto opw_chain(const opw_lengths& l = {}) {
+[[nodiscard]] constexpr auto opw_chain(const opw_lengths& l = {}) {
   using namespace arm_names;
   const vec3 d1{l.a1, zero, l.c1};
   const vec3 d3{l.a2, l.b, l.c3};
@@ -31,7 +31,7 @@ constexpr auto opw_chain(const opw_lengths& l = {}) {
 }
 /// Limits from the data sheet of the IRB 2400, whose third angle is smaller by 90 degrees: there the forearm is
 /// horizontal at q = 0.
-constexpr auto opw_limits() {
+[[nodiscard]] constexpr auto opw_limits() {
   auto limits = unlimited(opw_chain());
   limits.lower = detail::in_radians<6>({-180, -100, 30, -200, -120, -400});
   limits.upper = detail::in_radians<6>({180, 110, 155, 200, 120, 400});
@@ -40,7 +40,7 @@ constexpr auto opw_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto opw(const opw_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto opw(const opw_lengths& lengths = {}) {
   return manipulator(opw_chain(lengths), arm_names::tool, opw_limits());
 }
 

@@ -43,7 +43,7 @@ vec3<S> turn_between(const mat3<vec3<S>>& now, const mat3<vec3<S>>& wanted) {
 /// The time derivative of |e|^2/2 along a motion of twist t is exactly -e . t, as log keeps the direction of its axis.
 /// Throws `bad_argument` for a rotation that is not orthonormal to 1e-6, and for positions that are not finite.
 template <class R, class P, class WantedR, class WantedP>
-auto pose_error(const pose<R, P>& now, const pose<WantedR, WantedP>& wanted) {
+[[nodiscard]] auto pose_error(const pose<R, P>& now, const pose<WantedR, WantedP>& wanted) {
   const auto from = detail::quaternion_of(now.rotation);
   using S = std::remove_cvref_t<decltype(from.w)>;
   const auto w = to_rotation_vector(as<S>(detail::quaternion_of(wanted.rotation)) * conjugate(from));

@@ -98,12 +98,12 @@ struct manipulability_goal {
 /// A soft goal of `numerical_inverse_kinematics`: near the configuration q; `weights` of the squares, one for each of
 /// v, or none.
 template <indexable Q>
-auto posture(const Q& q, std::vector<double> weights = {}) {
+[[nodiscard]] auto posture(const Q& q, std::vector<double> weights = {}) {
   return detail::posture_goal<Q>{q, std::move(weights)};
 }
 /// A soft goal: coordinates near the middle of their limits.
-inline auto away_from_limits() { return detail::away_from_limits_goal{}; }
+[[nodiscard]] inline auto away_from_limits() { return detail::away_from_limits_goal{}; }
 /// A soft goal: far from singular configurations, by the manipulability measure of Yoshikawa.
-inline auto manipulability() { return detail::manipulability_goal{}; }
+[[nodiscard]] inline auto manipulability() { return detail::manipulability_goal{}; }
 
 }  // namespace kte

@@ -61,8 +61,8 @@ bool put_rate_bounds(const Arm& arm, const Q& q, const V& v_now, const S& dt, jo
 /// always feasible. Throws `bad_argument` for arguments that are not finite or of wrong size and for dt <= 0,
 /// `bad_parameter` for limits of position of a rotation or pose. Nothing is allocated for static chains.
 template <class Arm, indexable Q, indexable V, indexable T, indexable W>
-auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
-                   const rate_options& options, const W& v_wanted) {
+[[nodiscard]] auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
+                                 const rate_options& options, const W& v_wanted) {
   using S = value_of<Q>;
   constexpr int n = detail::arm_dofs<Arm>;
   const auto size = detail::dofs_of(arm);
@@ -119,8 +119,8 @@ auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, v
   return out;
 }
 template <class Arm, indexable Q, indexable V, indexable T>
-auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
-                   const rate_options& options = {}) {
+[[nodiscard]] auto rates_towards(const Arm& arm, const Q& q, const V& v_now, const T& twist, value_of<Q> dt,
+                                 const rate_options& options = {}) {
   using S = value_of<Q>;
   const auto n = static_cast<Eigen::Index>(detail::dofs_of(arm));
   return rates_towards(arm, q, v_now, twist, dt, options,

@@ -69,7 +69,7 @@ constexpr S root_or_none(const S& x) {
 
 /// The angle of the direction (x, y); 0 at the origin.
 template <class S>
-constexpr solved_angle<S> direction(const S& x, const S& y) {
+[[nodiscard]] constexpr solved_angle<S> direction(const S& x, const S& y) {
   using std::sqrt;
   const S r = sqrt(S(x * x + y * y));
   const truth<S> some = r > S(0);
@@ -78,7 +78,7 @@ constexpr solved_angle<S> direction(const S& x, const S& y) {
 }
 /// The angle t, rad, by its cosine and sine.
 template <class S>
-solved_angle<S> angle_of(const S& t) {
+[[nodiscard]] solved_angle<S> angle_of(const S& t) {
   solved_angle<S> a;
   sincos(t, a.sin, a.cos);
   return a;
@@ -94,7 +94,7 @@ struct two_angles {
 
 /// The rotated vector R(k, t) v = v cos t + (k x v) sin t + k (k.v) (1 - cos t).
 template <class S, class K, class V>
-constexpr vec3<S> turned(const K& k, const solved_angle<S>& t, const V& v) {
+[[nodiscard]] constexpr vec3<S> turned(const K& k, const solved_angle<S>& t, const V& v) {
   const vec3<S> kk = as<S>(k), x = as<S>(v);
   return t.cos * x + t.sin * cross(kk, x) + (dot(kk, x) * (S(1) - t.cos)) * kk;
 }
@@ -121,8 +121,8 @@ constexpr two_angles<S> angles_with_room(const S& a, const S& b, const S& c, con
 ///
 /// If h is not above `noise`, any angle is a solution: the result is `otherwise` and the angle half a turn from it.
 template <class S>
-constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
-                                        const solved_angle<S>& otherwise = {}) {
+[[nodiscard]] constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, const S& noise = S(0),
+                                                      const solved_angle<S>& otherwise = {}) {
   using std::sqrt;
   const S h = sqrt(S(a * a + b * b)), over = detail::size_of(c) - h;
   return detail::angles_with_room(a, b, c, h, S((h - c) * (h + c)), over, noise, otherwise);
@@ -135,7 +135,7 @@ constexpr two_angles<S> linear_in_angle(const S& a, const S& b, const S& c, cons
 /// in the least-squares sense; 0 if any t is a solution. (p1.p2 - (k.p1)(k.p2) and k.(p1 x p2) are equal to these in
 /// exact arithmetic, but differences of large numbers for vectors nearly along k.)
 template <class S, class K>
-constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const vec3<S>& p2) {
+[[nodiscard]] constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const vec3<S>& p2) {
   const vec3<S> k = as<S>(axis), n1 = p1 - dot(k, p1) * k, n2 = p2 - dot(k, p2) * k;
   return direction(S(dot(n1, n2)), S(dot(k, cross(n1, n2))));
 }
@@ -144,8 +144,8 @@ constexpr solved_angle<S> subproblem1(const K& axis, const vec3<S>& p1, const ve
 ///
 ///   a = n.p - (n.k)(k.p),  b = n.(k x p),  c = d - (n.k)(k.p)          (3)
 template <class S, class K, class N>
-constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& normal, const S& d,
-                                    const solved_angle<S>& otherwise = {}) {
+[[nodiscard]] constexpr two_angles<S> subproblem4(const K& axis, const vec3<S>& p, const N& normal, const S& d,
+                                                  const solved_angle<S>& otherwise = {}) {
   using std::sqrt;
   const vec3<S> k = as<S>(axis), n = as<S>(normal);
   const S along = dot(n, k) * dot(k, p);
@@ -165,7 +165,8 @@ struct two_pairs {
 };
 /// Solves R(k1, t1) p1 = R(k2, t2) p2, see `two_pairs`.
 template <class S, class K1, class K2>
-constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2& axis2, const vec3<S>& p2) {
+[[nodiscard]] constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2& axis2,
+                                                 const vec3<S>& p2) {
   using detail::size_of;
   using std::sqrt;
   const vec3<S> k1 = as<S>(axis1), k2 = as<S>(axis2), k12 = cross(k1, k2);
@@ -184,7 +185,7 @@ constexpr two_pairs<S> subproblem2(const K1& axis1, const vec3<S>& p1, const K2&
 /// Solves |R(k, t) p1 - p2| = d by (3) with n = p2 and twice the other side |p1|^2 + |p2|^2 - d^2. (For arms use
 /// `triangle` of two_links.hpp, which loses no digits where the arm is stretched.)
 template <class S, class K>
-constexpr two_angles<S> subproblem3(const K& k, const vec3<S>& p1, const vec3<S>& p2, const S& d) {
+[[nodiscard]] constexpr two_angles<S> subproblem3(const K& k, const vec3<S>& p1, const vec3<S>& p2, const S& d) {
   return subproblem4(k, p1, p2, S((dot(p1, p1) + dot(p2, p2) - d * d) / S(2)));
 }
 

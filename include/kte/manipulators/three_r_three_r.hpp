@@ -33,11 +33,11 @@ constexpr auto three_r_three_r_on(const Frame& frame, const three_r_three_r_leng
 }  // namespace detail
 
 /// Six revolute joints, z -y -y z -y z. Masses are assumed: 5, 5, 2, 2, 1, 0.5 kg.
-constexpr auto three_r_three_r_chain(const three_r_three_r_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto three_r_three_r_chain(const three_r_three_r_lengths& lengths = {}) {
   return detail::three_r_three_r_on(arm_names::base, lengths);
 }
 /// Limits: half a turn in each direction.
-constexpr auto three_r_three_r_limits() {
+[[nodiscard]] constexpr auto three_r_three_r_limits() {
   auto limits = unlimited(three_r_three_r_chain());
   limits.upper = detail::in_radians<6>({180, 180, 180, 180, 180, 180});
   limits.lower = detail::negated(limits.upper);
@@ -45,7 +45,7 @@ constexpr auto three_r_three_r_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto three_r_three_r(const three_r_three_r_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto three_r_three_r(const three_r_three_r_lengths& lengths = {}) {
   return manipulator(three_r_three_r_chain(lengths), arm_names::tool, three_r_three_r_limits());
 }
 

@@ -114,7 +114,7 @@ struct look_at_goal : goal_of_tool<Tool> {
 /// A goal of `numerical_inverse_kinematics`: the tool at a pose in axes of the world. Throws `bad_argument` for a pose
 /// that is not finite, and for a rotation that is not orthonormal to 1e-6.
 template <class Tool, class R, class P>
-auto reach(const Tool& tool, const pose<R, P>& wanted, const pose_weights& weights = {}) {
+[[nodiscard]] auto reach(const Tool& tool, const pose<R, P>& wanted, const pose_weights& weights = {}) {
   const auto p = detail::finite_place(wanted.position);
   return detail::reach_goal<detail::tool_name<Tool>>{{detail::tool_named(tool)},
                                                      {as<double>(matrix(detail::quaternion_of(wanted.rotation))), p},
@@ -128,7 +128,7 @@ auto reach_position(const Tool& tool, const P& point) {
 }
 /// A goal: a unit vector in axes of the tool, from its origin, points at a point in axes of the world, m.
 template <class Tool, class A, class B, class C, class X, class Y, class Z>
-auto look_at(const Tool& tool, const vec3<A, B, C>& axis, const vec3<X, Y, Z>& point) {
+[[nodiscard]] auto look_at(const Tool& tool, const vec3<A, B, C>& axis, const vec3<X, Y, Z>& point) {
   const auto u = as<double>(axis);
   if (!(std::abs(dot(u, u) - 1) < 1e-6)) detail::raise<bad_argument>("kte: look_at needs an axis of length 1");
   return detail::look_at_goal<detail::tool_name<Tool>>{{detail::tool_named(tool)}, u, detail::finite_place(point)};

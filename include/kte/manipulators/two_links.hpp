@@ -13,7 +13,7 @@ namespace kte {
 ///
 /// If D is out of reach, they are stretched or folded, and `slack`, m, is the distance missing.
 template <class S, class K>
-constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
+[[nodiscard]] constexpr two_angles<S> elbow_angles(const K& k, const vec3<S>& l1, const vec3<S>& l2, const S& D) {
   using std::sqrt;
   const S r1 = sqrt(dot(l1, l1)), r2 = sqrt(dot(l2, l2));
   const S longer = select(r1 > r2, r1, r2), shorter = select(r1 > r2, r2, r1);
@@ -38,8 +38,8 @@ struct triangle_angles {
 };
 /// Solves R(k, t2)(l1 + R(k, t3) l2) = a, see `triangle_angles`.
 template <class S, class K>
-constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<S>& l2, const vec3<S>& a,
-                                      const solved_angle<S>& otherwise = {}) {
+[[nodiscard]] constexpr triangle_angles<S> triangle(const K& k, const vec3<S>& l1, const vec3<S>& l2, const vec3<S>& a,
+                                                    const solved_angle<S>& otherwise = {}) {
   using std::sqrt;
   const S D = sqrt(dot(a, a)), noise = S(8 * std::numeric_limits<S>::epsilon()) * sqrt(S(dot(l1, l1) + dot(l2, l2)));
   const auto t3 = elbow_angles(k, l1, l2, D);

@@ -17,7 +17,7 @@ struct ur_lengths {
 /// An arm of Universal Robots: six revolute joints, z y y y z y, of which 2, 3 and 4 are parallel; the upper arm is
 /// horizontal where q = 0. Quarter turns are exact, where the maker's description has 1.57079632679 rad. Masses,
 /// centres and moments are the maker's for the UR5.
-constexpr auto ur_chain(const ur_lengths& l = {}) {
+[[nodiscard]] constexpr auto ur_chain(const ur_lengths& l = {}) {
   using namespace arm_names;
   constexpr auto wrist = diagonal(0.111172755531, 0.111172755531, 0.21942);
   return chain(revolute_joint_3D(q1, base, link1).at(along_z(l.shoulder_height)),
@@ -37,7 +37,7 @@ constexpr auto ur_chain(const ur_lengths& l = {}) {
 }
 
 /// Limits from the manufacturer's description of the UR5: two turns for each joint, one for the elbow.
-constexpr auto ur_limits() {
+[[nodiscard]] constexpr auto ur_limits() {
   auto limits = unlimited(ur_chain());
   limits.upper = detail::in_radians<6>({360, 360, 180, 360, 360, 360});
   limits.lower = detail::negated(limits.upper);
@@ -47,7 +47,7 @@ constexpr auto ur_limits() {
 }
 
 /// The arm with its limits.
-constexpr auto ur(const ur_lengths& lengths = {}) {
+[[nodiscard]] constexpr auto ur(const ur_lengths& lengths = {}) {
   return manipulator(ur_chain(lengths), arm_names::tool, ur_limits());
 }
 

@@ -22,7 +22,7 @@ inline constexpr vec3<zero_t, zero_t, constant<-1>> minus_z{};
 ///
 /// With typed entries of u, for instance a coordinate axis, (1) folds to a plane rotation.
 template <class X, class Y, class Z, class C, class S>
-KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const C& c, const S& s) {
+[[nodiscard]] KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const C& c, const S& s) {
   constexpr bool coordinate_axis =
       int{!std::is_same_v<X, zero_t>} + int{!std::is_same_v<Y, zero_t>} + int{!std::is_same_v<Z, zero_t>} == 1 &&
       typed_constant<X> && typed_constant<Y> && typed_constant<Z>;
@@ -46,7 +46,7 @@ KTE_INLINE constexpr auto rotation_about(const vec3<X, Y, Z>& u, const C& c, con
 }
 /// The rotation about the unit axis u by `angle`, rad.
 template <class X, class Y, class Z, variable T>
-constexpr auto rotation_about(const vec3<X, Y, Z>& u, const T& angle) {
+[[nodiscard]] constexpr auto rotation_about(const vec3<X, Y, Z>& u, const T& angle) {
   const auto r = rotation_by(angle);
   return rotation_about(u, r.cos, r.sin);
 }

@@ -26,7 +26,7 @@ constexpr axis_angle<S> as(const axis_angle<T>& r) {
 
 /// The quaternion w = cos(angle/2), (x, y, z) = sin(angle/2) axis, with the sign that makes w >= 0.
 template <class S>
-constexpr unit_quaternion<S> to_quaternion(const axis_angle<S>& r) {
+[[nodiscard]] constexpr unit_quaternion<S> to_quaternion(const axis_angle<S>& r) {
   using std::cos;
   using std::sin;
   const S half = r.angle / S(2);
@@ -38,7 +38,7 @@ constexpr unit_quaternion<S> to_quaternion(const axis_angle<S>& r) {
 ///   w = cos(t/2),  (x, y, z) = sin(t/2)/t r                                (1)
 ///   sin(t/2)/t = 1/2 - t^2/48 + ...,  which is 1/2 if t^2 is below the last digit of 1
 template <class X, class Y, class Z>
-constexpr auto to_quaternion(const vec3<X, Y, Z>& rotation_vector) {
+[[nodiscard]] constexpr auto to_quaternion(const vec3<X, Y, Z>& rotation_vector) {
   using std::cos;
   using std::sin;
   using std::sqrt;
@@ -56,7 +56,7 @@ constexpr auto to_quaternion(const vec3<X, Y, Z>& rotation_vector) {
 /// The angle and axis of a quaternion: angle = 2 atan2(|u|, w), axis = u/|u|, u = (x, y, z). The arc cosine of w would
 /// lose half the digits near 0, the arc sine of |u| near pi.
 template <class S>
-constexpr axis_angle<S> to_axis_angle(const unit_quaternion<S>& rotation) {
+[[nodiscard]] constexpr axis_angle<S> to_axis_angle(const unit_quaternion<S>& rotation) {
   using std::atan2;
   using std::sqrt;
   const auto q = detail::canonical(rotation);
@@ -72,7 +72,7 @@ constexpr axis_angle<S> to_axis_angle(const unit_quaternion<S>& rotation) {
 /// The rotation vector of a quaternion, rad: 2 atan2(|u|, w)/|u| u, u = (x, y, z); 2/w u where |u|^2 is below the last
 /// digit of 1.
 template <class S>
-constexpr vec3<S> to_rotation_vector(const unit_quaternion<S>& rotation) {
+[[nodiscard]] constexpr vec3<S> to_rotation_vector(const unit_quaternion<S>& rotation) {
   using std::atan2;
   using std::sqrt;
   const auto q = detail::canonical(rotation);
@@ -84,27 +84,27 @@ constexpr vec3<S> to_rotation_vector(const unit_quaternion<S>& rotation) {
 
 // ---- the rest by way of these
 template <class S>
-constexpr mat3<vec3<S>> matrix(const axis_angle<S>& r) {
+[[nodiscard]] constexpr mat3<vec3<S>> matrix(const axis_angle<S>& r) {
   return matrix(to_quaternion(r));
 }
 template <class X, class Y, class Z>
-constexpr auto matrix(const vec3<X, Y, Z>& rotation_vector) {
+[[nodiscard]] constexpr auto matrix(const vec3<X, Y, Z>& rotation_vector) {
   return matrix(to_quaternion(rotation_vector));
 }
 template <class RX, class RY, class RZ>
-constexpr auto to_axis_angle(const mat3<RX, RY, RZ>& m) {
+[[nodiscard]] constexpr auto to_axis_angle(const mat3<RX, RY, RZ>& m) {
   return to_axis_angle(to_quaternion(m));
 }
 template <class X, class Y, class Z>
-constexpr auto to_axis_angle(const vec3<X, Y, Z>& rotation_vector) {
+[[nodiscard]] constexpr auto to_axis_angle(const vec3<X, Y, Z>& rotation_vector) {
   return to_axis_angle(to_quaternion(rotation_vector));
 }
 template <class RX, class RY, class RZ>
-constexpr auto to_rotation_vector(const mat3<RX, RY, RZ>& m) {
+[[nodiscard]] constexpr auto to_rotation_vector(const mat3<RX, RY, RZ>& m) {
   return to_rotation_vector(to_quaternion(m));
 }
 template <class S>
-constexpr vec3<S> to_rotation_vector(const axis_angle<S>& r) {
+[[nodiscard]] constexpr vec3<S> to_rotation_vector(const axis_angle<S>& r) {
   return to_rotation_vector(to_quaternion(r));
 }
 

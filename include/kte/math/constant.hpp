@@ -194,7 +194,7 @@ KTE_INLINE constexpr skip operator/(const T&, skip) {
   return {};
 }
 /// The square root of `skip` is `skip`.
-KTE_INLINE constexpr skip sqrt(skip) { return {}; }
+[[nodiscard]] KTE_INLINE constexpr skip sqrt(skip) { return {}; }
 
 /// Literals for typed constants: `0_c`, `1_c`, `-1_c`.
 inline namespace literals {

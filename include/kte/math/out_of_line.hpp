@@ -87,11 +87,11 @@ KTE_OUT_OF_LINE((min))
 KTE_OUT_OF_LINE((max))
 #undef KTE_OUT_OF_LINE
 template <class D>
-bool isfinite(const out_of_line<D>& x) {
+[[nodiscard]] bool isfinite(const out_of_line<D>& x) {
   return isfinite(x.number);
 }
 template <class D>
-bool isnan(const out_of_line<D>& x) {
+[[nodiscard]] bool isnan(const out_of_line<D>& x) {
   return isnan(x.number);
 }
 

@@ -15,32 +15,32 @@ namespace kte {
 
 /// The square root of each element.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> sqrt(const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> sqrt(const pack<T, N, A>& x) {
   return x.map([](const auto& a) KTE_INLINE_LAMBDA { return pack<T, N, A>::register_functions::root(a); }, x);
 }
 /// The absolute value of each element.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> abs(const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> abs(const pack<T, N, A>& x) {
   return x.map([](const auto& a) KTE_INLINE_LAMBDA { return pack<T, N, A>::register_functions::magnitude(a); }, x);
 }
 /// The absolute value of each element.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> fabs(const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> fabs(const pack<T, N, A>& x) {
   return abs(x);
 }
 /// The function of each element, computed one by one.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> exp(pack<T, N, A> x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> exp(pack<T, N, A> x) {
   for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::exp(x[i]));
   return x;
 }
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> asin(pack<T, N, A> x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> asin(pack<T, N, A> x) {
   for (std::size_t i = 0; i < std::size_t{N}; ++i) x.set(i, std::asin(x[i]));
   return x;
 }
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> atan2(pack<T, N, A> y, const pack<T, N, A>& x) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> atan2(pack<T, N, A> y, const pack<T, N, A>& x) {
   for (std::size_t i = 0; i < std::size_t{N}; ++i) y.set(i, std::atan2(y[i], x[i]));
   return y;
 }
@@ -160,14 +160,14 @@ KTE_INLINE void sincos(const pack<T, N, A>& angle, pack<T, N, A>& sine, pack<T, 
 }
 /// The sine of each element, rad.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> sin(const pack<T, N, A>& angle) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> sin(const pack<T, N, A>& angle) {
   pack<T, N, A> s, c;
   sincos(angle, s, c);
   return s;
 }
 /// The cosine of each element, rad.
 template <class T, int N, class A>
-KTE_INLINE pack<T, N, A> cos(const pack<T, N, A>& angle) {
+[[nodiscard]] KTE_INLINE pack<T, N, A> cos(const pack<T, N, A>& angle) {
   pack<T, N, A> s, c;
   sincos(angle, s, c);
   return c;

@@ -107,7 +107,7 @@ namespace kte {
 
 /// R A R^T for a rotation R and a symmetric or any matrix A.
 template <class R, class A>
-KTE_INLINE constexpr auto turned_by(const R& r, const A& a) {
+[[nodiscard]] KTE_INLINE constexpr auto turned_by(const R& r, const A& a) {
   if constexpr (detail::turns_in_a_plane<R>) {
     return detail::plane_congruence(r, a);
   } else if constexpr (requires { congruence(r, a); }) {

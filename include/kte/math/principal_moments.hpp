@@ -23,7 +23,7 @@ constexpr double constexpr_sqrt(double x) {
 ///
 ///   t = tan phi = sign(k)/(|k| + sqrt(k^2 + 1)),   k = (a_qq - a_pp)/(2 a_pq)          (1)
 ///   a_pp -= t a_pq,   a_qq += t a_pq                                                   (2)
-constexpr std::array<double, 3> principal_moments(const sym3<>& m) {
+[[nodiscard]] constexpr std::array<double, 3> principal_moments(const sym3<>& m) {
   std::array<std::array<double, 3>, 3> a{{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}};
   for (int sweep = 0; sweep < 10; ++sweep)  // five are enough: convergence is quadratic
     for (std::size_t r = 0; r < 3; ++r) {

@@ -29,17 +29,17 @@ KTE_INLINE constexpr unit_quaternion<S> as(const unit_quaternion<T>& q) {
 }
 /// The inverse rotation: w - x i - y j - z k.
 template <class S>
-KTE_INLINE constexpr unit_quaternion<S> conjugate(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr unit_quaternion<S> conjugate(const unit_quaternion<S>& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 /// The inverse rotation, as `transpose` of a matrix.
 template <class S>
-KTE_INLINE constexpr unit_quaternion<S> transpose(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr unit_quaternion<S> transpose(const unit_quaternion<S>& q) {
   return conjugate(q);
 }
 /// The inner product: up to its sign, the cosine of half the angle between two rotations.
 template <class S>
-KTE_INLINE constexpr S dot(const unit_quaternion<S>& a, const unit_quaternion<S>& b) {
+[[nodiscard]] KTE_INLINE constexpr S dot(const unit_quaternion<S>& a, const unit_quaternion<S>& b) {
   return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class S>
@@ -70,13 +70,13 @@ KTE_INLINE constexpr mat3<vec3<S>> turned_axes(const unit_quaternion<S>& q, cons
 
 /// The rotation matrix.
 template <class S>
-KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr mat3<vec3<S>> matrix(const unit_quaternion<S>& q) {
   return detail::turned_axes(q, S(2));
 }
 /// The rotation matrix of a quaternion of any length but 0: with 2/|q|^2 instead of 2, so that errors of the length
 /// have no effect. NaN where q is 0 or not finite.
 template <class S>
-KTE_INLINE constexpr mat3<vec3<S>> matrix_of_any_length(const unit_quaternion<S>& q) {
+[[nodiscard]] KTE_INLINE constexpr mat3<vec3<S>> matrix_of_any_length(const unit_quaternion<S>& q) {
   unit_quaternion<S> u = q;
   S n = dot(u, u);
   if (!detail::keeps_digits(n)) [[unlikely]] {
@@ -95,13 +95,13 @@ KTE_INLINE constexpr auto operator*(const mat3<RX, RY, RZ>& m, const unit_quater
 }
 /// R A R^T for symmetric A and the rotation matrix R of q.
 template <class S, class... T>
-KTE_INLINE constexpr auto congruence(const unit_quaternion<S>& q, const sym3<T...>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto congruence(const unit_quaternion<S>& q, const sym3<T...>& a) {
   return congruence(matrix(q), a);
 }
 
 /// The quaternion w + x i + y j + z k normalized to length 1. Throws `bad_argument` if its length is 0 or not finite.
 template <variable S>
-constexpr auto normalized(const S& w, const S& x, const S& y, const S& z) {
+[[nodiscard]] constexpr auto normalized(const S& w, const S& x, const S& y, const S& z) {
   using std::sqrt;
   using T = decltype(real(w));
   const auto larger = [](const T& a, const T& b) { return a < b ? b : a; };
@@ -135,7 +135,7 @@ constexpr unit_quaternion<S> canonical(const unit_quaternion<S>& q) {
 /// q times four times its largest component (Shepperd, J. Guidance and Control 1, 1978). Throws bad_argument if m is
 /// not orthonormal to 1e-6 (in float, to a thousand rounding errors) and right-handed.
 template <class RX, class RY, class RZ>
-constexpr auto to_quaternion(const mat3<RX, RY, RZ>& rotation) {
+[[nodiscard]] constexpr auto to_quaternion(const mat3<RX, RY, RZ>& rotation) {
   using S = detail::scalar_of<decltype(dot(rotation.x, rotation.x + (rotation.y + rotation.z)))>;
   const auto m = as<S>(rotation);
   const S eps = std::numeric_limits<S>::epsilon();

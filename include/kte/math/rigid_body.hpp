@@ -26,12 +26,12 @@ rigid_body(M, C, I) -> rigid_body<M, C, I>;
 
 /// A mass at the origin of its frame, kg. The zeros of its inertia are typed and cost nothing.
 template <variable T>
-constexpr auto point_mass(T mass) {
+[[nodiscard]] constexpr auto point_mass(T mass) {
   return rigid_body{real(mass), zero3{}, sym3<zero_t>{}};
 }
 /// A mass, kg, at `com`, m, in the axes of its frame.
 template <variable T, class X, class Y, class Z>
-constexpr auto point_mass(T mass, const vec3<X, Y, Z>& com) {
+[[nodiscard]] constexpr auto point_mass(T mass, const vec3<X, Y, Z>& com) {
   return rigid_body{real(mass), com, sym3<zero_t>{}};
 }
 template <class... None>
@@ -42,11 +42,11 @@ requires(sizeof...(None) == 0) constexpr auto point_mass(const None&...) {
 /// A body in the plane: mass, kg, moment of inertia about the axis normal to the plane through the centre of mass, kg
 /// m^2, and centre of mass, m: `vec2{0.1, 0.2}`, `along_x(0.1)`.
 template <variable T, variable U, class X = zero_t, class Y = zero_t>
-constexpr auto planar_body(T mass, U inertia, const vec3<X, Y, zero_t>& com = {}) {
+[[nodiscard]] constexpr auto planar_body(T mass, U inertia, const vec3<X, Y, zero_t>& com = {}) {
   return rigid_body{real(mass), com, diagonal(zero, zero, real(inertia))};
 }
 template <variable T, variable U, entry X, entry Y>
-constexpr auto planar_body(T mass, U inertia, const vec2<X, Y>& com) {
+[[nodiscard]] constexpr auto planar_body(T mass, U inertia, const vec2<X, Y>& com) {
   return planar_body(mass, inertia, detail::planar(com));
 }
 
@@ -105,14 +105,14 @@ KTE_INLINE constexpr auto half(const T& x) {
 
 /// The composite inertia of one body.
 template <class M, class C, class I>
-KTE_INLINE constexpr auto to_composite(const rigid_body<M, C, I>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto to_composite(const rigid_body<M, C, I>& b) {
   const auto h = b.mass * b.com;
   return composite{b.mass, h, detail::shifted(b.inertia, b.com, detail::half(b.mass) * b.com)};
 }
 
 /// The inertia in another frame, in which this one has the rotation r and the position p, m.
 template <class R, class P, class M, class H, class I>
-KTE_INLINE constexpr auto transported(const R& r, const P& p, const composite<M, H, I>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto transported(const R& r, const P& p, const composite<M, H, I>& b) {
   const auto h = r * b.moment;
   return composite{b.mass, h + b.mass * p, detail::shifted(congruence(r, b.inertia), p, h + detail::half(b.mass) * p)};
 }

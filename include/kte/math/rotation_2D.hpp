@@ -20,7 +20,7 @@ rotation_2D(C, S) -> rotation_2D<C, S>;
 
 /// The rotation by `angle` rad.
 template <variable T>
-constexpr auto rotation_by(const T& angle) {
+[[nodiscard]] constexpr auto rotation_by(const T& angle) {
   using std::cos;
   using std::sin;
   const auto a = real(angle);
@@ -29,7 +29,7 @@ constexpr auto rotation_by(const T& angle) {
 
 /// The angle in (-pi, pi], rad.
 template <class S>
-S angle(const rotation_2D<S>& r) {
+[[nodiscard]] S angle(const rotation_2D<S>& r) {
   using std::atan2;
   return atan2(r.sin, r.cos);
 }
@@ -54,7 +54,7 @@ KTE_INLINE constexpr rotation_2D<S> as(const rotation_2D<A, B>& r) {
 }
 /// The inverse rotation.
 template <class A, class B>
-KTE_INLINE constexpr auto transpose(const rotation_2D<A, B>& r) {
+[[nodiscard]] KTE_INLINE constexpr auto transpose(const rotation_2D<A, B>& r) {
   return rotation_2D{r.cos, -r.sin};
 }
 template <class A, class B, class C, class D>
@@ -72,23 +72,23 @@ KTE_INLINE constexpr auto operator*(const rotation_2D<A, B>& r, const vec2<X, Y>
 
 /// The 3x3 rotation matrix.
 template <class A, class B>
-KTE_INLINE constexpr auto matrix(const rotation_2D<A, B>& r) {
+[[nodiscard]] KTE_INLINE constexpr auto matrix(const rotation_2D<A, B>& r) {
   return mat3{vec3{r.cos, -r.sin, zero}, vec3{r.sin, r.cos, zero}, vec3{zero, zero, one}};
 }
 template <class RX, class RY, class RZ>
-KTE_INLINE constexpr auto matrix(const mat3<RX, RY, RZ>& m) {
+[[nodiscard]] KTE_INLINE constexpr auto matrix(const mat3<RX, RY, RZ>& m) {
   return m;
 }
-KTE_INLINE constexpr auto matrix(no_rotation) {
+[[nodiscard]] KTE_INLINE constexpr auto matrix(no_rotation) {
   return mat3{vec3{one, zero, zero}, vec3{zero, one, zero}, vec3{zero, zero, one}};
 }
 /// R A R^T for symmetric A.
 template <class A, class B, class... T>
-KTE_INLINE constexpr auto congruence(const rotation_2D<A, B>& r, const sym3<T...>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto congruence(const rotation_2D<A, B>& r, const sym3<T...>& a) {
   return congruence(matrix(r), a);
 }
 
-KTE_INLINE constexpr no_rotation transpose(no_rotation) { return {}; }
+[[nodiscard]] KTE_INLINE constexpr no_rotation transpose(no_rotation) { return {}; }
 template <geometric T>
 KTE_INLINE constexpr T operator*(no_rotation, const T& x) {
   return x;
@@ -96,10 +96,10 @@ KTE_INLINE constexpr T operator*(no_rotation, const T& x) {
 template <geometric T>
 requires(!std::is_same_v<T, no_rotation>) KTE_INLINE constexpr T operator*(const T& x, no_rotation) { return x; }
 template <class... T>
-KTE_INLINE constexpr auto congruence(no_rotation, const sym3<T...>& a) {
+[[nodiscard]] KTE_INLINE constexpr auto congruence(no_rotation, const sym3<T...>& a) {
   return a;
 }
-KTE_INLINE constexpr skip transpose(skip) { return {}; }
-KTE_INLINE constexpr skip matrix(skip) { return {}; }
+[[nodiscard]] KTE_INLINE constexpr skip transpose(skip) { return {}; }
+[[nodiscard]] KTE_INLINE constexpr skip matrix(skip) { return {}; }
 
 }  // namespace kte

@@ -138,7 +138,7 @@ struct sines {
 /// All sines and cosines of a chain; `angle(i)` returns angle i, rad. Doubles are computed four at a time, unless
 /// KTE_SCALAR_SINCOS is defined; other scalars one at a time by their own `sin` and `cos`.
 template <class S, std::size_t N, class Angle>
-KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
+[[nodiscard]] KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
   if constexpr (N == 0) return sines<S, N>{};
   sines<S, N> r;
   if constexpr (sines<S, N>::simd) {

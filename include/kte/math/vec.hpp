@@ -33,17 +33,17 @@ using zero3 = vec3<zero_t>;
 
 /// A vector of length d along an axis, m; the other two components are typed zeros and cost nothing.
 template <variable T>
-constexpr auto along_x(T d) {
+[[nodiscard]] constexpr auto along_x(T d) {
   return vec3{real(d), zero, zero};
 }
 /// A vector of length d along y, m.
 template <variable T>
-constexpr auto along_y(T d) {
+[[nodiscard]] constexpr auto along_y(T d) {
   return vec3{zero, real(d), zero};
 }
 /// A vector of length d along z, m.
 template <variable T>
-constexpr auto along_z(T d) {
+[[nodiscard]] constexpr auto along_z(T d) {
   return vec3{zero, zero, real(d)};
 }
 
@@ -106,21 +106,21 @@ KTE_INLINE constexpr auto operator*(const vec3<A, B, C>& v, const S& s) {
 
 /// a x b
 template <class A, class B, class C, class D, class E, class F>
-KTE_INLINE constexpr auto cross(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto cross(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class T>
-KTE_INLINE constexpr skip cross(skip, const T&) {
+[[nodiscard]] KTE_INLINE constexpr skip cross(skip, const T&) {
   return {};
 }
 template <not_skip T>
-KTE_INLINE constexpr skip cross(const T&, skip) {
+[[nodiscard]] KTE_INLINE constexpr skip cross(const T&, skip) {
   return {};
 }
 
 /// v + a x b, by two fused multiply-adds per component where the CPU has them.
 template <class V, class A, class B>
-KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {
+[[nodiscard]] KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {
   if constexpr (std::is_same_v<V, skip> || std::is_same_v<A, skip> || std::is_same_v<B, skip>) {
     return v + cross(a, b);
   } else {
@@ -130,19 +130,19 @@ KTE_INLINE constexpr auto plus_cross(const V& v, const A& a, const B& b) {
 
 /// a . b
 template <class A, class B, class C, class D, class E, class F>
-KTE_INLINE constexpr auto dot(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto dot(const vec3<A, B, C>& a, const vec3<D, E, F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class A, class B, class C, class D>
-KTE_INLINE constexpr auto dot(const vec2<A, B>& a, const vec2<C, D>& b) {
+[[nodiscard]] KTE_INLINE constexpr auto dot(const vec2<A, B>& a, const vec2<C, D>& b) {
   return a.x * b.x + a.y * b.y;
 }
 template <class T>
-KTE_INLINE constexpr skip dot(skip, const T&) {
+[[nodiscard]] KTE_INLINE constexpr skip dot(skip, const T&) {
   return {};
 }
 template <not_skip T>
-KTE_INLINE constexpr skip dot(const T&, skip) {
+[[nodiscard]] KTE_INLINE constexpr skip dot(const T&, skip) {
   return {};
 }
 

@@ -136,7 +136,7 @@ auto element_events_of(const Model& m, std::index_sequence<I...>) {
 /// They are in the order of the elements, with their names. The model must outlive them. An element defines its event
 /// by a function `switching` of its core, with the ports as arguments, that goes through zero there.
 template <class Gravity, class... E, class S, class Output>
-auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
+[[nodiscard]] auto element_events(const manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>& model) {
   return detail::element_events_of<E...>(model, std::index_sequence_for<E...>{});
 }
 

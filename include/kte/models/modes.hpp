@@ -147,7 +147,7 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 ///
 ///   const auto x = kte::settled(model, 0.0, model.make_x(q, v));
 template <class Model, class T, class X>
-X settled(const Model& model, const T& t, X x) {
+[[nodiscard]] X settled(const Model& model, const T& t, X x) {
   using S = typename X::Scalar;
   for (const auto& h : model.locks()) {
     const S rate = x[h.rate];

@@ -157,7 +157,7 @@ struct runtime_switching {
 }  // namespace detail
 
 /// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
-inline auto element_events(const manipulator_dynamics_model<runtime_chain>& model) {
+[[nodiscard]] inline auto element_events(const manipulator_dynamics_model<runtime_chain>& model) {
   using reset = detail::switch_element<detail::runtime_switching>;
   std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;

@@ -10,9 +10,9 @@ namespace kte {
 /// are not physically realizable, angles that are nearly quarter turns, axes that are not of length 1), links that do
 /// not form a tree, joints that move no mass, empty ranges, efforts and rates of 0, and a mass matrix that is nearly
 /// singular at one of twenty random configurations (fixed seed). Without findings the list is empty.
-std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options = {});
+[[nodiscard]] std::vector<robot_note> check_robot(const robot_description& d, const robot_options& options = {});
 /// Probable mistakes in a robot, by its coordinates, with those that `check_chain` finds.
-std::vector<robot_note> check_robot(const robot& r);
+[[nodiscard]] std::vector<robot_note> check_robot(const robot& r);
 
 }  // namespace kte
 

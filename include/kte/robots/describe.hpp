@@ -8,11 +8,11 @@ namespace kte {
 /// The inverse of `to_robot`: the links and joints of a chain. Throws `bad_argument`, naming the element, for elements
 /// that are neither: springs between frames, rotors, motors, elements in the plane, a coordinate of two joints.
 /// Properties without a field in the description, such as the smoothing of friction, are listed in its `not_read`.
-robot_description describe(const runtime_chain& chain, const std::string& name = "robot");
+[[nodiscard]] robot_description describe(const runtime_chain& chain, const std::string& name = "robot");
 /// The links and joints of a robot, with limits and shapes. Throws `bad_parameter` for limits that do not fit the chain
 /// (`check_limits`). Limits of acceleration and jerk, and those of coordinates of several numbers, are listed in
 /// `not_read`.
-robot_description describe(const robot& r);
+[[nodiscard]] robot_description describe(const robot& r);
 
 }  // namespace kte
 

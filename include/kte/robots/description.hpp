@@ -104,7 +104,7 @@ struct robot_joint {
 };
 
 /// Whether the coordinate of a joint is one number.
-inline bool has_one_coordinate(const robot_joint& j) {
+[[nodiscard]] inline bool has_one_coordinate(const robot_joint& j) {
   using enum robot_joint::kind;
   return j.is == revolute || j.is == prismatic || j.is == screw;
 }

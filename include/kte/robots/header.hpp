@@ -91,20 +91,21 @@ class header_writer {
 /// `elbow_`, so that it is neither a macro nor a keyword; characters other than letters and digits become underscores,
 /// and of two equal names the second gets a number. Throws `bad_argument` for a chain with functions of the program, or
 /// with elements that are not of this library.
-inline std::string to_header(const runtime_chain& chain, const std::string& name) {
+[[nodiscard]] inline std::string to_header(const runtime_chain& chain, const std::string& name) {
   return detail::header_writer(chain, name).text(nullptr);
 }
 /// A chain with its limits as a C++ header. Throws also `bad_parameter` for limits that do not fit the chain.
-inline std::string to_header(const runtime_chain& chain, const std::string& name, const joint_limits<>& limits) {
+[[nodiscard]] inline std::string to_header(const runtime_chain& chain, const std::string& name,
+                                           const joint_limits<>& limits) {
   check_limits(chain, limits);
   return detail::header_writer(chain, name).text(&limits);
 }
 template <class Gravity, class... E>
-std::string to_header(const static_chain<Gravity, E...>& chain, const std::string& name) {
+[[nodiscard]] std::string to_header(const static_chain<Gravity, E...>& chain, const std::string& name) {
   runtime_chain c;
   return to_header(c << chain, name);
 }
-inline std::string to_header(const model_record& model, const std::string& name) {
+[[nodiscard]] inline std::string to_header(const model_record& model, const std::string& name) {
   return to_header(to_chain(model), name);
 }
 

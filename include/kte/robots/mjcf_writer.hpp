@@ -11,9 +11,10 @@ namespace kte {
 /// (docs/robots.md): followers, moving bodies without mass, moments that are not physically realizable, floating poses
 /// in a moving link; with `robot_writing::lossy` they are approximated. Other contents that are not in the file are
 /// listed.
-std::string to_mjcf(const robot_description& d, const robot_writing& o = {});
-std::string to_mjcf(const robot& r, const robot_writing& o = {});
-std::string to_mjcf(const runtime_chain& c, const std::string& name = "robot", const robot_writing& o = {});
+[[nodiscard]] std::string to_mjcf(const robot_description& d, const robot_writing& o = {});
+[[nodiscard]] std::string to_mjcf(const robot& r, const robot_writing& o = {});
+[[nodiscard]] std::string to_mjcf(const runtime_chain& c, const std::string& name = "robot",
+                                  const robot_writing& o = {});
 
 }  // namespace kte
 

@@ -8,7 +8,7 @@ namespace kte {
 /// Makes the chain of a robot. Throws `bad_file`, with file and line, if links and joints do not form a tree or a joint
 /// is not supported, `bad_argument` for options that do not fit. Bodies with principal moments that are not physically
 /// realizable are accepted as published, with a warning.
-robot to_robot(const robot_description& description, const robot_options& options = {});
+[[nodiscard]] robot to_robot(const robot_description& description, const robot_options& options = {});
 
 }  // namespace kte
 

@@ -10,9 +10,10 @@ namespace kte {
 /// `to_robot` takes as none. Throws `bad_argument`, naming the joint, for contents that change the motion and that URDF
 /// does not support: spherical joints; springs and rotor inertias, which `robot_writing::lossy` omits. Other contents
 /// that are not in the file are listed: gravity, motors, planes, ellipsoids.
-std::string to_urdf(const robot_description& d, const robot_writing& o = {});
-std::string to_urdf(const robot& r, const robot_writing& o = {});
-std::string to_urdf(const runtime_chain& c, const std::string& name = "robot", const robot_writing& o = {});
+[[nodiscard]] std::string to_urdf(const robot_description& d, const robot_writing& o = {});
+[[nodiscard]] std::string to_urdf(const robot& r, const robot_writing& o = {});
+[[nodiscard]] std::string to_urdf(const runtime_chain& c, const std::string& name = "robot",
+                                  const robot_writing& o = {});
 
 }  // namespace kte
 

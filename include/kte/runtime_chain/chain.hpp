@@ -227,10 +227,10 @@ basic_runtime_state<S> runtime_chain::make_state() const {
 }
 /// The same as of static chains: `c.make_state<S>()`, `c.dofs()`.
 template <class S = double>
-basic_runtime_state<S> make_state(const runtime_chain& c) {
+[[nodiscard]] basic_runtime_state<S> make_state(const runtime_chain& c) {
   return c.make_state<S>();
 }
-inline int dofs(const runtime_chain& c) { return c.dofs(); }
+[[nodiscard]] inline int dofs(const runtime_chain& c) { return c.dofs(); }
 
 #ifdef KTE_FUNCTION
 #  ifdef KTE_EXTERN
@@ -332,7 +332,7 @@ KTE_EXTERN template runtime_state runtime_chain::make_state<double>() const;
 
 /// The record of a runtime chain; elements of its parts are listed one by one. Throws `bad_argument` if a part is
 /// neither an element nor a chain.
-model_record record_of(const runtime_chain& c);
+[[nodiscard]] model_record record_of(const runtime_chain& c);
 #ifdef KTE_FUNCTION
 KTE_FUNCTION model_record record_of(const runtime_chain& c) {
   if (const kte_map* part = c.unrecorded())

@@ -7,10 +7,10 @@ namespace kte {
 /// What is odd about a chain, in words, though it may be meant: a coordinate that moves several joints, and a degree of
 /// freedom that moves masses on coordinates alone, where nothing else is connected to it or a joint's coordinate is
 /// nearly of its name. No findings: an empty list.
-std::vector<std::string> check_chain(const runtime_chain& c);
+[[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
 /// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>
-std::vector<std::string> check_chain(const static_chain<Gravity, E...>& c) {
+[[nodiscard]] std::vector<std::string> check_chain(const static_chain<Gravity, E...>& c) {
   runtime_chain r;
   return check_chain(r << c);
 }

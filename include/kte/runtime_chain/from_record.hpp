@@ -129,7 +129,7 @@ void assign(element<Core, Keys...>& e, const element_record& r, std::size_t numb
 /// A static chain of the type of `like` with the numbers of a record. Elements, connections and typed constants must be
 /// those of the type; throws `bad_file` that says which is not, or `bad_parameter`.
 template <class Gravity, class... E>
-static_chain<Gravity, E...> from_record(const static_chain<Gravity, E...>& like, const model_record& r) {
+[[nodiscard]] static_chain<Gravity, E...> from_record(const static_chain<Gravity, E...>& like, const model_record& r) {
   auto elements = like.elements();
   if (r.elements.size() != sizeof...(E))
     throw bad_file("kte: the model has " + std::to_string(r.elements.size()) + " elements, the static chain " +

@@ -106,7 +106,7 @@ class kte_element : public kte_map {
 };
 
 /// An element in messages: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
-inline std::string describe_element(const kte_element& e) {
+[[nodiscard]] inline std::string describe_element(const kte_element& e) {
   const std::vector<std::string_view> names(e.names().begin(), e.names().end());
   return describe_element(e.type(), e.ports(), names);
 }

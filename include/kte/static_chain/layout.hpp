@@ -57,7 +57,7 @@ constexpr auto layout_of() {
 
 /// The layout of a static chain: a table known at compile time, in the order of q and v.
 template <class Gravity, class... E>
-constexpr auto layout(const static_chain<Gravity, E...>&) {
+[[nodiscard]] constexpr auto layout(const static_chain<Gravity, E...>&) {
   constexpr auto table = detail::layout_of<detail::wiring<E...>, E...>();
   return table;
 }

@@ -246,7 +246,7 @@ inline constexpr auto make_chain = [](const auto&... e) {
 ///
 /// The chain has the gravity of the first part with a gravity other than zero; parts with different gravities are
 template <class... E>
-constexpr auto chain(const E&... e) {
+[[nodiscard]] constexpr auto chain(const E&... e) {
   constexpr bool flat = [] {
     for (const bool single : {detail::is_element<E>..., true})  // no fold: clang limits those to 256
       if (!single) return false;
@@ -272,7 +272,7 @@ constexpr auto chain(const E&... e) {
 
 /// A state for a chain: all coordinates and rates are zero, and the base accelerates against gravity.
 template <class Scalar = double, class Gravity, class... E>
-constexpr auto make_state(const static_chain<Gravity, E...>& c) {
+[[nodiscard]] constexpr auto make_state(const static_chain<Gravity, E...>& c) {
   using wiring = detail::wiring<E...>;
   chain_state<Scalar, wiring> s;
   const vec3<Scalar> up = vec3<Scalar>{} - as<Scalar>(c.gravity());
@@ -284,7 +284,7 @@ constexpr auto make_state(const static_chain<Gravity, E...>& c) {
 }
 /// The degrees of freedom of a chain: numbers of v, a, tau.
 template <class Gravity, class... E>
-constexpr int dofs(const static_chain<Gravity, E...>&) {
+[[nodiscard]] constexpr int dofs(const static_chain<Gravity, E...>&) {
   return static_chain<Gravity, E...>::dofs;
 }
 

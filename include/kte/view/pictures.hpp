@@ -12,7 +12,7 @@ namespace kte {
 
 /// Units of the coordinates and columns of a mechanism, by name: `kte::plot(run, {"elbow"}, {.units =
 /// units_of(scene)})`.
-inline unit_map units_of(const scene& s) {
+[[nodiscard]] inline unit_map units_of(const scene& s) {
   unit_map units;
   for (const auto& r : s.recordings)
     for (const auto& c : r.columns)
@@ -22,7 +22,7 @@ inline unit_map units_of(const scene& s) {
   return units;
 }
 template <drawable Chain>
-unit_map units_of(const Chain& chain) {
+[[nodiscard]] unit_map units_of(const Chain& chain) {
   return units_of(scene_of(chain));
 }
 

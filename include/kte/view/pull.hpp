@@ -52,7 +52,7 @@ struct pull : no_parameters {
 /// An element by which a page pulls `frame`, a key or a text, in the plane, while `by` names it; `by` must outlive the
 /// chain.
 template <class F>
-constexpr auto pull_2D(const F& frame, const page_pull& by) {
+[[nodiscard]] constexpr auto pull_2D(const F& frame, const page_pull& by) {
   if constexpr (key_type<F>) {
     return connect(core::pull<kind::frame_2D, std::string_view>{{}, &by, F::name}, frame);
   } else {
@@ -61,7 +61,7 @@ constexpr auto pull_2D(const F& frame, const page_pull& by) {
 }
 /// An element by which a page pulls `frame`, a key or a text, in space; see `pull_2D`.
 template <class F>
-constexpr auto pull_3D(const F& frame, const page_pull& by) {
+[[nodiscard]] constexpr auto pull_3D(const F& frame, const page_pull& by) {
   if constexpr (key_type<F>) {
     return connect(core::pull<kind::frame_3D, std::string_view>{{}, &by, F::name}, frame);
   } else {
@@ -70,7 +70,7 @@ constexpr auto pull_3D(const F& frame, const page_pull& by) {
 }
 
 /// The chain with such an element on each frame that a joint moves.
-inline runtime_chain with_pulls(runtime_chain c, const page_pull& by) {
+[[nodiscard]] inline runtime_chain with_pulls(runtime_chain c, const page_pull& by) {
   for (const kind k : {kind::frame_2D, kind::frame_3D}) {
     const auto at = static_cast<std::size_t>(k);
     const auto names = c.wiring().names[at];

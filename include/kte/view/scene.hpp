@@ -130,6 +130,6 @@ struct scene {
 
 /// The scene as JSON, "kte-scene-1". Bytes in names that are not UTF-8 become U+FFFD. Throws `bad_argument` for a scene
 /// whose parts do not fit together.
-std::string to_json(const scene& s);
+[[nodiscard]] std::string to_json(const scene& s);
 
 }  // namespace kte

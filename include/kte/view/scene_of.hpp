@@ -46,7 +46,7 @@ scene scene_of(const Chain& chain, const State& s) {
 }
 /// The same where all coordinates are zero; of robots in the first configuration of their file, or within their limits.
 template <drawable Chain>
-scene scene_of(const Chain& chain) {
+[[nodiscard]] scene scene_of(const Chain& chain) {
   auto s = detail::first_state(chain);
   detail::chain_in(chain).doMotion(s);
   return scene_of(chain, s);
@@ -54,7 +54,7 @@ scene scene_of(const Chain& chain) {
 /// The scene with the recordings of tables: the column t, the coordinates by the names that `kte::recorder` has for
 /// them, and others, which become plots. Throws `unknown_name` for coordinates that a table has no columns of.
 template <drawable Chain>
-scene scene_of(const Chain& chain, const table& numbers, const recording_options& options = {}) {
+[[nodiscard]] scene scene_of(const Chain& chain, const table& numbers, const recording_options& options = {}) {
   scene_recording<Chain> r(chain, options);
   auto s = detail::first_state(chain);
   r.rows(chain, s, numbers);

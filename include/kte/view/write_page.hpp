@@ -46,7 +46,7 @@ struct named_table {
   table numbers;
 };
 /// The scene with all recordings of several scenes of one mechanism. Throws `bad_argument` where their frames differ.
-scene joined(const std::vector<scene>& all);
+[[nodiscard]] scene joined(const std::vector<scene>& all);
 
 template <drawable Chain>
 void write_page(const std::filesystem::path& path, const Chain& chain, const std::vector<named_table>& tables,

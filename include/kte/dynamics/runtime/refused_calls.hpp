@@ -47,27 +47,27 @@ KTE_STATE_OF_STATIC_CHAIN(inverse_dynamics, Eigen::VectorXd)
 KTE_STATE_OF_STATIC_CHAIN(mass_matrix, Eigen::MatrixXd)
 
 template <indexable Q, indexable V, indexable T>
-Eigen::VectorXd forward_dynamics(const runtime_chain&, const Q&, const V&, const T&) {
+[[nodiscard]] Eigen::VectorXd forward_dynamics(const runtime_chain&, const Q&, const V&, const T&) {
   static_assert(detail::fit<Q, V, T>, KTE_STATE_FORGOTTEN " forward_dynamics(c, s, q, v, tau)");
   return {};
 }
 template <indexable Q, indexable V, indexable A>
-Eigen::VectorXd inverse_dynamics(const runtime_chain&, const Q&, const V&, const A&) {
+[[nodiscard]] Eigen::VectorXd inverse_dynamics(const runtime_chain&, const Q&, const V&, const A&) {
   static_assert(detail::fit<Q, V, A>, KTE_STATE_FORGOTTEN " inverse_dynamics(c, s, q, v, a)");
   return {};
 }
 template <indexable Q>
-Eigen::MatrixXd mass_matrix(const runtime_chain&, const Q&) {
+[[nodiscard]] Eigen::MatrixXd mass_matrix(const runtime_chain&, const Q&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " mass_matrix(c, s, q)");
   return {};
 }
 template <indexable Q, text_type Text>
-pose<mat3<vec3<>>, vec3<>> forward_kinematics(const runtime_chain&, const Q&, const Text&) {
+[[nodiscard]] pose<mat3<vec3<>>, vec3<>> forward_kinematics(const runtime_chain&, const Q&, const Text&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " forward_kinematics(c, s, q, \"hand\")");
   return {};
 }
 template <indexable Q, text_type Text>
-Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const runtime_chain&, const Q&, const Text&) {
+[[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const runtime_chain&, const Q&, const Text&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " jacobian(c, s, q, \"hand\")");
   return {};
 }

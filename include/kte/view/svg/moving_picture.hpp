@@ -123,7 +123,7 @@ class moving_shapes {
 /// began it fades out and in.
 ///
 /// Throws as `picture`, and `bad_argument` for a recording of one time.
-inline std::string moving_picture(const scene& s, const picture_options& o = {}) {
+[[nodiscard]] inline std::string moving_picture(const scene& s, const picture_options& o = {}) {
   using namespace detail::svg;
   mechanism_canvas c(s, o);
   const moving_shapes shapes(c);

@@ -44,7 +44,7 @@ inline std::vector<double> picture_times(const mechanism_canvas& c) {
 ///
 /// Throws `unknown_name` for frames that are not there, `bad_argument` for times that were not recorded, sizes that
 /// give no picture, and scenes whose parts do not fit together.
-inline std::string picture(const scene& s, const picture_options& o = {}) {
+[[nodiscard]] inline std::string picture(const scene& s, const picture_options& o = {}) {
   using namespace detail::svg;
   mechanism_canvas c(s, o);
   const auto times = picture_times(c);

@@ -16,7 +16,8 @@ namespace kte {
 ///
 /// Throws `unknown_name` for a column that is not there, `bad_argument` for a table without columns or with columns of
 /// different lengths, and sizes that give no picture.
-inline std::string plot(const table& t, const std::vector<std::string>& columns = {}, const plot_options& o = {}) {
+[[nodiscard]] inline std::string plot(const table& t, const std::vector<std::string>& columns = {},
+                                      const plot_options& o = {}) {
   using namespace detail::svg;
   check_plot_options(o);
   const plot_layout layout(t, columns, o);

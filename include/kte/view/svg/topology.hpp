@@ -10,7 +10,7 @@ namespace kte {
 /// names; loops, and what acts between two of them, as dashed arcs. SVG 1.1, a text.
 ///
 /// Throws `bad_argument` for sizes that give no picture, and scenes whose parts do not fit together.
-inline std::string topology_picture(const scene& s, const topology_options& o = {}) {
+[[nodiscard]] inline std::string topology_picture(const scene& s, const topology_options& o = {}) {
   const detail::svg::rigid_groups groups(s);
   return detail::svg::topology_drawing(s, groups, o).text();
 }
