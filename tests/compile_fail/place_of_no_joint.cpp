@@ -32,8 +32,8 @@ void f() {
   connect(sticky{}, "q", "base", "arm").at(along_x(0.5));
   spring_3D("wall", "arm", 0.2, 300.0).at(along_x(0.5));
   rigid_link_3D("wall", "arm", along_x(0.5)).at(along_x(0.5));
-  chain(revolute_joint_3D(q, base, arm).at(along_x(0.5)).at(along_x(0.5)));
-  chain(revolute_joint_3D(q, base, arm).at(along_x(0.5), rotation_by(0.3)));
+  (void)chain(revolute_joint_3D(q, base, arm).at(along_x(0.5)).at(along_x(0.5)));
+  (void)chain(revolute_joint_3D(q, base, arm).at(along_x(0.5), rotation_by(0.3)));
   runtime_chain() << prismatic_joint_2D("q", "base", "arm", axis::x).at(along_x(0.5), quarter_turn_x);
   runtime_chain() << universal_joint_3D("q", "p", "base", "arm", axis::x, axis::y).at(along_x(0.5), rotation_by(0.3));
 }

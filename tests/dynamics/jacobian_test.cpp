@@ -69,16 +69,16 @@ template <class... Axes>
 void check_parts(const runtime_chain& c, runtime_state& s, const Eigen::VectorXd& q, const char* frame, Axes... axes) {
   const runtime_jacobian expected = jacobian(c, s, q, frame, axes...);
   Eigen::MatrixXd all = Eigen::MatrixXd::Constant(9, c.dofs(), 7);
-  (void)jacobian(c, s, q, frame, axes..., all.middleRows<6>(2));
+  jacobian(c, s, q, frame, axes..., all.middleRows<6>(2));
   CHECK(all.middleRows<6>(2) == expected);
   CHECK((all.topRows<2>().array() == 7).all());
   CHECK((all.bottomRows<1>().array() == 7).all());
   all.setConstant(7);
-  (void)jacobian(c, s, frame, axes..., all.middleRows(3, 6));
+  jacobian(c, s, frame, axes..., all.middleRows(3, 6));
   CHECK(all.bottomRows<6>() == expected);
   std::vector<double> numbers(static_cast<std::size_t>(expected.size()), 7);
   Eigen::Map<runtime_jacobian> map(numbers.data(), 6, expected.cols());
-  (void)jacobian(c, s, q, frame, axes..., map);
+  jacobian(c, s, q, frame, axes..., map);
   CHECK(map == expected);
 }
 /// What a matrix held before, of whatever size, leaves no trace.
@@ -90,13 +90,13 @@ void check_kept(const Chain& c, std::initializer_list<const char*> frames) {
   runtime_jacobian kept = runtime_jacobian::Constant(6, 2, std::numeric_limits<double>::quiet_NaN());
   for (const char* frame : frames) {
     const auto q = random_configuration<double>(c, random);
-    (void)jacobian(model, s, q, frame, kept);
+    jacobian(model, s, q, frame, kept);
     CHECK(kept == jacobian(model, s, q, frame));
-    (void)jacobian(model, s, q, frame, in_world_axes, kept);
+    jacobian(model, s, q, frame, in_world_axes, kept);
     CHECK(kept == jacobian(model, s, q, frame, in_world_axes));
-    (void)jacobian(model, s, frame, kept);
+    jacobian(model, s, frame, kept);
     CHECK(kept == jacobian(model, s, frame));
-    (void)jacobian(model, s, frame, in_world_axes, kept);
+    jacobian(model, s, frame, in_world_axes, kept);
     CHECK(kept == jacobian(model, s, frame, in_world_axes));
     check_parts(model, s, q, frame), check_parts(model, s, q, frame, in_world_axes);
   }

@@ -26,7 +26,7 @@ void check_robot(const Chain& c, const States& states, const reference::derivati
 }  // namespace
 
 TEST_CASE("the inverse of the mass matrix of robots against 21 digits", "[laws]") {
-  SECTION("iiwa14") { (void)check_robot(robots::iiwa14, reference::iiwa14, reference::iiwa14_derivatives); }
-  SECTION("ur5") { (void)check_robot(robots::ur5, reference::ur5, reference::ur5_derivatives); }
-  SECTION("solo12") { (void)check_robot(robots::solo12, reference::solo12, reference::solo12_derivatives); }
+  SECTION("iiwa14") { check_robot(robots::iiwa14, reference::iiwa14, reference::iiwa14_derivatives); }
+  SECTION("ur5") { check_robot(robots::ur5, reference::ur5, reference::ur5_derivatives); }
+  SECTION("solo12") { check_robot(robots::solo12, reference::solo12, reference::solo12_derivatives); }
 }
