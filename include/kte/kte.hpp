@@ -1,6 +1,6 @@
 #pragma once
 
-/// What most programs need: static and runtime chains, all elements but linkages and functions of one's own, and of
+/// What most programs need: static and runtime chains, all elements but linkages and custom functions, and of
 ///
 ///   algorithms   inverse and forward dynamics, mass matrix, gravity and Coriolis forces, forward kinematics, motion
 ///                and Jacobians of frames, energies, centre of mass, centroidal momentum

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Arms with tools and limits: inverse kinematics in closed form and by iteration, rates within limits, motions. Arms
-/// that are ready are headers of their own: kte/manipulators/iiwa14.hpp, panda.hpp, ur.hpp ...
+/// that are ready are their own headers: kte/manipulators/iiwa14.hpp, panda.hpp, ur.hpp ...
 #include <kte/manipulators/accelerations_towards.hpp>
 #include <kte/manipulators/inverse_kinematics.hpp>
 #include <kte/manipulators/joint_motion.hpp>

@@ -27,7 +27,7 @@ inline constexpr std::size_t kept_count = [] {
   for (const auto& p : Core::ports) n += p.how == access::keep;
   return n;
 }();
-/// The port of number N of them; beyond the last where there is none.
+/// The port of number N of them; beyond the last if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;

@@ -80,9 +80,9 @@ template <class Core>
 requires requires { Core::reads_reaction; }
 inline constexpr bool load_dependent_friction<Core> = former::reads_reaction<Core>;
 
-/// Whether the loads that it hands back are the power dual of the motion that it passes on, as in a mechanism. An
-/// element for controllers of which that is not so says `static constexpr bool power_dual = false`: passes and inverse
-/// dynamics take it.
+/// Whether the loads that it returns are the power dual of the motion that it passes on, as in a mechanism. An element
+/// for controllers of which that is not so says `static constexpr bool power_dual = false`: passes and inverse dynamics
+/// take it.
 template <class Core>
 inline constexpr bool power_dual = true;
 template <class Core>

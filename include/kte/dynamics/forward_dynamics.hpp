@@ -48,8 +48,8 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///
 /// in a chain of joints and links by the articulated-body algorithm, which never forms M and keeps its digits where M
 /// is badly conditioned (docs/decisions/05-forward-dynamics.md); where coordinates follow others, or two joints share
-/// one, by factorising M. tau: forces applied to the degrees of freedom besides those of the chain's own elements, Nm
-/// and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
+/// one, by factorising M. tau: forces applied to the degrees of freedom in addition to those of the chain's own
+/// elements, Nm and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
 ///
 ///   forward_dynamics(c, q, v, tau)       of a static chain, a value
 ///   forward_dynamics(c, s, q, v, tau)    of a runtime chain, in the state s, of which the coordinates get them, too

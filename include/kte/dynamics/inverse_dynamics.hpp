@@ -68,9 +68,8 @@ KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
 ///
 /// Throws `bad_argument` for arguments of another size, for numbers that are not finite, and for quaternions of length
 /// zero; a runtime chain also for the state of another. All algorithms on runtime chains that take q, v or a put them
-/// into the state, allocate nothing but for what is as large as M, and where they refuse leave the positions,
-/// velocities and accelerations of the state as they were, unless what they refuse are signals or bases that the state
-/// has.
+/// into the state, allocate only for what is as large as M, and where they refuse leave the positions, velocities and
+/// accelerations of the state as they were, unless what they refuse are signals or bases that the state has.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 [[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;

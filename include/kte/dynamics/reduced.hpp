@@ -18,8 +18,8 @@ namespace kte {
 ///
 /// Coordinates that follow none but locked ones are locked with them. A number that springs, dampers or motors act on
 /// is still there for them, as a constant, and so is their energy; masses on it, and brakes, are gone. Throws
-/// `unknown_name`, and `bad_argument` for what is no degree of freedom, or a rotation or pose that something besides
-/// its joint acts on.
+/// `unknown_name`, and `bad_argument` for what is no degree of freedom, or a rotation or pose that something in
+/// addition to its joint acts on.
 template <indexable Q, text_type... Names>
 requires(!names_something<Q>) runtime_chain reduced(const runtime_chain& c, const Q& q, const Names&... names) {
   detail::chain_reduction r(c, q);

@@ -89,7 +89,7 @@ KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const M
   }
 }
 
-/// How far a force s is from its limit: positive below, negative where it is limited, 1 where there is none.
+/// How far a force s is from its limit: positive below, negative where it is limited, 1 if there is none.
 template <entry F, class Most>
 KTE_INLINE constexpr auto below_limit(const F& s, const Most& most) {
   const auto f = as_number(s);
@@ -132,7 +132,7 @@ struct spring_parameters {
 ///   s = k (q_2 - q_1 - L)                               (1)
 ///   f_1 += s,  f_2 -= s                                 (2)
 ///
-/// with |s| limited to the saturation force where there is one (zero: none).
+/// with |s| limited to the saturation force if there is one (zero: none).
 template <class Rest, class Stiffness, class Saturation>
 struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
   static constexpr type_name type{"spring", kind::gen};
@@ -170,9 +170,9 @@ struct spring_gen : spring_parameters<Rest, Stiffness, Saturation> {
 ///   d = p_2 - p_1,  D = |d|,  e = d/D                   (1)
 ///   F_1 += k (D - L) e,  F_2 -= k (D - L) e             (2)
 ///
-/// limited to the saturation force where there is one (zero: none), no torque. A rest length that is a typed zero
-/// makes it F = k d, without a square root and smooth everywhere. With any other the direction is undefined where the
-/// origins coincide; there is no force then.
+/// limited to the saturation force if there is one (zero: none), no torque. A rest length that is a typed zero makes it
+/// F = k d, without a square root and smooth everywhere. With any other the direction is undefined where the origins
+/// coincide; there is no force then.
 template <kind Dim, class Rest, class Stiffness, class Saturation>
 struct spring : spring_parameters<Rest, Stiffness, Saturation> {
   static constexpr type_name type{"spring", Dim};

@@ -22,7 +22,7 @@ namespace kte {
 /// The coefficients are those of equal steps. So the first k - 1 steps, and the last one where h does not divide the
 /// time, are steps of a Runge-Kutta method, with its interpolant. An `integrate` goes on with the slopes of the last
 /// one where its last step was a whole one, and time, direction and the slope f(t, x) are those it left; otherwise it
-/// starts anew. So it does not suit inputs that jump at every sample.
+/// starts again. So it does not suit inputs that jump at every sample.
 ///
 /// A `Formula` has `order` (k), `predictor` (0, b_1, ...), `corrector` (c_0, ...), `interpolant` (of int P the
 /// coefficients of theta, theta^2, ...; of each a weight for f_{n+1}, f_n, ...), and `start`, a tableau for

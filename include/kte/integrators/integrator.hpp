@@ -122,7 +122,7 @@ class integrator : public moving_state<F, X> {
   /// The displacement from the start of the last step to the fraction 0 <= theta <= 1 of it.
   rate displacement_to(const S& theta) const;
 
-  /// Continues from another time and state; the length of the next step is determined anew from the slopes. Throws
+  /// Continues from another time and state; the length of the next step is determined again from the slopes. Throws
   /// `bad_argument` unless they are finite.
   void restart(const S& t, const X& x) {
     restart(t, x, keep_step);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What integrations are told besides their end: times, and by observers whether to go on.
+/// What integrations are told in addition to their end: times, and by observers whether to go on.
 namespace kte {
 
 /// Values that an observer may return, of type bool: `return height > 0 ? kte::go_on : kte::stop`.

@@ -6,7 +6,7 @@ namespace kte {
 
 /// The modified Rosenbrock pair of Shampine and Reichelt, The MATLAB ODE Suite, SIAM J. Sci. Comput. 18 (1997), section
 /// 3: order 2, L-stable, with an error of order 3 in h and a dense output of order 2. It stays of order 2 with any
-/// matrix in place of the Jacobian. With k_i the slopes of the paper, and d, e_32 its numbers:
+/// matrix instead of the Jacobian. With k_i the slopes of the paper, and d, e_32 its numbers:
 ///
 ///   gamma = d = 1 / (2 + sqrt 2),   e_32 = 6 + sqrt 2
 ///   h k_1 = u_1 / d,   h k_2 = (u_1 + u_2) / d,   h k_3 = (2 u_1 + e_32 u_2 + u_3) / d

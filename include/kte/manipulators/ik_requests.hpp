@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What may be said of the answers that are wanted of `inverse_kinematics`, besides the pose.
+/// What may be said of the answers that are needed of `inverse_kinematics`, in addition to the pose.
 namespace kte {
 
 /// The reference of the arm angle: where the elbow of an arm of seven axes is at the arm angle 0.

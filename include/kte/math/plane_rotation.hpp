@@ -13,7 +13,7 @@
 namespace kte::detail {
 
 /// Where such a rotation R, after quarter turns or not, has its entry known to be 1 or -1: e_row = sign R e_column.
-/// Column -1 where there is none.
+/// Column -1 if there is none.
 struct turned_plane {
   int row = -1, column = -1, sign = 0;
 };

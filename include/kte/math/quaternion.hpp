@@ -56,7 +56,7 @@ KTE_INLINE constexpr auto operator*(const unit_quaternion<S>& q, const vec3<A, B
 }
 
 namespace detail {
-/// (1) for the three axes, with s in place of 2 and `unity` in place of 1.
+/// (1) for the three axes, with s instead of 2 and `unity` instead of 1.
 template <class S>
 KTE_INLINE constexpr mat3<vec3<S>> turned_axes(const unit_quaternion<S>& q, const S& s, const S& unity = S(1)) {
   const S x = s * q.x, y = s * q.y, z = s * q.z;

@@ -11,7 +11,7 @@
 namespace kte {
 
 namespace detail {
-/// For laws without states of their own.
+/// For laws without their own states.
 struct no_rates {};
 template <class>
 inline constexpr bool never = false;

@@ -44,7 +44,7 @@ struct robot_options {
 /// Options of `add_motors`.
 struct motor_options {
   /// Stiffness and damping of servos k (u - q) - c q', whose command u is the desired position, N/m or Nm/rad, N s/m or
-  /// Nm s/rad, in place of motors whose command is a force; 0: unchanged. Motors with gains in the file are unchanged.
+  /// Nm s/rad, instead of motors whose command is a force; 0: unchanged. Motors with gains in the file are unchanged.
   double stiffness = 0, damping = 0;
   /// Stiffness and damping of stops at the ends of the ranges of joints (`joint_limit_gen`); 0: no stops.
   double stop_stiffness = 0, stop_damping = 0;

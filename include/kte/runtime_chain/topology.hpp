@@ -217,7 +217,7 @@ KTE_FUNCTION std::string topology::did_you_mean(std::string_view name) const {
 KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> ports,
                                   std::span<const std::string> to) const {
   const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
-  // Who reads what only this element writes is to blame.
+  // Who reads what only this element writes is reported.
   const auto diagnose_reader = [&](const port& writes, const std::string& name) {
     const auto it = things_.find(name);
     const thing known = it == things_.end() ? thing{} : it->second[is_frame(writes.what)];

@@ -123,7 +123,7 @@ inline constexpr bool reads_key = [] {
     if (same) return true;
   return false;
 }();
-/// Whether nothing but joints reads what is to be locked.
+/// Whether only joints reads what is to be locked.
 template <class Locked, class Element>
 inline constexpr bool locks_cleanly = true;
 template <class Locked, class Core, class... Keys>

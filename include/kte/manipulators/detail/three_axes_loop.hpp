@@ -35,7 +35,7 @@ turning_point<S> point_turned(const vec3<S>& from, const vec3<S>& k, const vec3<
 ///
 ///   d = b - R2 a,  r its direction normal to k2,  c1 = db/dt1,  c3 = R2 da/dt3,
 ///
-/// Newton's steps: u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; then t2 anew.          (1)
+/// Newton's steps: u.c1 dt1 - u.c3 dt3 = -u.d for u = k2 and u = r; then t2 again.          (1)
 template <class S>
 struct three_axes_loop {
   turning_point<S> b, a;
