@@ -4,17 +4,17 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/unrolled/given_bases.hpp>
 
-/// The parts of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others: rates, accelerations
-/// and gravity that do not count are left out (Luh, Walker, Paul 1980; Featherstone 2008, section 5.3). dofs numbers,
-/// in N and Nm; arguments, results and errors as for `inverse_dynamics`. For every chain
+/// The terms of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others (Luh, Walker, Paul
+/// 1980; Featherstone 2008, section 5.3). dofs numbers, in N and Nm; arguments, results and errors as for
+/// `inverse_dynamics`. For every chain
 ///
 ///   static_forces(q)         = g(q) - Q(q, 0)                                        (1)
 ///   nonlinear_effects(q, v)  = gravity_forces(q) + coriolis_forces(q, v) - Q(q, v)   (2)
 ///   inverse_dynamics(q, v, a) = M(q) a + nonlinear_effects(q, v)                     (3)
 ///
-/// with Q the forces of elements that are no bodies: springs, dampers, motors. Of a runtime chain `f(c, s, q)` or `f(c,
-/// s, q, v)`, or `f(c, s)` at the positions and rates of the state s. `gravity_forces` and `coriolis_forces` throw
-/// `bad_argument` for distributed masses, whose bodies are not known.
+/// with the forces Q of elements other than bodies: springs, dampers, motors. Runtime chains: `f(c, s, q)` or `f(c, s,
+/// q, v)`, or `f(c, s)` at the positions and rates of the state s. `gravity_forces` and `coriolis_forces` throw
+/// `bad_argument` for distributed masses, whose bodies are unknown.
 namespace kte {
 
 namespace detail {

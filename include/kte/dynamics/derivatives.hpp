@@ -10,7 +10,7 @@ namespace kte {
 
 /// Inverse dynamics and its derivatives by q, v and a, dofs x dofs each; by_a is the mass matrix, less the derivatives
 /// of load-dependent friction. In a tree of joints and bodies, with springs, dampers and masses on coordinates, by
-/// recursion over the elements (recursions/force_variations.hpp); where other forces act between frames, or coordinates
+/// recursion over the elements (recursions/force_variations.hpp); with other forces between frames, or coordinates that
 /// follow others, by dual numbers.
 ///
 ///   inverse_dynamics_derivatives(c, q, v, a)       of a static chain, a value
@@ -18,8 +18,8 @@ namespace kte {
 ///                                                  memory
 ///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
 ///
-/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than body nodes hold.
+/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
+/// than the data of a body node.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 [[nodiscard]] auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
                                                 const A& a) {

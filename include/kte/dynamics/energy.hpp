@@ -13,14 +13,13 @@ struct energies {
   S potential;
 };
 
-/// The kinetic energy of all bodies and of masses on coordinates, bases at rest, J:
+/// The kinetic energy of all bodies and of masses on coordinates, with bases at rest, J:
 ///
 ///   T = sum m |v_c|^2 / 2 + w . I w / 2 + sum m q_dot^2 / 2  =  v . M(q) v / 2          (1)
 ///
-/// over the bodies by the velocities of their frames, without M: a sum of what is not negative, so it keeps its digits.
-/// Of a runtime chain `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state
-/// s, of which the frames then are those of `doMotion`; bases move as it says. Arguments and errors as for
-/// `inverse_dynamics`.
+/// by the velocities of frames, without M: a sum of terms that are not negative, without cancellation. Runtime chains:
+/// `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state s, with the motion
+/// of its bases; its frames are then those of `doMotion`. Arguments and errors as for `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
@@ -38,7 +37,7 @@ template <class Gravity, class... E, indexable Q, indexable V>
 ///
 ///   V = - gravity . sum m c + sum V_spring          (2)
 ///
-/// Elements have a part in it by a function `potential_energy`; dampers and motors have none. Of a runtime chain
+/// Elements contribute by a function `potential_energy`; dampers and motors have none. Runtime chains:
 /// `potential_energy(c, s, q)`, or `potential_energy(c, s)`.
 template <class Gravity, class... E, indexable Q>
 [[nodiscard]] auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {

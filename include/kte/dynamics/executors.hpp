@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-/// Who does the tasks of a batch: anything that is called as executor(tasks, task), calls task(0) ... task(tasks - 1)
-/// in any order and in any threads, and returns when all are done. A pool of your own needs three lines.
+/// An executor of a batch is called as executor(tasks, task), calls task(0) ... task(tasks - 1) in any order and in any
+/// threads, and returns when all are done. A custom thread pool needs three lines.
 namespace kte::batch {
 
 /// Runs all tasks one after the other in this thread.

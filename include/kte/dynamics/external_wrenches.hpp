@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-/// Dynamics under loads from outside on frames, by their Jacobians J:
+/// Dynamics under external wrenches on frames, by their Jacobians J:
 ///
 ///   Q = sum J^T (F, T)          (1)
 ///
-/// F (N) and T (Nm) act on the mechanism at the origin of a frame, in its axes. As elements of a chain such loads are
-/// `driving_actuator_3D` and `external_force_3D`, which cost less where there are many.
+/// F, N, and T, Nm, act on the mechanism at the origin of a frame, in its axes. As elements of a chain such loads are
+/// `driving_actuator_3D` and `external_force_3D`, which cost less for many loads.
 namespace kte {
 
 namespace detail {

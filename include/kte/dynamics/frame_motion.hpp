@@ -3,10 +3,9 @@
 
 #include <kte/dynamics/forward_kinematics.hpp>
 
-/// How a frame moves, and where all frames stand; of static chains with bases at rest, of runtime chains with bases as
-/// the state has them. Frames are named by keys of static chains, by texts or handles of runtime chains, of which a
-/// text that names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is
-/// allocated.
+/// The motion of frames and the poses of all frames: of static chains with bases at rest, of runtime chains with the
+/// bases of the state. Frames are named by keys of static chains, by texts or handles of runtime chains; a text that
+/// names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is allocated.
 namespace kte {
 
 /// The poses of all frames of a chain, by key: `poses[elbow].position`, `poses[elbow].rotation`. `in_plane`,
@@ -124,9 +123,9 @@ template <class Gravity, class... E, indexable Q>
   return poses;
 }
 
-/// The velocity of the origin of a frame (m/s) and its angular velocity (rad/s), in its own axes, bases at rest: the
-/// recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and frame
-/// and no others. It is `jacobian(c, q, frame)` times v. Of a runtime chain `frame_velocity(c, s, q, v, "hand")`, or
+/// The velocity of the origin of a frame, m/s, and its angular velocity, rad/s, in its own axes, with bases at rest:
+/// the recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and
+/// frame. It equals `jacobian(c, q, frame)` times v. Runtime chains: `frame_velocity(c, s, q, v, "hand")`, or
 /// `frame_velocity(c, s, "hand")` at the positions and rates of the state s.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
 [[nodiscard]] auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
@@ -143,10 +142,10 @@ template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
 }
 
 /// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
-/// acceleration (rad/s^2), in its own axes, bases at rest, without gravity: (2), (3), (4) of `compose`. With the world
-/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Of a runtime chain
-/// `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`: without the gravity that bases have in the state
-/// (dynamics/runtime/motion_in_world.hpp).
+/// acceleration, rad/s^2, in its own axes, with bases at rest, without gravity: (2), (3), (4) of `compose`. With the
+/// Jacobian J in world axes (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Runtime
+/// chains: `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`, without the gravity that bases have in the
+/// state (dynamics/runtime/motion_in_world.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
 [[nodiscard]] auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
                                       const Frame&) {

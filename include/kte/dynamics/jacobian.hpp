@@ -30,9 +30,8 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
   return detail::jacobian_of<false, Frame>(c, q);
 }
 
-/// The same in axes of the base, still at the origin of the frame ("local world aligned"); of a runtime chain in axes
-/// of the world, in which bases are given. With the end of the joint standing at R_E, p_E and the origin of the frame
-/// at p,
+/// The Jacobian of a frame at its origin in axes of the base ("local world aligned"); of a runtime chain in axes of the
+/// world. With the pose R_E, p_E of the end of the joint and the origin p of the frame,
 ///
 ///   ( R_E s_v + R_E s_w x (p - p_E), R_E s_w )          (2)
 template <class Gravity, class... E, indexable Q, key_type Frame>

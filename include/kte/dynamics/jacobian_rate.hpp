@@ -11,8 +11,8 @@
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 
-/// How Jacobians of frames change, and what a frame is accelerated by rates alone; on static and runtime chains. With
-/// J of `jacobian`, in any of three kinds of axes,
+/// Time derivatives of Jacobians of frames, and the acceleration of frames by rates alone; on static and runtime
+/// chains. With J of `jacobian`, in one of three kinds of axes,
 ///
 ///   d/dt (J v) = J a + J_dot v          (1)
 namespace kte {

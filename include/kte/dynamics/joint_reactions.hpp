@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What joints and links carry, on static and runtime chains.
+/// Reactions of joints and links, on static and runtime chains.
 namespace kte {
 
 /// The reaction of a joint: the `frame` that it moves, and the wrench `reaction` at its origin, in its axes.

@@ -104,7 +104,8 @@ requires(is_coordinate(Joint) && !is_signal(Moved)) struct motion_jacobian {
     });
   }
 
-  /// The same of another frame X, which moves by `m` in this one: at p, R, with v, w in axes of X (frames/motion.hpp).
+  /// The Jacobian of another frame X, with the motion `m` in this one: at p, R, with v, w in axes of X
+  /// (frames/motion.hpp).
   ///
   ///   u' = R^T (u + w x p),   w' = R^T w                                              (1)
   ///   du'/dt = R^T (du/dt + dw/dt x p) + w' x v - w_X x u',   dw'/dt = R^T dw/dt - w_X x w'          (2)

@@ -37,7 +37,7 @@ struct moved_by<Key> {
 };
 template <key_type Key>
 moved_by(const Key&) -> moved_by<Key>;
-/// All bodies, all coordinates of the chain, as they come.
+/// Selects all bodies of a chain for a `mass_matrix_calc`.
 inline constexpr struct all_inertias_t {
 } all_inertias;
 /// Selects all coordinates of a chain for a `mass_matrix_calc`.
