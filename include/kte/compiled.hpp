@@ -1,7 +1,7 @@
 #pragma once
 
-/// Runtime chains compiled: what is `extern` where KTE_COMPILED is defined (kte/detail/compiled.hpp). Include it in
-/// one source file, before all else, unless the CMake target kte::compiled has it for you.
+/// Compiles the runtime chains that are `extern` with KTE_COMPILED (kte/detail/compiled.hpp). Include it in one source
+/// file, first, unless the program links the CMake target kte::compiled.
 #if defined(KTE_EXTERN) || defined(KTE_FUNCTION)
 #  error "kte: include kte/compiled.hpp before other headers of kte"
 #endif

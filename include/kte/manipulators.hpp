@@ -1,7 +1,7 @@
 #pragma once
 
-/// Arms with tools and limits: inverse kinematics in closed form and by iteration, rates within limits, motions. Arms
-/// that are ready are headers of their own: kte/manipulators/iiwa14.hpp, panda.hpp, ur.hpp ...
+/// Arms with tools and limits: inverse kinematics in closed form and by iteration, rates within limits, motions.
+/// Ready-made arms are in further headers: kte/manipulators/iiwa14.hpp, panda.hpp, ur.hpp ...
 #include <kte/manipulators/accelerations_towards.hpp>
 #include <kte/manipulators/inverse_kinematics.hpp>
 #include <kte/manipulators/joint_motion.hpp>

@@ -1,7 +1,7 @@
 // Joints that rub, in the algorithms that would lose their friction; compilers say it once of each type of joint.
 // clang-format off
 // mistakes: 6
-// expect: error: .*kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has a `doForce` of its own
+// expect: error: .*kte: this algorithm takes the loads of joints and links from `relative` alone, and this element has its own `doForce`
 // expect: rubbing_joint<0>, false>
 // expect: rubbing_joint<1>, false>
 // expect: rubbing_joint<2>, false>

@@ -1,8 +1,8 @@
 // mistakes: 4
-// expect: error: .*kte: a static chain is asked by keys, forward_kinematics.arm, q, hand.. texts are for runtime chains
-// expect: error: .*kte: a static chain is asked by keys, frame_velocity.arm, q, v, hand.
-// expect: error: .*kte: a runtime chain is asked by texts, forward_kinematics.arm, s, q
-// expect: error: .*kte: a runtime chain is asked by texts, jacobian.arm, s, q
+// expect: error: .*kte: items of a static chain are named by keys, forward_kinematics.arm, q, hand.. texts are for runtime chains
+// expect: error: .*kte: items of a static chain are named by keys, frame_velocity.arm, q, v, hand.
+// expect: error: .*kte: items of a runtime chain are named by texts, forward_kinematics.arm, s, q
+// expect: error: .*kte: items of a runtime chain are named by texts, jacobian.arm, s, q
 #include <kte/kte.hpp>
 
 // clang-format off

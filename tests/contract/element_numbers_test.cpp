@@ -65,7 +65,7 @@ TEST_CASE("a link is a pose, a body its numbers about its centre of mass, a roto
   CHECK(numbers_of_element(inertia_gen(hip, 0.0)).has_mass);
 }
 
-TEST_CASE("what else there is acts by a law of its own") {
+TEST_CASE("what else there is has its own force law") {
   using namespace models;
   CHECK(numbers_of_element(base_gen(wall)).is == part::base);
   CHECK(numbers_of_element(rigid_link_gen(knee, geared, 0.3)).is == part::follower);

@@ -141,7 +141,7 @@ TEST_CASE("places of joints in files") {
   // A static chain has a place by its type.
   without = r;
   without.elements[1].parameters.resize(1);
-  CHECK_THROWS_WITH(from_record(c, without), contains_text("has not the parameters of its type"));
+  CHECK_THROWS_WITH(from_record(c, without), contains_text("does not have the parameters of its type"));
   without = r;
   without.elements[0].parameters[0].values = {0, 0, 2};
   CHECK_THROWS_AS(from_record(c, without), bad_file);  // z by its type

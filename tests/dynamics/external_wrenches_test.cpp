@@ -63,7 +63,7 @@ TEST_CASE("loads whose moment is no finite number") {
   const external_wrench large{"tip", {0, 0, 1.7e308}};
   CHECK_THROWS_AS(external_forces(c, s, q, {large, large}), bad_argument);
   CHECK_THROWS_WITH(external_forces(c, s, q, {{"tip", {0, 0, HUGE_VAL}}}),
-                    "kte: a force or torque from outside on 'tip' is not finite");
+                    "kte: an external force or torque on 'tip' is not finite");
   const auto long_arm = arm(1e155);
   auto t = long_arm.make_state();
   CHECK_THROWS_AS(external_forces(long_arm, t, q, {{"tip", {0, 0, 1e200}}}), bad_argument);

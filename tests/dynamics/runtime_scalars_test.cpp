@@ -221,8 +221,8 @@ TEST_CASE("what other scalars cannot do is said") {
   c << spring_gen("hip", "knee", 0.0, 10.0);
   CHECK_NOTHROW(c.make_state());
   CHECK_THROWS_WITH(c.make_state<float>(),
-                    "kte: states of runtime chains in other scalars than double are for joints, links and bodies; "
-                    "spring_gen (anchor1 'hip', anchor2 'knee') acts by a law of its own");
+                    "kte: states of runtime chains in scalars other than double support joints, links and bodies only; "
+                    "spring_gen (anchor1 'hip', anchor2 'knee') has its own force law");
   // passes move what follows others, and are for double
   const auto following = tandem("q", "p", "r");
   auto s = following.make_state<float>();

@@ -106,7 +106,7 @@ TEST_CASE("a runtime chain takes a joint of two as a whole, or not") {
 
 TEST_CASE("a cylindrical joint wants an axis of length 1") {
   CHECK(complaint([] {
-          cylindrical_joint_3D("turn", "slide", "shaft", "sleeve", vec3{0.0, 0.0, 2.0});
+          (void)cylindrical_joint_3D("turn", "slide", "shaft", "sleeve", vec3{0.0, 0.0, 2.0});
         }) ==
         "kte: revolute_joint_3D (coordinate 'turn', base 'shaft', end 'sleeve.inner'): axis must have length 1, got 2");
 }

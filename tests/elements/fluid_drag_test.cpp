@@ -75,7 +75,9 @@ TEST_CASE("drag is saved and loaded, and rejects what makes no sense") {
   chain << base_2D("a") << fluid_drag_2D("a", 1.0, 2.0, vec2{3.0, 4.0}) << base_3D("b") << fluid_drag_3D("b", 5.0);
   CHECK(record_of(models::registered(record_of(chain))) == record_of(chain));
   const std::string where = "kte: fluid_drag_3D (frame 'a'): ";
-  CHECK(complaint([] { fluid_drag_3D("a", -1); }) == where + "quadratic drag must be finite and not negative, got -1");
-  CHECK(complaint([] { fluid_drag_3D("a", 1, -1); }) == where + "linear drag must be finite and not negative, got -1");
-  CHECK(complaint([] { fluid_drag_3D("a", 1, 1, along_x(infinity)); }) == where + "flow must be finite, got inf");
+  CHECK(complaint([] { (void)fluid_drag_3D("a", -1); }) ==
+        where + "quadratic drag must be finite and not negative, got -1");
+  CHECK(complaint([] { (void)fluid_drag_3D("a", 1, -1); }) ==
+        where + "linear drag must be finite and not negative, got -1");
+  CHECK(complaint([] { (void)fluid_drag_3D("a", 1, 1, along_x(infinity)); }) == where + "flow must be finite, got inf");
 }

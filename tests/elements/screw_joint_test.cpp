@@ -145,7 +145,7 @@ TEST_CASE("a screw joint keeps NaN") {
 
 TEST_CASE("a screw joint wants an axis of length 1 and a finite pitch") {
   const auto what = [](const vec3<>& n, double pitch) {
-    return complaint([&] { screw_joint_3D("turn", "bolt", "nut", n, pitch); });
+    return complaint([&] { (void)screw_joint_3D("turn", "bolt", "nut", n, pitch); });
   };
   const std::string where = "kte: screw_joint_3D (coordinate 'turn', base 'bolt', end 'nut'): ";
   CHECK(what({0, 0, 2}, 0.1) == where + "axis must have length 1, got 2");

@@ -204,7 +204,7 @@ TEST_CASE("a bearing larger than its arm jams where it slides, and holds for eve
 
 TEST_CASE("parameters of sticking joints") {
   const auto bearing = [](double radius, const dry_friction_parameters& p) {
-    return complaint([&] { sticking_revolute_joint_2D("q", "m", "a", "b", radius, p); });
+    return complaint([&] { (void)sticking_revolute_joint_2D("q", "m", "a", "b", radius, p); });
   };
   const std::string who = "kte: sticking_revolute_joint_2D (coordinate 'q', mode 'm', base 'a', end 'b'): ";
   CHECK(bearing(0.125, {0.25}) == "");
@@ -215,12 +215,12 @@ TEST_CASE("parameters of sticking joints") {
   CHECK(bearing(0.125, {0.25, std::nan("")}) == who + "static_friction must be finite and not below friction, got nan");
   CHECK(bearing(0.125, {0.25, 0.5, 1.0}) == who + "span must be 0: in the plane a moment turns the joint, got 1");
   CHECK(complaint([] {
-          sticking_prismatic_joint_3D("q", "m", "a", "b", axis::x, {0.2, 0.3, -1.0});
+          (void)sticking_prismatic_joint_3D("q", "m", "a", "b", axis::x, {0.2, 0.3, -1.0});
         }) ==
         "kte: sticking_prismatic_joint_3D (coordinate 'q', mode 'm', base 'a', end 'b'): span must be finite and not "
         "negative, got -1");
   CHECK(complaint([] {
-          sticking_prismatic_joint_3D("q", "m", "a", "b", vec3{1.0, 1.0, 0.0}, {0.2});
+          (void)sticking_prismatic_joint_3D("q", "m", "a", "b", vec3{1.0, 1.0, 0.0}, {0.2});
         }).find("axis must have length 1") != std::string::npos);
   runtime_chain follows;
   follows << inertia_gen("x", 1.0) << mimic_gen("x", "y", 2.0)

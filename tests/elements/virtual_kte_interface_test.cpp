@@ -109,7 +109,7 @@ TEST_CASE("what needs loads to be those of motions refuses virtual models") {
   const auto c = at_run_time(arm_with_walker(virtually));
   auto s = c.make_state();
   const Eigen::Vector3d x(0.1, 0.2, 0.3);
-  const auto named = says("virtual_kte_interface_3D (base 'hand', end 'palm') hands back other loads");
+  const auto named = says("virtual_kte_interface_3D (base 'hand', end 'palm') returns loads that are not the dual");
   CHECK_THROWS_MATCHES(mass_matrix(c, s, x), bad_argument, named);
   CHECK_THROWS_MATCHES(forward_dynamics(c, s, x, x, x), bad_argument, named);
   CHECK_THROWS_MATCHES(mass_matrix_inverse(c, s, x), bad_argument, named);

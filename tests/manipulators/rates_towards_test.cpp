@@ -181,7 +181,7 @@ TEST_CASE("accelerations of tools, and joints that give them within limits") {
   auto lost = aim;
   lost[0] = NAN;
   CHECK_THROWS_MATCHES(accelerations_towards(shoulder, q, v, twist::Zero(), 1e-3, {}, lost), bad_argument,
-                       test::says("a wanted acceleration is not finite"));
+                       test::says("a desired acceleration is not finite"));
 
   three_rates at(0, 0, 0.5), rate = three_rates::Zero();
   random_numbers random(4);

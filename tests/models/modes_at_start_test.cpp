@@ -105,7 +105,7 @@ TEST_CASE("what holds a coordinate that another moves is named when the model is
 TEST_CASE("parameters of friction that holds") {
   const auto says = [](const stiction_parameters& p) -> std::string {
     try {
-      joint_stiction_gen("x", "mode", p);
+      (void)joint_stiction_gen("x", "mode", p);
     } catch (const bad_parameter& e) {
       return e.what();
     }

@@ -136,7 +136,7 @@ TEST_CASE("inputs of three numbers and the time are put into states of the chain
   const std::string first = "kte: an input of 'p' must be finite, got nan";
   CHECK_THROWS_WITH(still.setInput(none), first);
   CHECK_THROWS_WITH(moving.setInput(none), first);
-  CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is not an input from outside"));
+  CHECK_THROWS_WITH(moving.input("time"), contains_text("'time' is not an input"));
 }
 
 TEST_CASE("an internal state belongs to one element") {

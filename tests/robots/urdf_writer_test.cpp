@@ -164,7 +164,7 @@ TEST_CASE("what URDF cannot say is refused by name") {
                        says("kte: joint 'q': it has a spring, which URDF cannot say (robot_writing::lossy: that is"));
   c << inertia_gen("q", 1.0);
   std::vector<robot_note> notes;
-  to_urdf(c, "r", {.not_written = &notes, .lossy = true});
+  (void)to_urdf(c, "r", {.not_written = &notes, .lossy = true});
   REQUIRE(notes.size() == 3);
   CHECK(notes[0].text == "joint 'q': it has a spring, which URDF cannot say: that is left out");
   CHECK(notes[1].text == "joint 'q': it has a rotor inertia, which URDF cannot say: that is left out");

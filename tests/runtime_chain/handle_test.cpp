@@ -87,7 +87,7 @@ TEST_CASE("a name of another kind, or of nothing, has no handle") {
   CHECK_THROWS_MATCHES(c.input("bristles"), unknown_name, says("'bristles' is a"));
   CHECK_THROWS_MATCHES(c.internal("motor1"), unknown_name, says("'motor1' is a"));
   for (const auto* name : {"", "Hand", "hand "}) {
-    CHECK_THROWS_MATCHES(c.frame(name), unknown_name, says("nothing of the name '" + std::string(name) + "'"));
+    CHECK_THROWS_MATCHES(c.frame(name), unknown_name, says("nothing named '" + std::string(name) + "'"));
     CHECK_THROWS_AS(c.coordinate(name), unknown_name);
     CHECK_THROWS_AS(c.input(name), unknown_name);
     CHECK_THROWS_AS(c.internal(name), unknown_name);

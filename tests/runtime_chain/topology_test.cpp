@@ -120,7 +120,7 @@ TEST_CASE("what is asked for by a shared name") {
   CHECK(t.kind_of("elbow", false) == kind::gen);
   CHECK_THROWS_MATCHES(t.kind_of("elbow"), unknown_name,
                        says("kte: 'elbow' is a coordinate and a 3D frame: which of them is meant?"));
-  CHECK_THROWS_MATCHES(t.kind_of("shoulder"), unknown_name, says("kte: this chain has nothing of the name 'shoulder'"));
+  CHECK_THROWS_MATCHES(t.kind_of("shoulder"), unknown_name, says("kte: this chain has nothing named 'shoulder'"));
 }
 
 TEST_CASE("frames in the plane by shared names") {
@@ -210,13 +210,14 @@ TEST_CASE("what is odd about a chain is found, and may be meant") {
   CHECK(check_chain(c).empty());
   c << inertia_gen("q_1", 0.1) << joint_damping_gen("q_1", 1.0) << inertia_gen("alone", 0.1)
     << prismatic_joint_3D("q1", "arm", "tool", axis::x);
-  CHECK(
-      check_chain(c) ==
-      std::vector<std::string>{
-          "'q1' moves 2 joints: revolute_joint_3D (coordinate 'q1', base 'ground', end 'arm'), prismatic_joint_3D "
-          "(coordinate 'q1', base 'arm', end 'tool')",
-          "inertia_gen (coordinate 'q_1') has a degree of freedom of its own, 'q_1', by which no joint moves, did you "
-          "mean 'q1'?",
-          "inertia_gen (coordinate 'alone') has a degree of freedom of its own, 'alone', by which no joint moves"});
+  CHECK(check_chain(c) ==
+        std::vector<std::string>{
+            "'q1' moves 2 joints: revolute_joint_3D (coordinate 'q1', base 'ground', end 'arm'), prismatic_joint_3D "
+            "(coordinate 'q1', base 'arm', end 'tool')",
+            "inertia_gen (coordinate 'q_1') is moved by a separate degree of freedom, 'q_1', by which no joint moves, "
+            "did you "
+            "mean 'q1'?",
+            "inertia_gen (coordinate 'alone') is moved by a separate degree of freedom, 'alone', by which no joint "
+            "moves"});
   CHECK(check_chain(with_shared).empty());
 }

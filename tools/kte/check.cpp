@@ -121,7 +121,7 @@ int check(const options& o) {
 void add_check(command_line& line) {
   const auto o = std::make_shared<options>();
   add_reading(line.add("check", "what is odd about a mechanism",
-                       "Tells what is odd about a mechanism: inertias that no body can have, joints that move no mass, "
+                       "Tells what is odd about a mechanism: inertias that are not physically realizable, joints that move no mass, "
                        "ranges of nothing, masses, lengths and angles that seem to be in other units, a nearly "
                        "singular mass matrix, why links and joints make no tree; then what of the file was not read, "
                        "and how many degrees of freedom there are. The exit code is 1 if the file is no mechanism."),

@@ -24,7 +24,7 @@ void read_model(const reading& o, mechanism& m) {
   if (r.floating_base || o.joint_dynamics || o.no_joint_dynamics || !r.root.empty() || !r.model.empty() ||
       r.quarter_turn_tolerance != kte::robot_options{}.quarter_turn_tolerance)
     throw kte::bad_argument("kte: " + o.file +
-                            " is a model file, which is taken as it is: of these options it takes "
+                            " is a model file, which is used unchanged: of these options it takes "
                             "--gravity alone");
   m.format = "model file";
   m.robot.name = std::filesystem::path(o.file).stem().string();

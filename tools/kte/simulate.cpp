@@ -149,7 +149,7 @@ void check_settings(const simulate_options& o) {
                       " of --time " + short_number(o.end) + " are more");
   if (o.pd.empty() && (o.kp || o.kd || o.compensate)) throw usage_error("--kp, --kd and --compensate are of --pd");
   if (o.record.empty() && (!o.columns.empty() || o.frames)) throw usage_error("--column and --frames are of --record");
-  if (!o.record.empty()) kte::format_of(o.record);  // before what takes long
+  if (!o.record.empty()) (void)kte::format_of(o.record);  // before what takes long
 }
 
 /// What drives the mechanism.

@@ -7,28 +7,31 @@ namespace kte {
 
 /// What an element that may hold a coordinate keeps: a number, part of the state of models, that only events change.
 namespace mode {
-inline constexpr int sliding = 0;  ///< which way, says the rate: at the start
-inline constexpr int forward = 1;  ///< slides on
-inline constexpr int backward = -1;
-inline constexpr int held = 2;  ///< rests, v' = 0
+inline constexpr int sliding = 0;    ///< which way, says the rate: at the start
+inline constexpr int forward = 1;    ///< slides on
+inline constexpr int backward = -1;  ///< slides at negative rate
+inline constexpr int held = 2;       ///< rests, v' = 0
 }  // namespace mode
 
-/// An element that may hold a coordinate: dry friction, a brake, a lock. A core that derives from it has the coordinate
-/// at its first port and its mode, an internal state, at its second, and gives
+/// An element that may lock a coordinate: dry friction, a brake, a lock. A core that derives from it has the coordinate
+/// at its first port and its mode, an internal state, at its second, and has
 ///
-///   doForce(c, mode, ...)    the force while it slides, none while it holds                          (1)
-///   capacity(c, mode, ...)   the largest force, N or Nm, by which it holds                            (2)
+///   doForce(c, mode, ...)    the force while the coordinate slides, zero while it is locked          (1)
+///   capacity(c, mode, ...)   the largest holding force, N or Nm                                      (2)
 ///
-/// Forward dynamics then gives a held coordinate no acceleration, as hybrid dynamics does. In models events switch the
-/// mode (`element_events`): where the rate of sliding goes through zero, the coordinate is held, unless that takes more
-/// than (2); where holding takes more, it slides.
+/// Forward dynamics gives a locked coordinate no acceleration, as hybrid dynamics does. In models events switch the
+/// mode (`element_events`): where the rate of a sliding coordinate goes through zero, it is locked, unless the holding
+/// force would exceed (2); where the holding force exceeds (2), it slides.
 struct coordinate_lock {
+  /// Declares to the algorithms that the element may lock a coordinate.
   static constexpr bool locks_coordinate = true;
 
+  /// Whether a mode is that of a locked coordinate.
   template <class C, class Z, class... Others>
   KTE_INLINE static constexpr bool holds(const C&, const Z& mode, const Others&...) {
     return all(as<number<Z>>(mode) == number<Z>(mode::held));
   }
+  /// The rate of the mode: zero, as only events change it.
   template <class... Things>
   KTE_INLINE static constexpr auto z_dot(const Things&...) {
     return zero;

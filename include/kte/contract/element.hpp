@@ -25,14 +25,14 @@ struct placement {
 
 template <class Core, class... Names>
 constexpr auto connect(const Core& core, const Names&... names);
-/// What was refused with a sentence stays so.
+/// Passes on an invalid element: its error has been reported.
 template <class... Names>
 constexpr detail::refused connect(detail::refused, const Names&...) {
   return {};
 }
 
-/// An element of a static chain: a core, which holds the arithmetic and the parameters and knows no names, and the keys
-/// of what its ports are connected to.
+/// An element of a static chain: a core with the arithmetic and the parameters, and the keys that its ports are
+/// connected to.
 template <class Core, class... Keys>
 struct element {
   static_assert(sizeof...(Keys) == port_count<Core>);
@@ -46,7 +46,7 @@ struct element {
   }
 };
 
-/// The same under names that are texts, for runtime chains.
+/// An element of a runtime chain: a `core`, and the names that its ports are connected to.
 template <class Core>
 struct named_element {
   using core_type = Core;
@@ -76,12 +76,12 @@ constexpr refused together(refused, const Others&...) {
 }
 }  // namespace detail
 
-/// Several of them, which a runtime chain appends in order: all or none.
+/// Several elements, which a runtime chain appends in order: all or none.
 template <class... Core>
 struct named_elements {
   std::tuple<named_element<Core>...> all;
 
-  /// Of joints in series: the same, the first placed at a position, m, and a rotation in the base.
+  /// Joints in series, the first of them placed at a position, m, and a rotation in the base.
   template <class... Place>
   auto at(const Place&... place) const {
     return [&]<std::size_t... Later>(std::index_sequence<Later...>) {
@@ -99,7 +99,7 @@ struct check_core {
 };
 }  // namespace detail
 
-/// Connects a core: keys make an element of a static chain, texts one of a runtime chain. Either way the parameters are
+/// Connects a core: keys make an element of a static chain, texts an element of a runtime chain. The parameters are
 /// checked first, so that the message can name the element.
 template <class Core, class... Names>
 constexpr auto connect(const Core& core, const Names&... names) {

@@ -27,7 +27,7 @@ inline constexpr std::size_t kept_count = [] {
   for (const auto& p : Core::ports) n += p.how == access::keep;
   return n;
 }();
-/// The port of number N of them; beyond the last where there is none.
+/// The port of number N of them; beyond the last if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;
@@ -171,7 +171,7 @@ struct stored_element {
     if constexpr (requires { core.switched(input<P>()...); })
       write_kept(core.switched(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
   }
-  /// The loads of a mass between several ports, for accelerations alone.
+  /// The loads of a distributed mass, for accelerations alone.
   template <std::size_t... P>
   KTE_INLINE constexpr void mass_force(std::index_sequence<P...>) const {
     if constexpr (distributed_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
@@ -204,7 +204,7 @@ struct stored_element {
       return zero;
     }
   }
-  /// Of a mass between several ports, m c in axes of the base, kg m.
+  /// Of a distributed mass, m c in axes of the base, kg m.
   template <std::size_t... P>
   KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
     if constexpr (requires { core.first_moment(input<P>()...); }) {

@@ -6,9 +6,9 @@ namespace kte {
 
 namespace core {
 
-/// A joint whose placement stands at position r and rotation R in the base, by constants: a link and the joint in one.
+/// A joint with a constant placement, at position r and rotation R in the base: a link and the joint in one.
 ///
-///   X_end = (r, R) X_joint,  which leaves all rates, in axes of the end, those of the joint          (1)
+///   X_end = (r, R) X_joint;  all rates, in axes of the end, are those of the joint          (1)
 template <class Joint, class Rotation, class Position>
 struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position>> {  // with whatever else a joint has
   using transmission<placed_joint>::doMotion, transmission<placed_joint>::doForce;
@@ -77,7 +77,7 @@ requires(is_transmission<Core> && (port_count<Core> > 2) && !is_placed_joint<Cor
     static_assert(rule < Core, Position, fits || dim != kind::frame_3D >,
                   "kte: call it as .at(position[, rotation]), such as .at(kte::along_z(0.5), kte::quarter_turn_x)");
     static_assert(rule<Core, void, loads_by_relative<Core>>,
-                  "kte: a joint with a `doForce` of its own has no place: put that force into an element on the "
+                  "kte: a joint with its own `doForce` cannot be placed: put that force into an element on the "
                   "coordinate");
     if constexpr (!fits || !loads_by_relative<Core>) {
       return refused{};
@@ -93,7 +93,7 @@ template <class Joint, class Rotation, class Position>
 struct placement<core::placed_joint<Joint, Rotation, Position>> {
   template <class Core, class... Place>
   static constexpr auto of(const Core&, const Place&...) {
-    static_assert(rule<Core, void, fit<Core>>, "kte: this joint has a place in its base already: .at() comes once");
+    static_assert(rule<Core, void, fit<Core>>, "kte: this joint has a placement already: call .at() once");
     return refused{};
   }
 };

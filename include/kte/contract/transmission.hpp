@@ -8,19 +8,20 @@
 
 namespace kte {
 
-/// The loads an element puts on its input ports, in their order: a number for a coordinate (N or Nm, along it), a
-/// wrench for a frame (at its origin, in its axes). Signals (inputs, internal states) get none.
+/// The loads of an element on its input ports, in their order: a number for a coordinate (N or Nm, along it), a wrench
+/// for a frame (at its origin, in its axes). Signals (inputs, internal states) have none.
 template <class... L>
 using loads = values<L...>;
 
+/// The `loads` of a doForce, in the order of the input ports.
 template <class... L>
-KTE_INLINE constexpr auto make_loads(const L&... l) {
+[[nodiscard]] KTE_INLINE constexpr auto make_loads(const L&... l) {
   return values<L...>{{{l}...}};
 }
 
-/// The rates that `z_dot` of an element with several internal states gives, in their order.
+/// The rates of several internal states, the result of `z_dot`, in their order.
 template <class... R>
-KTE_INLINE constexpr auto make_rates(const R&... r) {
+[[nodiscard]] KTE_INLINE constexpr auto make_rates(const R&... r) {
   return values<R...>{{{r}...}};
 }
 
@@ -196,7 +197,7 @@ struct check_core<Core> {
   static_assert(rule < Core, turn, fits || in_space >,
                 "kte: a joint or link in the plane turns by a kte::rotation_2D: kte::rotation_by(angle)");
   static_assert(rule<Core, turn, moves_by_relative<Core>>,
-                "kte: the motion of a joint or link follows from its `relative`: it has no `doMotion` of its own");
+                "kte: the motion of a joint or link follows from its `relative`: it must not have its own `doMotion`");
 };
 
 }  // namespace detail

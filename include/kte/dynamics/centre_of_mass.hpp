@@ -5,25 +5,24 @@
 
 namespace kte {
 
-/// A mass, kg, and where its centre is, m.
+/// A `mass`, kg, and the `position` of its centre, m.
 template <class S = double>
 struct mass_centre {
   S mass;
   vec3<S> position;
 };
 
-/// The mass of all bodies (kg) and their centre of mass (m, in axes of the base, from its origin): with h = m c the
-/// first moment of what a frame carries,
+/// The mass of all bodies, kg, and their centre of mass, m, in axes of the base, from its origin. With the first moment
+/// h = m c of the subtree of a frame,
 ///
 ///   c = h_base / m                                       (1)
 ///   h_base += R h_end + m_end p,  m_base += m_end        (2)
 ///
-/// from the tips to the base, for a link or joint R, p between base and end. Of a runtime chain
-/// `centre_of_mass(c, s, q)`, or `centre_of_mass(c, s)` at the positions of the state s, in the axes in which its bases
-/// are given. Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a mass of zero, and for
-/// masses between several things.
+/// from the tips to the base, for a link or joint with R, p between base and end. Runtime chains: `centre_of_mass(c, s,
+/// q)`, or `centre_of_mass(c, s)` at the positions of the state s, in axes of the world. Arguments and errors as for
+/// `inverse_dynamics`. Throws `bad_argument` also for a mass of zero, and for distributed masses.
 template <class Gravity, class... E, indexable Q>
-auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   static_assert(sizeof(detail::check_bodies_of<chain_type>) > 0);
@@ -37,10 +36,10 @@ auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
                         })};
 }
 
-/// The velocity of the centre of mass, m/s, in axes of the base, bases at rest: momentum by mass. Of a runtime chain
-/// `centre_of_mass_velocity(c, s, q, v)` or `(c, s)`; bases that elements move as signals say move.
+/// The velocity of the centre of mass, m/s, in axes of the base, with bases at rest: momentum over mass. Runtime
+/// chains: `centre_of_mass_velocity(c, s, q, v)` or `(c, s)`, with the motion of bases that elements move by signals.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

@@ -6,13 +6,13 @@
 namespace kte {
 
 /// The momentum of all bodies, kg m/s, and their angular momentum about their centre of mass c, kg m^2/s, in axes of
-/// the base, bases at rest: momenta are carried from the tips to the base as forces are, and there
+/// the base, with bases at rest. Momenta are transmitted from the tips to the base as forces are:
 ///
 ///   p = sum p_i,  k_G = k_0 - c x p          (1)
 ///
-/// Of a runtime chain `centroidal_momentum(c, s, q, v)` or `(c, s)`. Arguments and errors as for `centre_of_mass`.
+/// Runtime chains: `centroidal_momentum(c, s, q, v)` or `(c, s)`. Arguments and errors as for `centre_of_mass`.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -29,15 +29,15 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
 }
 
 /// The centroidal momentum matrix A_G, 6 x dofs, linear rows first: centroidal_momentum = A_G(q) v (Orin, Goswami, Lee,
-/// Autonomous Robots 35, 2013, section 3). The column of axis s of a joint is
+/// Autonomous Robots 35, 2013, section 3). The column of a joint with the axis s is
 ///
 ///   X I^c s          (2)
 ///
-/// with I^c the inertia of all that the joint carries, and X the transport of a momentum, as of a wrench, from the end
-/// of the joint to the centre of mass, in axes of the base. Of a runtime chain `centroidal_momentum_matrix(c, s, q)` or
-/// `(c, s)`, a value, for which memory is allocated.
+/// with the composite inertia I^c of the subtree of the joint, and the transform X of a momentum, as of a wrench, from
+/// the end of the joint to the centre of mass, in axes of the base. Runtime chains: `centroidal_momentum_matrix(c, s,
+/// q)` or `(c, s)`, a value, for which memory is allocated.
 template <class Gravity, class... E, indexable Q>
-auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

@@ -12,11 +12,11 @@
 /// zero.
 namespace kte {
 
-/// The configuration that constant v reaches from q in time dt: q + dt v for numbers; for rotations and poses
+/// The configuration after time dt, s, from q at constant v: q + dt v for numbers; for rotations and poses
 ///
 ///   R = R(q) exp [dt w]x,   p = p(q) + R(q) (dt v + ...)          (frames/rigid_motion.hpp)
 ///
-/// exactly, with quaternions of length 1. v in the axes of the moving frames, as everywhere.
+/// exactly, with quaternions of length 1. v is in axes of the moving frames.
 template <class Gravity, class... E, indexable Q, indexable V, class T>
 auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const T& dt) {
   using wiring = detail::wiring<E...>;
@@ -31,10 +31,10 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
   return out;
 }
 
-/// The rates of the numbers of q where the chain moves by v: v itself for numbers; R v for positions, q (0, w/2) for
-/// quaternions q. For methods that know vectors only; the lengths of quaternions then drift.
+/// The time derivatives of the numbers of q at the velocities v: v itself for numbers; R v for positions, q (0, w/2)
+/// for quaternions q. For methods that accept vectors only; lengths of quaternions then drift.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
+[[nodiscard]] auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V& v) {
   using wiring = detail::wiring<E...>;
   using S = value_of<Q>;
   detail::check_configuration<wiring>(q), check_size<wiring::dofs>(v, "v");
@@ -46,10 +46,10 @@ auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V&
   return joint_vector<S, wiring::nq>(Eigen::Map<const joint_vector<S, wiring::nq>>(out.data()));
 }
 
-/// The v by which `integrate` gets from one configuration to another in unit time; rotations take the shorter way. In
-/// the plane the angle is in [-pi, pi].
+/// The velocity v with which `integrate` goes from one configuration to another in unit time; rotations take the
+/// shorter way. In the plane the angle is in [-pi, pi].
 template <class Gravity, class... E, indexable Q>
-auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) {
+[[nodiscard]] auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) {
   using wiring = detail::wiring<E...>;
   using S = value_of<Q>;
   detail::check_configuration<wiring>(from), detail::check_configuration<wiring>(to);
@@ -61,9 +61,9 @@ auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) 
   return out;
 }
 
-/// All numbers 0, all rotations none.
+/// The configuration with all numbers 0 and all rotations the identity.
 template <class S = double, class Gravity, class... E>
-auto neutral_configuration(const static_chain<Gravity, E...>&) {
+[[nodiscard]] auto neutral_configuration(const static_chain<Gravity, E...>&) {
   using wiring = detail::wiring<E...>;
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::neutral_one(wiring::table.free[i], out);
@@ -113,7 +113,7 @@ Eigen::VectorXd integrate(const runtime_chain& c, const Q& q, const V& v, double
   return out;
 }
 template <indexable Q>
-Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
+[[nodiscard]] Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
   detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
   Eigen::VectorXd out(c.dofs());
   for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
@@ -125,7 +125,7 @@ Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
   });
   return out;
 }
-inline Eigen::VectorXd neutral_configuration(const runtime_chain& c) {
+[[nodiscard]] inline Eigen::VectorXd neutral_configuration(const runtime_chain& c) {
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::neutral_one(f, out);
   return out;

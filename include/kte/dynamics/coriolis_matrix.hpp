@@ -49,14 +49,14 @@ Matrix with_transpose(const Matrix& m) {
 }
 }  // namespace detail
 
-/// C(q, v), of which C v are the `coriolis_forces`, made of Christoffel's symbols, by which
+/// The Coriolis matrix C(q, v): C v are the `coriolis_forces`. It is made of Christoffel symbols, so that
 ///
 ///   dM/dt - 2 C  is skew-symmetric,   dM/dt = C + C^T          (1)
 ///
-/// as controllers need it that follow a trajectory or adapt (tree/coriolis.hpp). Bases rest; elements that have a mass
-/// and a law of their own count by that mass. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
+/// as passivity-based and adaptive controllers need (tree/coriolis.hpp). Bases are at rest; of elements with a mass and
+/// forces only the mass counts. kg m^2/s, kg m/s, kg/s. O(n d); no heap for small trees of joints.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -77,14 +77,14 @@ auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& 
                [&]() { diagnose<typename chain_type::wiring>("a matrix", at.q, each<S, V>{v}, same<zero_t>{}, "a"); });
   return m;
 }
-/// How M changes where the chain moves by v: (1).
+/// The time derivative of M at the velocities v: (1).
 template <class Gravity, class... E, indexable Q, indexable V>
-auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto mass_matrix_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   return detail::with_transpose(coriolis_matrix(c, q, v));
 }
 
-/// At the positions and rates of a state, with its moving bases and coordinates that are given: (1) holds then, too,
-/// but C v leaves out what these do.
+/// The Coriolis matrix at the positions and rates of a state, with its moving bases and prescribed coordinates: (1)
+/// holds, but C v omits the forces of their motion.
 template <class S>
 runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);

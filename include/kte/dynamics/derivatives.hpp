@@ -9,19 +9,20 @@
 namespace kte {
 
 /// Inverse dynamics and its derivatives by q, v and a, dofs x dofs each; by_a is the mass matrix, less the derivatives
-/// of friction that depends on what joints carry. In a tree of joints and bodies, with springs, dampers and masses on
-/// coordinates, by recursion over the elements (recursions/force_variations.hpp); where other forces act between
-/// frames, or coordinates follow others, by dual numbers.
+/// of load-dependent friction. In a tree of joints and bodies, with springs, dampers and masses on coordinates, by
+/// recursion over the elements (recursions/force_variations.hpp); with other forces between frames, or coordinates that
+/// follow others, by dual numbers.
 ///
 ///   inverse_dynamics_derivatives(c, q, v, a)       of a static chain, a value
-///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s, for which the first call makes
-///                                                  room
+///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s; the first call allocates
+///                                                  memory
 ///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
 ///
-/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than body nodes hold.
+/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
+/// than the data of a body node.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                                const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -31,7 +32,8 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   return detail::derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, a);
 }
 template <class Gravity, class... E, class S>
-auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c,
+                                                const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);
@@ -40,10 +42,11 @@ auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
   return detail::derivatives_at<S>(c, at, detail::base_of_state<state>{s}, q, v, a);
 }
 
-/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, which has
-/// all digits of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
+/// Forward dynamics and its derivatives, from those of inverse dynamics and the inverse of the mass matrix, with the
+/// accuracy of `mass_matrix_inverse`. Arguments and errors as for `forward_dynamics`, results as above.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
-auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
+[[nodiscard]] auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                                const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   constexpr int n = chain_type::dofs;
@@ -54,7 +57,8 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q&
   return detail::forward_derivatives_at<S>(c, at, detail::base_under_gravity(c), q, v, f);
 }
 template <class Gravity, class... E, class S>
-auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c,
+                                                const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s);

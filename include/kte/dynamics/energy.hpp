@@ -6,23 +6,22 @@
 
 namespace kte {
 
-/// J
+/// Energies of a chain, `kinetic` and `potential`, J.
 template <class S = double>
 struct energies {
   S kinetic;
   S potential;
 };
 
-/// The kinetic energy of all bodies and of masses on coordinates, bases at rest, J:
+/// The kinetic energy of all bodies and of masses on coordinates, with bases at rest, J:
 ///
 ///   T = sum m |v_c|^2 / 2 + w . I w / 2 + sum m q_dot^2 / 2  =  v . M(q) v / 2          (1)
 ///
-/// over the bodies by the velocities of their frames, without M: a sum of what is not negative, so it keeps its digits.
-/// Of a runtime chain `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state
-/// s, of which the frames then are those of `doMotion`; bases move as it says. Arguments and errors as for
-/// `inverse_dynamics`.
+/// by the velocities of frames, without M: a sum of terms that are not negative, without cancellation. Runtime chains:
+/// `kinetic_energy(c, s, q, v)`, or `kinetic_energy(c, s)` at the positions and rates of the state s, with the motion
+/// of its bases; its frames are then those of `doMotion`. Arguments and errors as for `inverse_dynamics`.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -38,10 +37,10 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 ///
 ///   V = - gravity . sum m c + sum V_spring          (2)
 ///
-/// Elements have a part in it by a function `potential_energy`; dampers and motors have none. Of a runtime chain
+/// Elements contribute by a function `potential_energy`; dampers and motors have none. Runtime chains:
 /// `potential_energy(c, s, q)`, or `potential_energy(c, s)`.
 template <class Gravity, class... E, indexable Q>
-auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -53,9 +52,9 @@ auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   });
 }
 
-/// Both. Where nothing else does work, their sum stays the same.
+/// Kinetic and potential energy, J. Their sum is constant if no other force does work.
 template <class Gravity, class... E, indexable Q, indexable V>
-auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
+[[nodiscard]] auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

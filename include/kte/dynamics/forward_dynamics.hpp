@@ -46,18 +46,18 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///
 ///   a = M(q)^-1 (tau - bias),   bias = the inverse dynamics for a = 0          (1)
 ///
-/// in a chain of joints and links by the articulated-body algorithm, which never forms M and keeps its digits where M
-/// is badly conditioned (docs/decisions/05-forward-dynamics.md); where coordinates follow others, or two joints share
-/// one, by factorising M. tau: forces applied to the degrees of freedom besides those of the chain's own elements, Nm
-/// and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
+/// in a chain of joints and links by the articulated-body algorithm (ABA; Featherstone 2008, section 7.3), which does
+/// not form M and keeps its accuracy where M is ill-conditioned (docs/decisions/05-forward-dynamics.md); if coordinates
+/// follow others, or two joints share one, by factorization of M. tau: applied forces on the degrees of freedom in
+/// addition to those of the elements, Nm and N. Returns accelerations, dofs numbers, rad/s^2 and m/s^2.
 ///
 ///   forward_dynamics(c, q, v, tau)       of a static chain, a value
-///   forward_dynamics(c, s, q, v, tau)    of a runtime chain, in the state s, of which the coordinates get them, too
-///   forward_dynamics(c, s)               of both, at the positions and rates of a state under its inputs, no tau
+///   forward_dynamics(c, s, q, v, tau)    of a runtime chain, in the state s, whose coordinates get the accelerations
+///   forward_dynamics(c, s)               of both, at the positions and rates of a state under its inputs, without tau
 ///
 /// Arguments and errors as for `inverse_dynamics`, chains as for `mass_matrix`. Throws `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   constexpr int n = chain_type::dofs;
@@ -69,7 +69,8 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);

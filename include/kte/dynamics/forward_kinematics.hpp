@@ -87,18 +87,18 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
 }
 }  // namespace detail
 
-/// Where a frame stands: rotation and position (m). Only the elements between the base and the frame are evaluated, and
-/// only their poses.
+/// The pose of a frame: rotation and position, m. Only the elements between the base and the frame are evaluated.
 ///
 ///   forward_kinematics(c, q, elbow)          of a static chain, relative to a base at the origin
-///   forward_kinematics(c, s, q, "elbow")     of a runtime chain, in the axes in which the bases of the state s are
-///                                            given; a frame in the plane as one in space
-///   forward_kinematics(c, s, elbow)          of both, at the positions of a state, in the axes of its bases
+///   forward_kinematics(c, s, q, "elbow")     of a runtime chain, in axes of the world, with the bases of the state s;
+///   a
+///                                            frame in the plane as one in space
+///   forward_kinematics(c, s, elbow)          of both, at the positions of a state, in axes of the world
 ///
 /// Arguments and errors as for `inverse_dynamics`; a text that names no frame throws `unknown_name`. All frames at
 /// once: dynamics/frame_motion.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -108,8 +108,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q, const 
 }
 
 template <class Gravity, class... E, class S, key_type Frame>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s,
-                        const Frame&) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c,
+                                      const chain_state<S, detail::wiring<E...>>& s, const Frame&) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);

@@ -3,13 +3,13 @@
 
 #include <kte/dynamics/forward_kinematics.hpp>
 
-/// How a frame moves, and where all frames stand; of static chains with bases at rest, of runtime chains with bases as
-/// the state has them. Frames are named by keys of static chains, by texts or handles of runtime chains, of which a
-/// text that names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is
-/// allocated.
+/// The motion of frames and the poses of all frames: of static chains with bases at rest, of runtime chains with the
+/// bases of the state. Frames are named by keys of static chains, by texts or handles of runtime chains; a text that
+/// names no frame throws `unknown_name`. Arguments and other errors as for `inverse_dynamics`. Nothing is allocated.
 namespace kte {
 
-/// Where all frames of a chain stand, by name: `poses[elbow].position`, `poses[elbow].rotation`.
+/// The poses of all frames of a chain, by key: `poses[elbow].position`, `poses[elbow].rotation`. `in_plane`,
+/// `in_space`: the frames of each kind.
 template <class S, class Wiring>
 class frame_poses {
  public:
@@ -62,7 +62,7 @@ constexpr int frame_slot() {
   static_assert(slot >= 0 && is_frame(Frame::what), "kte: this chain has no frame of this name");
   return slot < 0 ? 0 : slot;
 }
-/// The motion of a frame, of bases and rates of which only what is wanted is no `skip`.
+/// The motion of a frame, of bases and rates of which only what is needed is no `skip`.
 template <class Frame, class Chain, class Given>
 KTE_INLINE auto motion_at(const Chain& c, const Given& g) {
   return motion_of<flow_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);
@@ -100,13 +100,13 @@ KTE_INLINE auto all_poses(const Chain& c, const At& at) {
 }
 }  // namespace detail
 
-/// Where all frames stand: of a static chain a table of rotations and positions (m), by name, relative to a base at the
-/// origin; of a runtime chain the state, of which all frames then are those of `doMotion`.
+/// The poses of all frames: for a static chain a table of rotations and positions, m, by key, relative to a base at the
+/// origin; for a runtime chain the state, with the frames of `doMotion`.
 ///
 ///   auto poses = kte::forward_kinematics(arm, q);                 poses[elbow].position.z
 ///   kte::forward_kinematics(arm, s, q).frame_3D("elbow").position.z
 template <class Gravity, class... E, indexable Q>
-auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -123,12 +123,12 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   return poses;
 }
 
-/// The velocity of the origin of a frame (m/s) and its angular velocity (rad/s), in its own axes, bases at rest: the
-/// recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and frame
-/// and no others. It is `jacobian(c, q, frame)` times v. Of a runtime chain `frame_velocity(c, s, q, v, "hand")`, or
+/// The velocity of the origin of a frame, m/s, and its angular velocity, rad/s, in its own axes, with bases at rest:
+/// the recursion (1), (2) of `compose` (frames/motion.hpp; Luh, Walker, Paul 1980) over the elements between base and
+/// frame. It equals `jacobian(c, q, frame)` times v. Runtime chains: `frame_velocity(c, s, q, v, "hand")`, or
 /// `frame_velocity(c, s, "hand")` at the positions and rates of the state s.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame>
-auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
+[[nodiscard]] auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -142,12 +142,13 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 }
 
 /// The acceleration of the origin of a frame (second derivative of its position, m/s^2: classical) and its angular
-/// acceleration (rad/s^2), in its own axes, bases at rest, without gravity: (2), (3), (4) of `compose`. With the world
-/// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Of a runtime chain
-/// `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`: without the gravity that bases have in the state
-/// (dynamics/runtime/motion_in_world.hpp).
+/// acceleration, rad/s^2, in its own axes, with bases at rest, without gravity: (2), (3), (4) of `compose`. With the
+/// Jacobian J in world axes (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Runtime
+/// chains: `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`, without the gravity that bases have in the
+/// state (dynamics/runtime/motion_in_world.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
-auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
+[[nodiscard]] auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                      const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

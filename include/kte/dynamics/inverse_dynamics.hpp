@@ -57,22 +57,22 @@ KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
 ///
 ///   tau = M(q) a + C(q, v) v + g(q) - Q(q, v)          (1)
 ///
-/// where Q are the forces of the chain's own springs, dampers and the like, and gravity is the chain's `gravity()`.
-/// q, v, a: positions (rad, m), velocities, accelerations of the degrees of freedom in the order of the chain's layout
+/// with the forces Q of springs, dampers and other elements of the chain, and the gravity of the chain. q, v, a:
+/// positions (rad, m), velocities, accelerations of the degrees of freedom in the order of the layout of the chain
 /// (static_chain/layout.hpp); anything with operator[]. Returns tau, dofs numbers, in Nm and N.
 ///
-///   inverse_dynamics(c, q, v, a)       of a static chain, a value: bases rest, inputs are zero; no heap, no state
-///   inverse_dynamics(c, s, q, v, a)    of a runtime chain, in the state s into which q, v, a are put, until the next
-///                                      call with it: bases and inputs are as s has them
+///   inverse_dynamics(c, q, v, a)       of a static chain, a value: bases at rest, inputs zero; no heap, no state
+///   inverse_dynamics(c, s, q, v, a)    of a runtime chain, in the state s, in which q, v, a are stored; bases and
+///   inputs
+///                                      are those of s. The result is valid until the next call with s
 ///   inverse_dynamics(c, s)             of both, at the positions, rates and accelerations of a state
 ///
-/// Throws `bad_argument` for arguments of another size, for numbers that are not finite, and for quaternions of length
-/// zero; a runtime chain also for the state of another. All algorithms on runtime chains that take q, v or a put them
-/// into the state, allocate nothing but for what is as large as M, and where they refuse leave the positions,
-/// velocities and accelerations of the state as they were, unless what they refuse are signals or bases that the state
-/// has.
+/// Throws `bad_argument` for arguments of wrong size, for numbers that are not finite, and for quaternions of length
+/// zero; for runtime chains also for the state of another chain. All algorithms on runtime chains with arguments q, v
+/// or a store them in the state. They allocate only memory of the size of M. If they throw, the positions, velocities
+/// and accelerations of the state are unchanged, unless the cause is a signal or base of the state.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q), check_size<chain_type::dofs>(v, "v"),
@@ -83,7 +83,8 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto inverse_dynamics(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using state = chain_state<S, detail::wiring<E...>>;
   const auto q = positions(s);
   const auto v = velocities(s), a = accelerations(s);

@@ -11,8 +11,8 @@
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 
-/// How Jacobians of frames change, and what a frame is accelerated by rates alone; on static and runtime chains. With
-/// J of `jacobian`, in any of three kinds of axes,
+/// Time derivatives of Jacobians of frames, and the acceleration of frames by rates alone; on static and runtime
+/// chains. With J of `jacobian`, in one of three kinds of axes,
 ///
 ///   d/dt (J v) = J a + J_dot v          (1)
 namespace kte {
@@ -21,7 +21,7 @@ namespace kte {
 
 /// The Jacobian at the origin of the world: (1) of dynamics/axes_of_rates.hpp.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, at_world_origin_t) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, at_world_origin_t) {
   using S = value_of<Q>;
   auto j = jacobian(c, q, frame, in_world_axes);
   const auto p = forward_kinematics(c, q, frame).position;
@@ -32,14 +32,14 @@ auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& fra
   return j;
 }
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, in_own_axes_t) {
+[[nodiscard]] auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame, in_own_axes_t) {
   return jacobian(c, q, frame);
 }
 
-/// The time derivative J_dot of `jacobian(c, q, frame, axes)` where the chain moves by v: by dual numbers, exact to
-/// rounding.
+/// The time derivative J_dot of `jacobian(c, q, frame, axes)` at the velocities v, by dual numbers, exact to rounding.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, axes_of_rates Axes = in_own_axes_t>
-auto jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame& frame, Axes axes = {}) {
+[[nodiscard]] auto jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame& frame,
+                                 Axes axes = {}) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -53,9 +53,10 @@ auto jacobian_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
   return rate;
 }
 
-/// J_dot v: what the rates in (1) change by where no coordinate is accelerated, in m/s^2 and rad/s^2. O(d).
+/// J_dot v: the acceleration of a frame without accelerations of coordinates, m/s^2 and rad/s^2. O(d).
 template <class Gravity, class... E, indexable Q, indexable V, key_type Frame, axes_of_rates Axes = in_own_axes_t>
-auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&, Axes axes = {}) {
+[[nodiscard]] auto bias_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Frame&,
+                                     Axes axes = {}) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -135,8 +136,8 @@ requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_c
   return detail::take(c, s, q).call([&] { return jacobian(c, s, frame, axes); });
 }
 
-/// As on static chains, by columns that change as the frame moves (tree/jacobian_rate.hpp). Throws `bad_argument` for a
-/// frame that follows others.
+/// The time derivative J_dot of `jacobian(c, q, frame, axes)` at the velocities v, by the derivatives of columns
+/// (tree/jacobian_rate.hpp). Throws `bad_argument` for a frame that follows others.
 template <class S, axes_of_rates Axes = in_own_axes_t>
 basic_runtime_jacobian<S> jacobian_rate(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                         Axes = {}) {
@@ -153,7 +154,7 @@ basic_runtime_jacobian<S> jacobian_rate(const runtime_chain& c, basic_runtime_st
   return detail::take(c, s, q, v).call([&] { return detail::jacobian_with_rate_of<Axes>(c, s, x).rate; });
 }
 
-/// As on static chains; where bases of the state are accelerated, but for gravity, with that.
+/// J_dot v, m/s^2 and rad/s^2, plus the acceleration of the bases of the state, without gravity.
 template <class S, axes_of_rates Axes = in_own_axes_t>
 linear_angular<S> bias_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                     Axes = {}) {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-/// What joints and links carry, on static and runtime chains.
+/// Reactions of joints and links, on static and runtime chains.
 namespace kte {
 
-/// What a joint carries, at the frame that it moves.
+/// The reaction of a joint: the `frame` that it moves, and the wrench `reaction` at its origin, in its axes.
 struct joint_reaction_entry {
   std::string frame;
   wrench<vec3<>, vec3<>> reaction;
@@ -25,16 +25,16 @@ wrench<vec3<S>, vec3<S>> reaction_to(const L& load, const Diagnose& why = {"a fo
 }
 }  // namespace detail
 
-/// The wrench, N and Nm, by which a joint or link acts on what is beyond it, at the frame that it moves and in the axes
-/// of that: what its bearings and its motor must hold together, at q, v, a under the chain's gravity and the forces of
-/// its elements. With s the axis of a joint
+/// The wrench, N and Nm, of a joint or link on its subtree, at the frame that it moves and in its axes: the load on its
+/// bearings and motor, at q, v, a under gravity and the forces of elements. With s the axis of a joint
 ///
 ///   s . w = tau of `inverse_dynamics`          (1)
 ///
-/// where no element acts on its coordinate, and w = m (a_c - g) at its centre for what carries a mass m alone. By the
-/// passes of inverse dynamics, bases at rest, inputs zero.
+/// if no element acts on its coordinate, and w = m (a_c - g) at the centre of a subtree that is one mass m. By the
+/// passes of inverse dynamics, with bases at rest and inputs zero.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
-auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
+[[nodiscard]] auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a,
+                                  const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using wiring = typename chain_type::wiring;
@@ -75,21 +75,21 @@ inline runtime_frame find_moved_frame(const runtime_chain& c, const name_or_hand
 }
 }  // namespace detail
 
-/// As on static chains, at the positions, rates and accelerations of a state, with its bases and inputs. Throws
-/// `unknown_name`, and `bad_argument` where no joint or link moves the frame.
+/// The wrench of a joint or link at the positions, rates and accelerations of a state, with its bases and inputs.
+/// Throws `unknown_name`, and `bad_argument` if no joint or link moves the frame.
 inline wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const name_or_handle& frame) {
   const auto x = detail::find_moved_frame(c, frame);
   detail::accumulate_loads(c, s);
   return detail::reaction_at(s, x.what, x.index);
 }
-/// The same at q, v, a, which are put into the state.
+/// The wrench of a joint or link at q, v, a, which are put into the state.
 template <indexable Q, indexable V, indexable A>
 wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                       const name_or_handle& frame) {
   (void)detail::find_moved_frame(c, frame);
   return detail::take(c, s, q, v, a).call([&] { return joint_reaction(c, s, frame); });
 }
-/// Of all joints, in the order of the chain.
+/// The wrenches of all joints, in the order of the chain.
 inline std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s) {
   detail::accumulate_loads(c, s);
   std::vector<joint_reaction_entry> all;

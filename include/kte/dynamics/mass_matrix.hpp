@@ -10,17 +10,17 @@ namespace kte {
 ///
 ///   M_ij = s_i . (I^c_j s_j)   for i upstream of j,  0 where neither is upstream of the other           (1)
 ///
-/// with s the axis of a joint and I^c the inertia of all that it carries. dofs x dofs, symmetric, both triangles
+/// with the axis s of a joint and the composite inertia I^c of its subtree. dofs x dofs, symmetric, both triangles
 /// filled; kg m^2, kg m, kg.
 ///
 ///   mass_matrix(c, q)       of a static chain, a value
-///   mass_matrix(c, s, q)    of a runtime chain, in the state s, for which the first call makes room
+///   mass_matrix(c, s, q)    of a runtime chain, in the state s; the first call allocates memory
 ///   mass_matrix(c, s)       of both, at the positions of a state
 ///
-/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than body nodes hold.
+/// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain with an element that has more
+/// than the data of a body node.
 template <class Gravity, class... E, indexable Q>
-auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -29,7 +29,7 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
 }
 
 template <class Gravity, class... E, class S>
-auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   const auto q = positions(s);
   const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);

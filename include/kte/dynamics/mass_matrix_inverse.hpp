@@ -36,12 +36,12 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
 }
 }  // namespace detail
 
-/// The inverse of the mass matrix, by the recursion of the articulated-body algorithm: column j is the acceleration
-/// that a unit force on degree of freedom j makes in the chain at rest, without gravity and other forces. M itself is
-/// formed (and factorised) only where coordinates follow others. Arguments, results and errors as for `mass_matrix`, of
-/// both kinds of chain. Throws also `singular_mass_matrix`.
+/// The inverse of the mass matrix, by the recursion of the articulated-body algorithm: column j is the acceleration due
+/// to a unit force on degree of freedom j in the chain at rest, without gravity and other forces. M is formed and
+/// factorized only if coordinates follow others. Arguments, results and errors as for `mass_matrix`. Throws also
+/// `singular_mass_matrix`.
 template <class Gravity, class... E, indexable Q>
-auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
@@ -49,7 +49,8 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const Q& q) {
   return detail::inverse_mass<S>(c, at, detail::base_under_gravity(c));
 }
 template <class Gravity, class... E, class S>
-auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto mass_matrix_inverse(const static_chain<Gravity, E...>& c,
+                                       const chain_state<S, detail::wiring<E...>>& s) {
   const auto q = positions(s);
   const detail::configuration<S, detail::wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
   return detail::inverse_mass<S>(c, at, detail::base_of_state<chain_state<S, detail::wiring<E...>>>{s});

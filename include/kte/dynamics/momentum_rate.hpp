@@ -21,10 +21,10 @@ KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, 
 }
 }  // namespace detail
 
-/// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. The linear rows of
-/// `centroidal_momentum_matrix`, by mass. Throws `bad_argument` for a mass of zero.
+/// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. It is the linear rows of
+/// `centroidal_momentum_matrix` over the mass. Throws `bad_argument` for a mass of zero.
 template <class Gravity, class... E, indexable Q>
-auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -42,14 +42,14 @@ auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
   return j;
 }
 
-/// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces that bodies need for their motion,
-/// and that of their moments n about the origin,
+/// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces of the motion of all bodies, and the
+/// sum n of their moments about the origin,
 ///
 ///   p' = f,   k_G' = n - c x f          (1)
 ///
-/// with c the centre of mass; what acts on the chain from outside, gravity and bases, makes just that.
+/// with the centre of mass c; it equals the sum of external loads: gravity and bases.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -63,9 +63,10 @@ auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, 
   const auto h = momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a});
   return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);  // (1)
 }
-/// The acceleration of the centre of mass, m/s^2: p' by mass.
+/// The acceleration of the centre of mass, m/s^2: p' over the mass.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto centre_of_mass_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v,
+                                               const A& a) {
   using S = value_of<Q>;
   const S mass = centre_of_mass(c, q).mass;
   const vec3<S> f = centroidal_momentum_rate(c, q, v, a).linear;

@@ -16,13 +16,13 @@
 
 namespace kte {
 
-/// Small motions about an equilibrium: sums of x = Re(shape exp(root t)), along the numbers of v. By frequency, lowest
-/// first; those without a restoring force have 0.
+/// Small motions about an equilibrium: sums of x = Re(shape exp(root t)), along the numbers of v, in ascending order of
+/// frequency; modes without a restoring force have 0.
 struct natural_modes_result {
-  Eigen::VectorXd frequency;  ///< |root|, rad/s: of a damped mode that of the same mode without damping
-  Eigen::VectorXd damping;    ///< ratio, -Re(root)/|root|: below 1 it swings, 1 it creeps back, below 0 it grows
-  Eigen::VectorXcd root;      ///< 1/s; of two that are conjugate the one with Im > 0
-  Eigen::MatrixXcd shape;     ///< a column each; its largest number is 1
+  Eigen::VectorXd frequency;  ///< |root|, rad/s, the undamped frequency of the mode
+  Eigen::VectorXd damping;    ///< damping ratio -Re(root)/|root|: below 1 oscillating, 1 overdamped, below 0 unstable
+  Eigen::VectorXcd root;      ///< 1/s; of a conjugate pair the one with Im > 0
+  Eigen::MatrixXcd shape;     ///< a column per mode; its largest number is 1
 };
 
 #ifdef KTE_FUNCTION
@@ -117,6 +117,7 @@ inline void solve_damped(const undamped_modes& modes, const Eigen::MatrixXd& k, 
 
 }  // namespace detail
 
+/// The modes of M x'' + C x' + K x = 0; see `natural_modes`.
 KTE_FUNCTION natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k,
                                                    const Eigen::MatrixXd& c) {
   using namespace detail;
@@ -148,7 +149,8 @@ KTE_FUNCTION natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, con
   return x;
 }
 #else
-natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k, const Eigen::MatrixXd& c);
+[[nodiscard]] natural_modes_result natural_modes_of(const Eigen::MatrixXd& m, const Eigen::MatrixXd& k,
+                                                    const Eigen::MatrixXd& c);
 #endif
 
 namespace detail {
@@ -183,9 +185,9 @@ natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, con
   const auto& d = detail::check_at_rest(inverse_dynamics_derivatives(c, s, q, none, none), detail::layout_of_state(s));
   return natural_modes_of(d.by_a, d.by_q, d.by_v);
 }
-/// The same of a static chain, with inputs 0.
+/// The natural modes of a static chain, with inputs 0.
 template <class Gravity, class... E, indexable Q>
-natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q) {
+[[nodiscard]] natural_modes_result natural_modes(const static_chain<Gravity, E...>& c, const Q& q) {
   const joint_vector<double, static_chain<Gravity, E...>::dofs> none =
       joint_vector<double, static_chain<Gravity, E...>::dofs>::Zero();
   const auto d = inverse_dynamics_derivatives(c, q, none, none);

@@ -16,7 +16,7 @@ namespace kte {
 /// (`inertia_gen`) that mass. The kind of an element counts, not its numbers: a point mass has ten, too. Bodies that
 /// are fixed to each other are not taken together.
 template <class S = double, class Gravity, class... E>
-auto inertial_parameters(const static_chain<Gravity, E...>& c) {
+[[nodiscard]] auto inertial_parameters(const static_chain<Gravity, E...>& c) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   Eigen::Matrix<S, parameters_of<chain_type>, 1> pi;
@@ -49,10 +49,10 @@ auto inertial_parameters(const static_chain<Gravity, E...>& c) {
 ///   v . (m a + al x h + w x (w x h)) + u . (I al + w x I w + h x a),   h = m c          (3)
 ///
 /// A value, of both kinds of chain; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a
-/// joint or link that is more than its `relative`, and for masses between several things. Of a static chain no heap,
-/// unless the matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
+/// joint or link that is more than its `relative`, and for distributed masses. Of a static chain no heap, unless the
+/// matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
-auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
+[[nodiscard]] auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -65,7 +65,8 @@ auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V&
 }
 
 template <class Gravity, class... E, class S>
-auto torque_regressor(const static_chain<Gravity, E...>& c, const chain_state<S, detail::wiring<E...>>& s) {
+[[nodiscard]] auto torque_regressor(const static_chain<Gravity, E...>& c,
+                                    const chain_state<S, detail::wiring<E...>>& s) {
   using namespace detail;
   using state = chain_state<S, wiring<E...>>;
   const auto q = positions(s);
@@ -134,7 +135,7 @@ runtime_matrix<S> regressor_of(const runtime_chain& c, basic_runtime_state<S>& s
 }
 }  // namespace detail
 
-Eigen::VectorXd inertial_parameters(const runtime_chain& c);
+[[nodiscard]] Eigen::VectorXd inertial_parameters(const runtime_chain& c);
 #ifdef KTE_FUNCTION
 KTE_FUNCTION Eigen::VectorXd inertial_parameters(const runtime_chain& c) {
   using namespace detail;

@@ -10,10 +10,10 @@ namespace kte {
 
 // ---- of static chains
 
-/// Where B stands in A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m; by the elements between them alone. Of a runtime chain
-/// that has elements which are more than body nodes hold, `relative_motion` knows it.
+/// The pose of frame B in frame A: R = R_A^T R_B, p = R_A^T (p_B - p_A), m. Only the elements between them are
+/// evaluated. For runtime chains with elements that have more than the data of a body node use `relative_motion`.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
-auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
+[[nodiscard]] auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -26,9 +26,10 @@ auto relative_pose(const static_chain<Gravity, E...>& c, const Q& q, const B&, c
   else
     return plain_pose<S>(compose(inverse(plain_pose<S>(motion_at<A>(c, g))), plain_pose<S>(motion_at<B>(c, g))));
 }
-/// How B moves in A: by `relative` of the motions of both (frames/inverse.hpp).
+/// The motion of frame B relative to frame A: `relative` of the motions of both (frames/inverse.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable X, key_type B, key_type A>
-auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& a, const B&, const A&) {
+[[nodiscard]] auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const X& a, const B&,
+                                   const A&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -41,10 +42,10 @@ auto relative_motion(const static_chain<Gravity, E...>& c, const Q& q, const V& 
     diagnose<typename chain_type::wiring>("a motion", at.q, each<S, V>{v}, each<S, X>{a}, "a");
   });
 }
-/// The Jacobian of the motion of B in A, in axes of B: the velocity and angular velocity of `relative_motion` are J v.
-/// Joints that move both have zeros.
+/// The Jacobian of the motion of B relative to A, in axes of B: the velocity and angular velocity of `relative_motion`
+/// are J v. Columns of joints that move both are zero.
 template <class Gravity, class... E, indexable Q, key_type B, key_type A>
-auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
+[[nodiscard]] auto relative_jacobian(const static_chain<Gravity, E...>& c, const Q& q, const B&, const A&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;

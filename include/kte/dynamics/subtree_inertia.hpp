@@ -13,7 +13,8 @@
 /// start from it. Of the frame that a joint moves that is all beyond the joint.
 namespace kte {
 
-/// Mass, kg, first moment m c, kg m, and inertia, kg m^2, about the origin of a frame and in its axes.
+/// A composite inertia: mass, kg, first moment m c, kg m, and inertia, kg m^2, about the origin of a frame and in its
+/// axes.
 template <class S>
 using dense_composite_inertia = composite<S, vec3<S>, sym3<S>>;
 
@@ -28,10 +29,10 @@ dense_composite_inertia<S> checked_composite(const composite<M, H, I>& b, const 
 }
 }  // namespace detail
 
-/// The inertia of all that a frame carries, about its origin and in its axes: of links and joints R, p from the tips on
-/// `transported` (math/rigid_body.hpp) and added.
+/// The composite inertia of the subtree of a frame, about its origin and in its axes: the sum over links and joints R,
+/// p, from the tips on, of `transported` (math/rigid_body.hpp).
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto subtree_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
+[[nodiscard]] auto subtree_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Frame&) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -60,10 +61,10 @@ mass_centre<S> centre_in_base(const dense_composite_inertia<S>& b, const pose<R,
 }
 }  // namespace detail
 
-/// The mass of all that a frame carries, kg, and its centre, m, in axes of the base. Throws `bad_argument` for a mass
-/// of zero.
+/// The mass of the subtree of a frame, kg, and its centre, m, in axes of the base. Throws `bad_argument` for a mass of
+/// zero.
 template <class Gravity, class... E, indexable Q, key_type Frame>
-auto carried_mass_centre(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame) {
+[[nodiscard]] auto carried_mass_centre(const static_chain<Gravity, E...>& c, const Q& q, const Frame& frame) {
   return detail::centre_in_base(subtree_inertia(c, q, frame), forward_kinematics(c, q, frame));
 }
 

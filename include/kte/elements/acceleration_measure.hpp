@@ -26,11 +26,12 @@ struct acceleration_measure : no_parameters {
 
 /// An accelerometer on a frame.
 template <class F, class Y>
-constexpr auto acceleration_measure_2D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto acceleration_measure_2D(const F& frame, const Y& output) {
   return connect(core::acceleration_measure<kind::frame_2D>{}, frame, output);
 }
+/// An accelerometer on a frame in space.
 template <class F, class Y>
-constexpr auto acceleration_measure_3D(const F& frame, const Y& output) {
+[[nodiscard]] constexpr auto acceleration_measure_3D(const F& frame, const Y& output) {
   return connect(core::acceleration_measure<kind::frame_3D>{}, frame, output);
 }
 

@@ -66,8 +66,10 @@ namespace kte {
 #ifdef KTE_EXTERN
 
 namespace core {
+/// A joint in the plane with a placement of plain numbers.
 template <class Joint>
 using placed_2D = placed_joint<Joint, rotation_2D<>, vec3<double, double, zero_t>>;
+/// A joint in space with a placement of plain numbers.
 template <class Joint>
 using placed_3D = placed_joint<Joint, mat3<vec3<>>, vec3<>>;
 }  // namespace core

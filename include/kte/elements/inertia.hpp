@@ -124,21 +124,21 @@ template <class M>
 inline constexpr bool is_rigid_body<core::inertia_gen<M>> = true;
 }  // namespace detail
 
-/// A body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
+/// A rigid body in the plane, fixed to `frame`: `point_mass(1.0)`, `planar_body(2.0, 0.1)`.
 template <class F, class M, class C, class I>
-constexpr auto inertia_2D(const F& frame, const rigid_body<M, C, I>& body) {
+[[nodiscard]] constexpr auto inertia_2D(const F& frame, const rigid_body<M, C, I>& body) {
   return connect(core::inertia<kind::frame_2D, M, C, I>(body), frame);
 }
-/// A body in space, fixed to `frame`: `rigid_body{mass, com, inertia}`, `point_mass(1.0)`. Its inertia must be
-/// physical: no principal moment above the sum of the other two by more than 1e-9 of m |com|^2 + tr inertia;
-/// `rigid_body{...}.as_published()` is taken as it is.
+/// A rigid body in space, fixed to `frame`: `rigid_body{mass, com, inertia}`, `point_mass(1.0)`. Its inertia must be
+/// physically realizable: no principal moment exceeds the sum of the other two by more than 1e-9 of m |com|^2 + tr
+/// inertia. `rigid_body{...}.as_published()` is not checked for this.
 template <class F, class M, class C, class I>
-constexpr auto inertia_3D(const F& frame, const rigid_body<M, C, I>& body) {
+[[nodiscard]] constexpr auto inertia_3D(const F& frame, const rigid_body<M, C, I>& body) {
   return connect(core::inertia<kind::frame_3D, M, C, I>(body), frame);
 }
 /// The inertia of a coordinate, kg or kg m^2.
 template <class Q, variable M>
-constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
+[[nodiscard]] constexpr auto inertia_gen(const Q& coordinate, const M& mass) {
   const auto m = real(mass);
   return connect(core::inertia_gen<std::remove_const_t<decltype(m)>>{m}, coordinate);
 }

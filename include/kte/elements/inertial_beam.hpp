@@ -178,7 +178,8 @@ struct inertial_beam {
 /// The inertia of a uniform beam between two frames in the plane, along x of both: its mass, kg, and on request what
 /// its section adds, the rotary inertia of each half, kg m^2, at its end.
 template <class F1, class F2, variable M, entry J = zero_t>
-constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& mass, const J& inertia = {}) {
+[[nodiscard]] constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& mass,
+                                              const J& inertia = {}) {
   const auto m = real(mass);
   const sym3 about{zero, zero, zero, zero, zero, real(inertia)};
   return connect(
@@ -186,9 +187,11 @@ constexpr auto inertial_beam_2D(const F1& anchor1, const F2& anchor2, const M& m
           m, about},
       anchor1, anchor2);
 }
-/// The same in space; the rotary inertia of each half in axes of its end.
+/// The inertia of a uniform beam between two frames in space, along x of both: its mass, kg, and optionally the rotary
+/// inertia of each half, kg m^2, in axes of its end.
 template <class F1, class F2, variable M, class Inertia = decltype(diagonal(zero, zero, zero))>
-constexpr auto inertial_beam_3D(const F1& anchor1, const F2& anchor2, const M& mass, const Inertia& inertia = {}) {
+[[nodiscard]] constexpr auto inertial_beam_3D(const F1& anchor1, const F2& anchor2, const M& mass,
+                                              const Inertia& inertia = {}) {
   const auto m = real(mass);
   return connect(core::inertial_beam<kind::frame_3D, std::remove_const_t<decltype(m)>, Inertia>{m, inertia}, anchor1,
                  anchor2);

@@ -9,7 +9,8 @@
 /// Joints of several coordinates that are made of joints of one, with a frame between them.
 namespace kte {
 
-/// The frame between the two joints of such a joint, by the name of its end: "wrist.inner" of "wrist".
+/// The key of the frame between the two joints of a series, named after the end: "wrist.inner" for "wrist". `what`,
+/// `text` and `name` are those of a key.
 template <key_type End>
 struct inner_key {
   static constexpr kind what = End::what;
@@ -21,12 +22,13 @@ struct inner_key {
   }();
   static constexpr std::string_view name{text.data(), text.size()};
 };
+/// The frame between the two joints of a series with the given end, such as a `universal_joint_3D`.
 template <key_type End>
-constexpr inner_key<End> inner_of(const End&) {
+[[nodiscard]] constexpr inner_key<End> inner_of(const End&) {
   return {};
 }
 template <text_type End>
-std::string inner_of(const End& end) {
+[[nodiscard]] std::string inner_of(const End& end) {
   return std::string(std::string_view(end)) + ".inner";
 }
 

@@ -5,7 +5,7 @@
 
 namespace kte {
 
-/// The parameters of friction that holds, of a force (N) along a length, or of a torque (Nm) about an angle.
+/// Parameters of friction with sticking: forces, N, for a length, torques, Nm, for an angle.
 struct stiction_parameters {
   double coulomb;   ///< Fc, force of fast sliding; not negative
   double stiction;  ///< Fs, force at which sliding begins; not below Fc
@@ -93,12 +93,13 @@ struct brake_gen : coordinate_lock {
 /// Dry friction on a coordinate that holds it at rest. `mode` is an internal state: events switch it
 /// (docs/events.md).
 template <class Q, class Z>
-constexpr auto joint_stiction_gen(const Q& coordinate, const Z& mode, const stiction_parameters& parameters) {
+[[nodiscard]] constexpr auto joint_stiction_gen(const Q& coordinate, const Z& mode,
+                                                const stiction_parameters& parameters) {
   return connect(core::joint_stiction_gen(parameters), coordinate, mode);
 }
 /// A brake on a coordinate that holds up to the signal `force`, N or Nm; below 0 it counts as 0.
 template <class Q, class Z, class U>
-constexpr auto brake_gen(const Q& coordinate, const Z& mode, const U& force) {
+[[nodiscard]] constexpr auto brake_gen(const Q& coordinate, const Z& mode, const U& force) {
   return connect(core::brake_gen{}, coordinate, mode, force);
 }
 

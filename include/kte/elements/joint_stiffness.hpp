@@ -40,7 +40,8 @@ struct joint_stiffness_gen {
 
 /// A spring on a coordinate: stiffness (N/m, Nm/rad), and where it is at rest (m, rad). (`spring_gen` is between two.)
 template <class Q, entry Stiffness, entry Rest = zero_t>
-constexpr auto joint_stiffness_gen(const Q& coordinate, const Stiffness& stiffness, const Rest& rest = {}) {
+[[nodiscard]] constexpr auto joint_stiffness_gen(const Q& coordinate, const Stiffness& stiffness,
+                                                 const Rest& rest = {}) {
   return connect(
       core::joint_stiffness_gen<decltype(real(stiffness)), decltype(real(rest))>{real(stiffness), real(rest)},
       coordinate);

@@ -42,7 +42,7 @@ struct law_follower : coordinate_follower<law_follower<Law, N>> {
 /// The function takes numbers of any kind, which carry derivatives; rates, accelerations and forces follow from it. No
 /// file can hold it.
 template <class Law, class... Q>
-constexpr auto law_follower_gen(const Law& law, const Q&... coordinates_and_end) {
+[[nodiscard]] constexpr auto law_follower_gen(const Law& law, const Q&... coordinates_and_end) {
   return connect(core::law_follower<Law, sizeof...(Q) - 1>(law), coordinates_and_end...);
 }
 

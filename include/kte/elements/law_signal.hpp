@@ -53,7 +53,7 @@ struct law_signal {
 ///
 /// No file can hold it.
 template <class Law, class... U>
-constexpr auto law_signal(const Law& law, const U&... inputs_and_output) {
+[[nodiscard]] constexpr auto law_signal(const Law& law, const U&... inputs_and_output) {
   return connect(core::law_signal<Law, sizeof...(U) - 1>{law}, inputs_and_output...);
 }
 

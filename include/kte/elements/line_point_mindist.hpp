@@ -52,7 +52,8 @@ struct line_point_mindist {
 /// A frame at the point of a line that is nearest to the origin of another, for springs, dampers and measures: the line
 /// along the unit vector `tangent` through the point `origin`, in the plane.
 template <class B, class E, class Tangent, class Point>
-constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent& tangent, const Point& origin) {
+[[nodiscard]] constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent& tangent,
+                                                   const Point& origin) {
   const auto t = detail::planar(tangent);
   const auto o = detail::planar(origin);
   return connect(
@@ -62,8 +63,8 @@ constexpr auto line_point_mindist_2D(const B& base, const E& end, const Tangent&
 }
 /// The same in space.
 template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
-constexpr auto line_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& tangent,
-                                     const vec3<OX, OY, OZ>& origin) {
+[[nodiscard]] constexpr auto line_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& tangent,
+                                                   const vec3<OX, OY, OZ>& origin) {
   return connect(core::line_point_mindist<kind::frame_3D, vec3<X, Y, Z>, vec3<OX, OY, OZ>>{tangent, origin}, base, end);
 }
 

@@ -55,11 +55,11 @@ struct plane_point_mindist {
 
 }  // namespace core
 
-/// A frame at the point of a plane that is nearest to the origin of another, for springs, dampers and measures: the
-/// plane with the unit `normal` through the point `origin`.
+/// A frame at the point of a plane nearest to the origin of another frame, for springs, dampers and measures. The plane
+/// has the unit `normal` and contains the point `origin`, m.
 template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
-constexpr auto plane_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& normal,
-                                      const vec3<OX, OY, OZ>& origin) {
+[[nodiscard]] constexpr auto plane_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& normal,
+                                                    const vec3<OX, OY, OZ>& origin) {
   return connect(core::plane_point_mindist<vec3<X, Y, Z>, vec3<OX, OY, OZ>>{normal, origin}, base, end);
 }
 

@@ -7,11 +7,11 @@
 
 namespace kte {
 
-/// Dry friction of a joint by what it carries.
+/// Parameters of dry friction of a joint by the load on its bearings.
 struct dry_friction_parameters {
   double friction;                    ///< mu, coefficient of sliding friction; not negative
   double static_friction = friction;  ///< mu_s, coefficient of static friction; not below mu
-  double span = 0;                    ///< L, distance between two bearings, m; 0: moments do not press
+  double span = 0;                    ///< L, distance between two bearings, m; 0: moments have no effect
 };
 
 namespace core {
@@ -97,32 +97,39 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_l
 
 }  // namespace core
 
-/// A revolute joint on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal state: events
-/// switch it (docs/events.md). In the plane all force is across the axis.
+/// A revolute joint in the plane on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal
+/// state that events switch (docs/events.md).
 template <class Q, class Z, class B, class E>
-constexpr auto sticking_revolute_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                          double radius, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_revolute_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                                        double radius, const dry_friction_parameters& friction) {
   using joint = core::revolute_joint<kind::frame_2D, std::remove_const_t<decltype(axis::z)>>;
   return connect(core::sticking_joint<joint>(joint(axis::z), radius, friction), coordinate, mode, base, end);
 }
+/// A revolute joint in space on a bearing of a radius, m, with dry friction that sticks. `mode` is an internal state
+/// that events switch (docs/events.md).
 template <class Q, class Z, class B, class E, class X, class Y, class W>
-constexpr auto sticking_revolute_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                          const vec3<X, Y, W>& axis, double radius,
-                                          const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_revolute_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
+                                                        const vec3<X, Y, W>& axis, double radius,
+                                                        const dry_friction_parameters& friction) {
   using joint = core::revolute_joint<kind::frame_3D, vec3<X, Y, W>>;
   return connect(core::sticking_joint<joint>(joint(axis), radius, friction), coordinate, mode, base, end);
 }
-/// A prismatic joint with dry friction that sticks, along a unit axis in base axes.
+/// A prismatic joint in the plane with dry friction that sticks, along a unit axis in base axes. `mode` is an internal
+/// state that events switch.
 template <class Q, class Z, class B, class E, geometric Axis>
-constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                           const Axis& axis, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_prismatic_joint_2D(const Q& coordinate, const Z& mode, const B& base,
+                                                         const E& end, const Axis& axis,
+                                                         const dry_friction_parameters& friction) {
   const auto n = detail::planar(axis);
   using joint = core::prismatic_joint<kind::frame_2D, std::remove_const_t<decltype(n)>>;
   return connect(core::sticking_joint<joint>(joint(n), 1, friction), coordinate, mode, base, end);
 }
+/// A prismatic joint in space with dry friction that sticks, along a unit axis in base axes. `mode` is an internal
+/// state that events switch.
 template <class Q, class Z, class B, class E, class X, class Y, class W>
-constexpr auto sticking_prismatic_joint_3D(const Q& coordinate, const Z& mode, const B& base, const E& end,
-                                           const vec3<X, Y, W>& axis, const dry_friction_parameters& friction) {
+[[nodiscard]] constexpr auto sticking_prismatic_joint_3D(const Q& coordinate, const Z& mode, const B& base,
+                                                         const E& end, const vec3<X, Y, W>& axis,
+                                                         const dry_friction_parameters& friction) {
   using joint = core::prismatic_joint<kind::frame_3D, vec3<X, Y, W>>;
   return connect(core::sticking_joint<joint>(joint(axis), 1, friction), coordinate, mode, base, end);
 }

@@ -40,14 +40,14 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
     !std::invocable<const F&, const S&, const X&> && std::invocable<F&, const S&, const X&>;
 }  // namespace detail
 
-/// A right-hand side f whose states are no vectors:
+/// A right-hand side f whose states are not vectors, such as those with rotations:
 ///
 ///   typename F::rate         what f(t, x) returns: a column vector of velocities
 ///   f.rates()                how many numbers it has
 ///   f.displace(x, d, out)    out = x (+) d, in (2)
 ///   f.pull_back(d, r)        the rate r of the state becomes that of d, in (1)
-///   f.magnitudes(x, m)       of each number of d, how large the state is in its unit: for relative tolerances
-///   f.rounding(x, d, out, r) optional: r = what of d was lost where out was rounded, for a displacement from out
+///   f.magnitudes(x, m)       the size of the state for each number of d, in its unit: for relative tolerances
+///   f.rounding(x, d, out, r) optional: r = the part of d lost in the rounding of out, as a displacement from out
 template <class F, class X>
 concept moves_on_group = requires(const F& f, const X& x, X& out, const typename F::rate& d, typename F::rate& r) {
   { f.rates() } -> std::convertible_to<Eigen::Index>;
@@ -74,7 +74,7 @@ requires requires { typename F::state; }
 inline constexpr bool has_states_on_group<F> = moves_on_group<F, typename F::state>;
 }  // namespace detail
 
-/// The rates of states X under f, and displacements: X itself where states are vectors.
+/// The type of rates of states X under f, and of displacements: X itself for vectors.
 template <class F, class X>
 using rate_of = typename detail::rate_type<detail::unwrapped_type<F>, X>::type;
 

@@ -12,13 +12,13 @@
 
 namespace kte {
 
-/// What an integration has cost so far.
+/// Counts of an integration so far.
 struct step_statistics {
-  long long steps = 0;        ///< accepted
-  long long rejected = 0;     ///< tried and thrown away
-  long long evaluations = 0;  ///< of the right-hand side, also those for differences
-  long long jacobians = 0;    ///< of the right-hand side
-  long long factorizations = 0;
+  long long steps = 0;           ///< accepted
+  long long rejected = 0;        ///< tried and rejected
+  long long evaluations = 0;     ///< of the right-hand side, including those for differences
+  long long jacobians = 0;       ///< of the right-hand side
+  long long factorizations = 0;  ///< of matrices
 };
 
 /// A right-hand side and the states of a step: from `x_`, that at the start of the step, to `next_`, by displacements,

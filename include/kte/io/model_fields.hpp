@@ -64,7 +64,7 @@ class model_fields {
       }
     });
   }
-  /// What a model of a manipulator has besides a chain.
+  /// What a model of a manipulator has in addition to a chain.
   void read_more(const std::string& name, model_record& m) {
     if (name == "tools") {
       m.tools = in_.texts(name);

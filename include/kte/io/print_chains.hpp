@@ -73,7 +73,7 @@ std::ostream& operator<<(std::ostream& out, const static_chain<Gravity, E...>& c
   return out;
 }
 
-/// An element of a runtime chain: its numbers as a file would have them.
+/// An element of a runtime chain, with the numbers that a file would have.
 inline std::ostream& operator<<(std::ostream& out, const kte_element& e) {
   if (!e.holds_code()) return out << e.record();
   const std::vector<std::string_view> names(e.names().begin(), e.names().end());

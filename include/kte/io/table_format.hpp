@@ -8,7 +8,7 @@
 
 namespace kte {
 
-/// The media of tables in files.
+/// The file formats of tables.
 enum class table_format {
   ssv,  ///< text, columns separated by spaces: gnuplot
   csv,  ///< text, by commas: PlotJuggler, spreadsheets
@@ -34,8 +34,8 @@ constexpr char separator_of(table_format f) {
 
 }  // namespace detail
 
-/// The format that the extension of a file's name says. Throws `bad_argument` with the known ones.
-inline table_format format_of(const std::filesystem::path& path) {
+/// The format of a file by its extension. Throws `bad_argument`, listing the known ones.
+[[nodiscard]] inline table_format format_of(const std::filesystem::path& path) {
   const std::string extension = detail::lower_extension(path);
   std::string known;
   for (const auto& e : detail::known_extensions) {

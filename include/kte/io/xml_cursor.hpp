@@ -86,7 +86,7 @@ class xml_cursor {
         std::find_if(std::begin(known), std::end(known), [part](const auto& x) { return x.first == part; });
     const bool numeric = part.starts_with('#');
     if (peek() != ';' || (!numeric && k == std::end(known)))
-      source_.fail(from, "'&' begins no known entity (for itself write &amp;)");
+      source_.fail(from, "'&' begins no known entity (write &amp; for the character itself)");
     skip(1);
     numeric ? source_.append(out, character(part.substr(1), from), from) : out.push_back(k->second);
   }

@@ -10,18 +10,20 @@
 
 namespace kte {
 
-/// One number a degree of freedom.
+/// A vector with one number per degree of freedom.
 template <class S, int N>
 using joint_vector = Eigen::Matrix<S, N, 1>;
+/// A square matrix over the degrees of freedom.
 template <class S, int N>
 using joint_matrix = Eigen::Matrix<S, N, N>;
 
-/// What fused algorithms take for q, v, a, tau: an Eigen vector, std::array, std::span, a pointer.
+/// An argument q, v, a or tau of algorithms: an Eigen vector, std::array, std::span, a pointer.
 template <class T>
 concept indexable = requires(const T& x, std::size_t i) {
   x[i];
 };
 
+/// The type of the numbers of such an argument.
 template <indexable T>
 using value_of = std::remove_cvref_t<decltype(std::declval<const T&>()[std::size_t{}])>;
 

@@ -14,7 +14,7 @@ namespace kte::detail {
 ///
 ///   M = L D L^T,   d_j = m_jj - sum_k l_jk^2 d_k,   l_ij = (m_ij - sum_k l_ik l_jk d_k) / d_j          (1)
 ///
-/// Golub and Van Loan, Matrix Computations, 4.1.2. Eigen's LLT is a call of its own and takes as long as all the rest
+/// Golub and Van Loan, Matrix Computations, 4.1.2. Eigen's LLT is its own call and takes as long as all the rest
 /// (docs/decisions/05-forward-dynamics.md). Returns whether no pivot d_j vanishes against m_jj.
 template <class Matrix>
 KTE_INLINE bool factorise(Matrix& m) {
@@ -57,7 +57,7 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
     text.append("a coordinate");
   else
     text.append("'").append(coordinate).append("'");
-  raise<singular_mass_matrix>(text.append(" moves no mass of its own"));
+  raise<singular_mass_matrix>(text.append(" moves no mass independently of the others"));
 }
 /// The first row of which `factorise` said that its pivot vanishes; m_jj follows again from (1).
 template <class Matrix>

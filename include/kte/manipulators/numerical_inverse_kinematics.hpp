@@ -12,29 +12,33 @@
 
 namespace kte {
 
+/// Options of `numerical_inverse_kinematics`.
 struct numerical_ik_options {
-  int iterations = 1000;    ///< in all
-  int draws = 16;           ///< of these, each new start is the one with the least errors
-  std::uint64_t seed = 1;   ///< of new starts: the same seed gives the same answer
-  double tolerance = 1e-9;  ///< of reach, and rad
-  double length = 0;        ///< by which rad count as m; 0: reach/pi, by which a half turn counts as the reach
-  bool numeric = false;     ///< do not start from the closed form, where there is one
-  bool must_reach = false;  ///< throw `unreachable` instead of a status
+  int iterations = 1000;    ///< largest number of iterations in total
+  int draws = 16;           ///< random configurations per restart; the one with the least errors is taken
+  std::uint64_t seed = 1;   ///< of restarts: equal seeds give equal results
+  double tolerance = 1e-9;  ///< as a fraction of the reach, and in rad
+  double length = 0;        ///< m per rad in errors; 0: reach/pi, so that half a turn counts as the reach
+  bool numeric = false;     ///< do not start from the closed form, if any
+  bool must_reach = false;  ///< throw `unreachable` instead of returning a status
 };
 
+/// How `numerical_inverse_kinematics` ended.
 enum class numerical_ik_status {
-  reached,        ///< all hard goals, within tolerance; soft ones as near as they let them
-  at_limits,      ///< the best that was found, held by limits
-  local_minimum,  ///< the best that was found
+  reached,        ///< all hard goals are attained within tolerance, soft ones as far as these allow
+  at_limits,      ///< the best result found, at limits
+  local_minimum,  ///< the best result found
 };
 
+/// The result of `numerical_inverse_kinematics`: the posture q, its `status`, and counts of `iterations` and
+/// `restarts`.
 template <class S, int N>
 struct numerical_ik_result {
   joint_vector<S, N> q;  ///< within limits, always
   numerical_ik_status status;
   int iterations;
   int restarts;
-  S position, rotation;  ///< by which the hard goals are missed, the largest, m and rad
+  S position, rotation;  ///< largest errors of hard goals, m and rad
 };
 
 namespace detail {
@@ -57,21 +61,20 @@ template <class... Goal>
 inline constexpr bool has_hard<std::tuple<Goal...>> = (Goal::hard || ...);
 }  // namespace detail
 
-/// Inverse kinematics of any chain and any goals (`reach`, `reach_position`, `look_at`, `posture`, `away_from_limits`,
-/// `manipulability`, several by `goals`, in order by `then`), numerically: Levenberg-Marquardt within limits
-/// (manipulators/detail/descent.hpp) from q_start, brought within limits, and if that does not attain the hard goals
-/// from further starts that a seeded generator draws. Where a pose is all that is wanted and the arm has a closed form,
-/// its answers are starts too: of an arm that is not redundant the nearest one is the first start. For the same
-/// arguments the answer is the same.
+/// Numerical inverse kinematics of any chain and any goals (`reach`, `reach_position`, `look_at`, `posture`,
+/// `away_from_limits`, `manipulability`, several by `goals`, in order by `then`): Levenberg-Marquardt within limits
+/// (manipulators/detail/descent.hpp) from q_start, moved into the limits, and if that does not attain the hard goals,
+/// restarts from random configurations. If the only goal is a pose and the arm has a closed form, its solutions are
+/// start values too; for an arm that is not redundant the nearest one is the first. Equal arguments give equal results.
 ///
 ///   auto r = kte::numerical_inverse_kinematics(arm, kte::reach(tool, pose), q);
 ///   auto r = kte::numerical_inverse_kinematics(arm, kte::goals(kte::reach(tool, pose), kte::posture(rest)), q);
 ///
-/// Throws `bad_argument` for what is not finite or of the wrong size, `bad_parameter` for limits of position of a
-/// rotation or pose, `unreachable` with `must_reach`. Nothing is allocated for static chains, but by `posture` and
+/// Throws `bad_argument` for arguments that are not finite or of wrong size, `bad_parameter` for limits of position of
+/// a rotation or pose, `unreachable` with `must_reach`. Nothing is allocated for static chains, except by `posture` and
 /// `manipulability`.
 template <class Arm, class Goals, indexable Q>
-numerical_ik_result<value_of<Q>, detail::arm_at<Arm, value_of<Q>>::configuration::RowsAtCompileTime>
+[[nodiscard]] numerical_ik_result<value_of<Q>, detail::arm_at<Arm, value_of<Q>>::configuration::RowsAtCompileTime>
 numerical_inverse_kinematics(const Arm& arm, const Goals& wanted, const Q& q_start,
                              const numerical_ik_options& options = {}) {
   using S = value_of<Q>;

@@ -6,12 +6,12 @@
 
 namespace kte {
 
-/// `manipulator` of a runtime chain, its tools by name:
+/// `manipulator` of a runtime chain, with tools by name:
 ///
 ///   kte::manipulator arm(chain, "tool");
 ///   kte::manipulator arm(chain, {"left", "right"}, limits);
 ///
-/// It has a state of its own to work in: one model a thread.
+/// It owns a state; use one per thread.
 template <>
 class manipulator<runtime_chain, void> : public manipulator_kinematics_model<runtime_chain> {
   using model = manipulator_kinematics_model<runtime_chain>;
@@ -19,7 +19,8 @@ class manipulator<runtime_chain, void> : public manipulator_kinematics_model<run
  public:
   using limits_type = joint_limits<>;
 
-  /// Throws `unknown_name` for a frame that the chain does not have, `bad_parameter` for limits that make no sense.
+  /// A manipulator with its tools and limits. Throws `unknown_name` for a frame that the chain does not have,
+  /// `bad_parameter` for invalid limits.
   manipulator(const runtime_chain& c, std::vector<std::string> tools, const joint_limits<>& limits);
   manipulator(const runtime_chain& c, std::vector<std::string> tools)
       : manipulator(c, std::move(tools), unlimited(c)) {}

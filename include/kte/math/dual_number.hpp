@@ -8,6 +8,7 @@ namespace kte {
 template <class T, int N>
 struct dual;
 
+/// Whether T is a dual number.
 template <class T>
 inline constexpr bool is_dual = false;
 template <class T, int N>
@@ -30,8 +31,8 @@ KTE_INLINE constexpr decltype(auto) factor(const A& a) {
 }
 }  // namespace detail
 
-/// What mixes with dual numbers over T without having derivatives: arithmetic types, T, and in nested dual numbers what
-/// mixes with those inside.
+/// Constants in arithmetic with dual numbers over T: arithmetic types and T; for nested dual numbers also the constants
+/// of the inner ones.
 template <class A, class T>
 concept constant_of = detail::is_constant_of<A, T>;
 

@@ -56,7 +56,7 @@ struct simd {
 
 }  // namespace detail
 
-/// N derivatives, by index.
+/// N derivatives, read by index: `size`, `data`, `begin`, `end` as of an array.
 template <class T, int N>
 class derivatives {
   static_assert(N > 0, "kte: a dual number has at least one derivative");

@@ -10,6 +10,7 @@
 /// which would else take ten times as long to compile as the formulas themselves (docs/decisions/12-compiled.md).
 namespace kte {
 
+/// A dual `number` whose operations are functions, not inlined.
 template <class D>
 struct out_of_line {
   D number;
@@ -86,11 +87,11 @@ KTE_OUT_OF_LINE((min))
 KTE_OUT_OF_LINE((max))
 #undef KTE_OUT_OF_LINE
 template <class D>
-bool isfinite(const out_of_line<D>& x) {
+[[nodiscard]] bool isfinite(const out_of_line<D>& x) {
   return isfinite(x.number);
 }
 template <class D>
-bool isnan(const out_of_line<D>& x) {
+[[nodiscard]] bool isnan(const out_of_line<D>& x) {
   return isnan(x.number);
 }
 

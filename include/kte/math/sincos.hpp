@@ -83,7 +83,7 @@ KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, do
 
 }  // namespace detail
 
-/// Sines and cosines of n angles, rad: four at a time as `sincos_all` does.
+/// Sines and cosines of n angles, rad, four at a time as in `sincos_all`.
 inline void sincos_each(const double* angle, double* sine, double* cosine, std::size_t n) {
   std::size_t i = 0;
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
@@ -93,14 +93,14 @@ inline void sincos_each(const double* angle, double* sine, double* cosine, std::
   for (; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
 }
 
-/// Of other scalars, one by one.
+/// Sines and cosines of n angles, rad, in other scalars: one at a time.
 template <class S>
 void sincos_each(const S* angle, S* sine, S* cosine, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
 }
 
-/// visit(i, sine, cosine) of n angles, rad, of which `angle(i)` gives one: four at a time likewise. They go to
-/// registers without a way through memory, where four that were just written one by one would be waited for.
+/// Calls visit(i, sine, cosine) for each of n angles `angle(i)`, rad, computed four at a time. The angles stay in
+/// registers: a load of four numbers just stored one by one would stall.
 template <class S, class Angle, class Visit>
 KTE_INLINE void sincos_each(std::size_t n, const Angle& angle, const Visit& visit) {
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
@@ -122,7 +122,7 @@ KTE_INLINE void sincos_each(std::size_t n, const Angle& angle, const Visit& visi
   }
 }
 
-/// Sines and cosines of the N angles of a chain.
+/// Sines `sin` and cosines `cos` of the N angles of a chain. The arrays are `padded` to whole registers where `simd`.
 template <class S, std::size_t N>
 struct sines {
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
@@ -135,10 +135,10 @@ struct sines {
   std::array<S, padded> cos;
 };
 
-/// All sines and cosines of a chain at once; `angle(i)` gives angle i in rad. Doubles go four at a time unless
-/// KTE_SCALAR_SINCOS is defined; other scalars one by one, by the `sin` and `cos` found for them.
+/// All sines and cosines of a chain; `angle(i)` returns angle i, rad. Doubles are computed four at a time, unless
+/// KTE_SCALAR_SINCOS is defined; other scalars one at a time by their own `sin` and `cos`.
 template <class S, std::size_t N, class Angle>
-KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
+[[nodiscard]] KTE_INLINE sines<S, N> sincos_all(const Angle& angle) {
   if constexpr (N == 0) return sines<S, N>{};
   sines<S, N> r;
   if constexpr (sines<S, N>::simd) {

@@ -20,8 +20,8 @@ namespace kte {
 ///   kte::manipulator_dynamics_model arm(chain);
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
-/// For a static chain without heap or virtual calls; a value. For a runtime chain it has a state of its own to work in,
-/// and what it returns is valid until its next call: one model a thread. Bases are at rest, under the chain's gravity.
+/// For a static chain without heap or virtual calls; a value. For a runtime chain it has its own state to work in, and
+/// what it returns is valid until its next call: one model a thread. Bases are at rest, under the chain's gravity.
 template <class Chain, class S = double, class Output = void>
 class manipulator_dynamics_model;
 
@@ -64,8 +64,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
   /// as set. Stiff methods take it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
-  /// Not of chains with friction by what joints carry that keep internal states, of which stiff methods take
-  /// differences: friction answers accelerations, and so those states, by no matrix alone.
+  /// Not of chains with load-dependent friction that keep internal states, of which stiff methods take differences:
+  /// friction answers accelerations, and so those states, by no matrix alone.
   static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
@@ -122,7 +122,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     static_assert(slot >= 0 && nu_of(Key::what) > 0, "kte: this chain has no input of this name");
     constexpr int place = wiring::input_place(Key::what, slot);
     static_assert(slot < 0 || place >= 0,
-                  "kte: this is not an input from outside: an element of the chain writes it, or it is the time");
+                  "kte: this is not an input: an element of the chain writes it, or it is the time");
     if constexpr (Key::what == kind::vector) {
       return this->u_.template segment<3>(place < 0 ? 0 : place);
     } else {

@@ -100,7 +100,7 @@ void find_modes(const Model& model, const T& t, X& x) {
   };
   const std::size_t n = model.locks().size(), most = n < 10 ? std::size_t{2} << 2 * n : std::size_t{2} << 20;
   for (std::size_t i = 0; next(); ++i)
-    if (i == most) raise<no_solution>("kte: no joints can be found that hold, and others that slide: friction jams");
+    if (i == most) raise<no_solution>("kte: no consistent set of sticking and sliding joints exists: friction jams");
 }
 /// At a zero of (1), or of the rate.
 template <class Model, class T, class X>
@@ -147,7 +147,7 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 ///
 ///   const auto x = kte::settled(model, 0.0, model.make_x(q, v));
 template <class Model, class T, class X>
-X settled(const Model& model, const T& t, X x) {
+[[nodiscard]] X settled(const Model& model, const T& t, X x) {
   using S = typename X::Scalar;
   for (const auto& h : model.locks()) {
     const S rate = x[h.rate];

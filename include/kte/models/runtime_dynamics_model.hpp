@@ -157,7 +157,7 @@ struct runtime_switching {
 }  // namespace detail
 
 /// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
-inline auto element_events(const manipulator_dynamics_model<runtime_chain>& model) {
+[[nodiscard]] inline auto element_events(const manipulator_dynamics_model<runtime_chain>& model) {
   using reset = detail::switch_element<detail::runtime_switching>;
   std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;
@@ -225,8 +225,7 @@ KTE_FUNCTION int manipulator_dynamics_model<runtime_chain>::place_of_input(std::
   const int slot = wiring().find(name, k);
   for (const auto& signal : wiring().signals)
     if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
-  throw bad_argument("kte: '" + std::string(name) +
-                     "' is not an input from outside: an element writes it, or it is the time");
+  throw bad_argument("kte: '" + std::string(name) + "' is not an input: an element writes it, or it is the time");
 }
 
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::getJointStates(const runtime_state& s) const -> state {

@@ -14,8 +14,8 @@
 
 namespace kte {
 
-/// `inverse_dynamics_model` of a runtime chain. It has a state of its own to work in; what it returns is valid until
-/// its next call: one model a thread.
+/// `inverse_dynamics_model` of a runtime chain. It owns a state; results are valid until the next call. Use one model
+/// per thread.
 template <>
 class inverse_dynamics_model<runtime_chain> : public unchanging_chain {
  public:
@@ -39,7 +39,7 @@ class inverse_dynamics_model<runtime_chain> : public unchanging_chain {
 };
 inverse_dynamics_model(const runtime_chain&)->inverse_dynamics_model<runtime_chain>;
 
-/// `manipulator_kinematics_model` of a runtime chain, of frames by name.
+/// `manipulator_kinematics_model` of a runtime chain; tools are given by name.
 template <>
 class manipulator_kinematics_model<runtime_chain> : public unchanging_chain {
  public:

@@ -165,7 +165,7 @@ class mass_matrix_calc<runtime_chain> {
   };
   [[noreturn]] void refuse_distributed(std::size_t e) const {
     throw bad_argument("kte: mass_matrix_calc: " + describe_element(*chain_.wiring().elements[e].element) +
-                       " has a mass between several things");
+                       " has a distributed mass");
   }
   /// Whether it has a mass.
   bool add_body(std::size_t e) {

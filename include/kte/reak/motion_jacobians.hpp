@@ -45,8 +45,8 @@ auto coordinate_row(const Chain& c, const Q& q) {
 }
 }  // namespace detail
 
-/// How the rates of `coordinate`, a degree of freedom, move `moved`, a frame or a generalized coordinate, where the
-/// chain moves by v: a `motion_jacobian` by the kinds of both, jacobian_gen_3D and its kin, for bases at rest.
+/// The Jacobian of `moved`, a frame or a generalized coordinate, by the rates of `coordinate`, a degree of freedom, at
+/// the velocities v: a `motion_jacobian` of the kinds of both, such as jacobian_gen_3D, for bases at rest.
 template <class Gravity, class... E, indexable Q, indexable V, key_type Coordinate, key_type Moved>
 auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const Coordinate&,
                         const Moved& moved) {
@@ -58,7 +58,7 @@ auto motion_jacobian_of(const static_chain<Gravity, E...>& c, const Q& q, const 
   static_assert(is_coordinate(Coordinate::what) && slot >= 0, "kte: this chain has no coordinate of this name");
   constexpr freedom at = wiring::freedom_of(Coordinate::what, slot < 0 ? 0 : slot);
   static_assert(slot < 0 || at.what == Coordinate::what,
-                "kte: this coordinate is not a degree of freedom: its motion is given already");
+                "kte: this coordinate is not a degree of freedom: its motion is prescribed");
   using result = motion_jacobian<Coordinate::what, Moved::what, S>;
   if constexpr (Moved::what == kind::gen) {
     constexpr int of = wiring::template find<Moved>();
@@ -114,11 +114,12 @@ Result motion_jacobian_at_state(const runtime_chain& c, basic_runtime_state<S>& 
 }
 }  // namespace detail
 
-/// The same, of the kinds that the result says, with bases as the state has them:
+/// The Jacobian of a frame or coordinate by a coordinate of a runtime chain, of the kinds given by the type of the
+/// result, with the bases of the state:
 ///
 ///   motion_jacobian_of<jacobian_gen_3D<>>(arm, s, q, v, "elbow", "tool")
 ///
-/// Throws `unknown_name` where a name is of another kind.
+/// Throws `unknown_name` if a name is of another kind.
 template <class Result, class S>
 Result motion_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& coordinate,
                           const name_or_handle& moved) {

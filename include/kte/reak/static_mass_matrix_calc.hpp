@@ -53,8 +53,7 @@ class mass_matrix_calc<static_chain<Gravity, E...>, std::index_sequence<Body...>
 
   template <std::size_t I>
   static constexpr bool massive = [] {
-    static_assert(!detail::distributed_mass<core<I>>,
-                  "kte: mass_matrix_calc: this element has a mass between several things");
+    static_assert(!detail::distributed_mass<core<I>>, "kte: mass_matrix_calc: this element has a distributed mass");
     return detail::has_mass<core<I>, double>;
   }();
   struct any_mass {

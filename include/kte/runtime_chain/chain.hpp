@@ -11,14 +11,14 @@
 
 namespace kte {
 
-/// A chain put together at run time, under names that are texts:
+/// A chain assembled at run time, with texts as names:
 ///
 ///   runtime_chain c;
 ///   c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5));
 ///
-/// The same elements, rules and passes as in a static chain. A static chain is appended as one element, of another
-/// runtime chain its elements. Elements do not change once they are in; a chain is a value and may be shared between
-/// threads, each with a state of its own. One that is moved from is empty.
+/// Elements, rules and passes are those of static chains. A static chain is appended as one element; of another runtime
+/// chain all elements are appended. Elements do not change after they are appended. A chain is a value and may be
+/// shared between threads, each with its own state. A chain that was moved from is empty.
 class runtime_chain : public kte_map {
  public:
   runtime_chain() = default;
@@ -38,7 +38,7 @@ class runtime_chain : public kte_map {
   ~runtime_chain() override = default;
 #endif
 
-  /// Appends an element, a static chain, or a chain. Throws `bad_wiring`; the chain is then as before.
+  /// Appends an element, a static chain, or a chain. Throws `bad_wiring`, with strong exception guarantee.
   template <class Core>
   runtime_chain& operator<<(named_element<Core> e) {
     return append(std::make_unique<kte_map_adapter<Core>>(std::move(e)));
@@ -76,20 +76,21 @@ class runtime_chain : public kte_map {
     static_assert(detail::fit<T>, "kte: a chain is made of elements and of chains, and this is neither");
     return *this;
   }
-  /// A runtime chain gives its elements away: what still points to it can only throw `bad_argument`.
+  /// Appends an element, a static chain or a chain. The elements of a runtime chain are moved out of it; calls through
+  /// other pointers to it throw `bad_argument`. Throws `bad_wiring`.
   runtime_chain& append(std::unique_ptr<kte_map> e);
 
-  /// Gravity in the axes of the bases, m/s^2; a new state starts with bases accelerated against it. Written here it
-  /// holds for the whole, whatever its parts have; else the chain takes that of the first part appended that has one,
-  /// not zero, and refuses another (`bad_wiring`). States made before are refused where it changes. Throws
-  /// `bad_parameter` for what is not finite.
+  /// Sets gravity, m/s^2, in the axes of the bases; a new state starts with bases accelerated against it. It holds for
+  /// the whole chain, whatever gravity its parts have. Without it the chain takes the gravity of the first appended
+  /// part with one other than zero, and rejects a different one (`bad_wiring`). A change invalidates states made
+  /// before. Throws `bad_parameter` unless it is finite.
   template <class X, class Y, class Z>
   runtime_chain& gravity(const vec3<X, Y, Z>& g) {
     detail::check_gravity(g);
     put_gravity(as<double>(g)), gravity_is_written_ = true;
     return *this;
   }
-  /// `.gravity({0, 0, -9.81})`
+  /// Sets gravity, m/s^2: `.gravity({0, 0, -9.81})`.
   runtime_chain& gravity(const vec3<>& g) { return gravity<double, double, double>(g); }
   template <class Number>
   runtime_chain& gravity(const Number&) {
@@ -99,21 +100,24 @@ class runtime_chain : public kte_map {
   }
   vec3<> gravity() const override { return gravity_; }
 
-  /// Looked up once, for calls that take a name: a frame of either kind, a coordinate of any kind, an input, an
-  /// internal state. Throws `unknown_name`.
+  /// A handle of a frame, in the plane or in space, for calls that take a name. Throws `unknown_name`.
   handle frame(std::string_view name) const { return handle_of(name, is_frame, "frame"); }
+  /// A handle of a coordinate of any kind. Throws `unknown_name`.
   handle coordinate(std::string_view name) const { return handle_of(name, is_coordinate, "coordinate"); }
+  /// A handle of an input. Throws `unknown_name`.
   handle input(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::input; }, "input");
   }
+  /// A handle of an internal state. Throws `unknown_name`.
   handle internal(std::string_view name) const {
     return handle_of(
         name, [](kind k) { return k == kind::internal; }, "internal state");
   }
 
-  /// A state for this chain: everything at zero and at rest. Throws `bad_wiring` if an element acts on a coordinate
-  /// by which nothing moves, `bad_argument` if S is not double and elements have laws of their own.
+  /// A state for this chain: all coordinates and rates are zero, and the bases accelerate against gravity. Throws
+  /// `bad_wiring` if an element acts on a coordinate by which nothing moves, `bad_argument` if S is not double and
+  /// there are elements other than joints, links and bodies.
   template <class S = double>
   basic_runtime_state<S> make_state() const;
 
@@ -130,12 +134,12 @@ class runtime_chain : public kte_map {
     for (auto e = elements_.rbegin(); e != elements_.rend(); ++e) (*e)->doForce(s);
   }
 
-  /// The signals that elements write (measures, controls), in their order, as of the last doMotion: a name and the
-  /// numbers of each.
+  /// A signal that an element writes (measures, controls): its `name` and `numbers`.
   struct output {
     std::string_view name;
     std::vector<double> numbers;
   };
+  /// The signals that elements write, in their order, computed by the last doMotion.
   std::vector<output> outputs(const runtime_state& s) const;
 
   std::unique_ptr<kte_map> clone() const override { return std::make_unique<runtime_chain>(*this); }
@@ -147,20 +151,21 @@ class runtime_chain : public kte_map {
       if (const kte_map* part = e->unrecorded()) return part;
     return nullptr;
   }
-  /// For elements that hold a chain: it is then a part, without states of its own.
+  /// Makes this chain a part of another one, without its own states.
   void connect(topology& t) override {
     for (const auto& e : elements_) e->connect(t);
     topology_ = {}, use_ = use::part;
   }
 
-  /// Throws `bad_argument` if it is part of another chain.
+  /// The wiring of the chain. Throws `bad_argument` if the chain is part of another one.
   const topology& wiring() const {
     if (use_ != use::whole) [[unlikely]]
-      throw bad_argument("kte: this chain has become part of another one, which alone has its wiring and states");
+      throw bad_argument("kte: this chain is part of another one: use the wiring and states of that one");
     return *topology_;
   }
-  /// Degrees of freedom, and numbers of a configuration.
+  /// The number of degrees of freedom.
   int dofs() const { return wiring().nv; }
+  /// The number of entries in a configuration q.
   int nq() const { return wiring().nq; }
   /// Throws `bad_argument` unless the state was made for this chain as it is now.
   template <class S>
@@ -222,10 +227,10 @@ basic_runtime_state<S> runtime_chain::make_state() const {
 }
 /// The same as of static chains: `c.make_state<S>()`, `c.dofs()`.
 template <class S = double>
-basic_runtime_state<S> make_state(const runtime_chain& c) {
+[[nodiscard]] basic_runtime_state<S> make_state(const runtime_chain& c) {
   return c.make_state<S>();
 }
-inline int dofs(const runtime_chain& c) { return c.dofs(); }
+[[nodiscard]] inline int dofs(const runtime_chain& c) { return c.dofs(); }
 
 #ifdef KTE_FUNCTION
 #  ifdef KTE_EXTERN
@@ -250,7 +255,7 @@ KTE_FUNCTION std::vector<runtime_chain::output> runtime_chain::outputs(const run
   return all;
 }
 KTE_FUNCTION runtime_chain& runtime_chain::append(std::unique_ptr<kte_map> e) {
-  if (!e) throw bad_argument("kte: nothing can be appended to a chain by a null pointer");
+  if (!e) throw bad_argument("kte: a null pointer cannot be appended to a chain");
   kte_map& part = *e;
   if (typeid(part) == typeid(runtime_chain)) {
     auto& c = static_cast<runtime_chain&>(part);
@@ -325,9 +330,9 @@ KTE_FUNCTION void runtime_chain::take(runtime_chain& c, std::unique_ptr<kte_map>
 KTE_EXTERN template runtime_state runtime_chain::make_state<double>() const;
 #endif
 
-/// A runtime chain as plain data; what is in it is listed element by element. Throws `bad_argument` if a part of it is
+/// The record of a runtime chain; elements of its parts are listed one by one. Throws `bad_argument` if a part is
 /// neither an element nor a chain.
-model_record record_of(const runtime_chain& c);
+[[nodiscard]] model_record record_of(const runtime_chain& c);
 #ifdef KTE_FUNCTION
 KTE_FUNCTION model_record record_of(const runtime_chain& c) {
   if (const kte_map* part = c.unrecorded())

@@ -7,10 +7,10 @@ namespace kte {
 /// What is odd about a chain, in words, though it may be meant: a coordinate that moves several joints, and a degree of
 /// freedom that moves masses on coordinates alone, where nothing else is connected to it or a joint's coordinate is
 /// nearly of its name. No findings: an empty list.
-std::vector<std::string> check_chain(const runtime_chain& c);
-/// The same of a static chain.
+[[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
+/// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>
-std::vector<std::string> check_chain(const static_chain<Gravity, E...>& c) {
+[[nodiscard]] std::vector<std::string> check_chain(const static_chain<Gravity, E...>& c) {
   runtime_chain r;
   return check_chain(r << c);
 }
@@ -47,7 +47,8 @@ KTE_FUNCTION std::vector<std::string> check_chain(const runtime_chain& c) {
     if (joint_count > 0 || mass.empty()) continue;
     const auto meant = detail::did_you_mean(name, moving);
     if (others == 0 || !meant.empty())
-      found.push_back(mass + " has a degree of freedom of its own, '" + name + "', by which no joint moves" + meant);
+      found.push_back(mass + " is moved by a separate degree of freedom, '" + name + "', by which no joint moves" +
+                      meant);
   }
   return found;
 }

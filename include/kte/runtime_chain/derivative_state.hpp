@@ -6,9 +6,9 @@
 
 namespace kte::detail {
 
-/// What a runtime state has for elements with laws of their own, in dual numbers: coordinates and frames, and bodies,
-/// on which the frames stand. It goes with a state of numbers, which has all else. A template, though of one scalar
-/// alone: headers that know it do not instantiate what is in it.
+/// What a runtime state has for elements with their own laws, in dual numbers: coordinates and frames, and bodies, on
+/// which the frames stand. It goes with a state of numbers, which has all else. A template, though of one scalar alone:
+/// headers that know it do not instantiate what is in it.
 template <class D>
 class basic_derivative_state {
  public:

@@ -8,8 +8,8 @@
 
 namespace kte {
 
-/// The layout of a chain: where its coordinates stand in q and v.
-inline std::vector<layout_entry<std::string>> layout(const runtime_chain& c) {
+/// The layout of a chain: the places of its coordinates in q and v.
+[[nodiscard]] inline std::vector<layout_entry<std::string>> layout(const runtime_chain& c) {
   std::vector<layout_entry<std::string>> table;
   for (const auto& f : c.wiring().free)
     table.push_back({c.wiring().names[static_cast<std::size_t>(f.what)][static_cast<std::size_t>(f.slot)], f.what, f.q,

@@ -42,12 +42,13 @@ template <class S, class P>
 void check_scalar(const topology& t, const runtime_tree<P>& tree) {
   if (std::is_same_v<S, double>) return;
   const auto refuse = [&t](int e, const char* why) {
-    throw bad_argument("kte: states of runtime chains in other scalars than double are for joints, links and bodies; " +
-                       describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
+    throw bad_argument(
+        "kte: states of runtime chains in scalars other than double support joints, links and bodies only; " +
+        describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
   };
   if (tree.irregular) refuse(tree.irregular.element, tree.irregular.why);
   for (const auto* list : {&tree.followers, &tree.readers, &tree.on_coordinates, &tree.on_frames})
-    for (const int e : *list) refuse(e, " acts by a law of its own");
+    for (const int e : *list) refuse(e, " has its own force law");
 }
 
 }  // namespace kte::detail

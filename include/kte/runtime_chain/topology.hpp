@@ -23,10 +23,11 @@ namespace detail {
 inline std::string text_with_article(kind k) { return std::string(article(k)).append(to_string(k)); }
 }  // namespace detail
 
-/// Who is connected to what in a runtime chain: the counterpart of `detail::wiring`, worked out as elements come, with
-/// the same rules and the same numbering of the degrees of freedom.
+/// The wiring of a runtime chain, built element by element: the counterpart of `detail::wiring`, with the same rules
+/// and the same numbering of the degrees of freedom.
 class topology {
  public:
+  /// An item of a chain: a coordinate, frame, signal or internal state, of the kind `what`.
   struct thing {
     kind what{};
     int index = -1;         ///< among things of its kind; -1: there is none
@@ -35,6 +36,7 @@ class topology {
     bool moves = false;     ///< for coordinates: an element moves by it, or it is given
     explicit operator bool() const { return index >= 0; }
   };
+  /// An `element` and its connections.
   struct connection {
     const kte_element* element = nullptr;
     std::vector<int> index;         ///< of what each port is connected to
@@ -56,13 +58,14 @@ class topology {
   std::vector<int> keepers;                           ///< the elements that keep the internal states, in their order
   std::array<std::vector<int>, kinds> writers;        ///< of all things, by kind: an element, or -1
 
-  /// Equal for chains with the same things in the same order: a new one for every element, the same for copies.
+  /// Identity of the layout: equal for copies of a chain, new for every appended element.
   std::shared_ptr<const char> layout = std::make_shared<char>();
 
-  /// Connects one more element. Throws `bad_wiring`, and then nothing has changed; where memory runs out, `cut` is due.
+  /// Connects an element. Throws `bad_wiring` and then has changed nothing; if memory runs out, call `cut`.
   void connect(const kte_element* e, std::string_view type, std::span<const port> ports,
                std::span<const std::string> to);
-  /// How much there is, for `cut`.
+  /// Sizes of all lists, for `cut`: names, free, quaternions, signals, elements, keepers, row, nq, nv, nu,
+  /// has_derivatives, base_known, layout.
   struct extent {
     std::array<std::size_t, kinds> names{};
     std::size_t free = 0, quaternions = 0, signals = 0, elements = 0, keepers = 0, row = 0;
@@ -70,16 +73,17 @@ class topology {
     bool has_derivatives = true, base_known = false;
     std::shared_ptr<const char> layout;
   };
+  /// The sizes of all lists.
   extent size() const;
-  /// Takes back what was connected since there was so much, also a half of an element. Allocates nothing.
+  /// Removes the elements connected since these sizes, including a partly connected one. Allocates nothing.
   void cut(const extent& before) noexcept;
-  /// Throws `bad_wiring`, with the element, where a coordinate is acted upon but moves nothing.
+  /// Throws `bad_wiring`, naming the element, if a coordinate has forces but nothing moves by it.
   void check_complete() const;
   /// An element in a message: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".
   std::string describe(const connection& c) const;
-  /// Things of a kind.
+  /// The number of items of a kind.
   int count(kind k) const { return static_cast<int>(names[static_cast<std::size_t>(k)].size()); }
-  /// What a name is; throws `unknown_name`, also where it is that of a frame and of something else.
+  /// The kind of the item with this name. Throws `unknown_name`, also if a frame and another item have it.
   kind kind_of(std::string_view name) const {
     const auto& x = named(name);
     if (x[0] && x[1])
@@ -87,7 +91,8 @@ class topology {
                          detail::text_with_article(x[1].what) + ": which of them is meant?");
     return (x[0] ? x[0] : x[1]).what;
   }
-  /// What it is where a frame is meant, or something else; where there is only the other, that.
+  /// The kind of the item with this name: a frame, or something else if `frame` is false; if there is only one of them,
+  /// that.
   kind kind_of(std::string_view name, bool frame) const {
     const auto& x = named(name);
     return (x[frame] ? x[frame] : x[!frame]).what;
@@ -128,7 +133,7 @@ class topology {
   const namesakes& named(std::string_view name) const {
     const auto it = things_.find(name);
     if (it == things_.end())
-      throw unknown_name("kte: this chain has nothing of the name '" + std::string(name) + "'" + did_you_mean(name));
+      throw unknown_name("kte: this chain has nothing named '" + std::string(name) + "'" + did_you_mean(name));
     return it->second;
   }
   struct hash_of_text {

@@ -220,7 +220,7 @@ struct wiring {
     for (std::size_t i = 0; i < freedoms; ++i) n += table.free[i].what == kind::gen;
     return n;
   }();
-  /// Whether the sine and cosine of generalized coordinate s are wanted.
+  /// Whether the sine and cosine of generalized coordinate s are needed.
   static constexpr bool angle(int s) { return table.angle[static_cast<std::size_t>(s)]; }
   /// Index of a key among things of its kind, or -1.
   template <class Key>

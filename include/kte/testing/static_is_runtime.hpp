@@ -75,10 +75,10 @@ runtime_chain loose(const static_chain<Gravity, E...>& c) {
 }
 }  // namespace detail
 
-/// For elements that dynamics takes: alone with what carries it, floating bodies and masses on coordinates, in a static
-/// and in a runtime chain, it gives the same motions, loads, forces of inverse dynamics and accelerations of forward
-/// dynamics, at random states. To rounding, which forward dynamics multiplies by the condition of the mass matrix;
-/// where the compiler fuses no products, passes give the same bits.
+/// For elements in dynamics: connected only to floating bodies and masses on coordinates, in a static and in a runtime
+/// chain, the element gives equal motions, loads, forces of inverse dynamics and accelerations of forward dynamics, at
+/// random states. Returns the difference: rounding, which forward dynamics multiplies by the condition number of the
+/// mass matrix. Where the compiler fuses no products, results of passes are bit-identical.
 template <class Core, class Draw>
 double static_is_runtime(const Core& core, Draw&& draw) requires requires {
   Core::ports;

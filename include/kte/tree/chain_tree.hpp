@@ -116,7 +116,7 @@ class chain_tree {
           break;
         }
         if (!n.plain_loads)
-          exclude_loads(number, " has a `doForce` of its own: put that force into an element on the coordinate");
+          exclude_loads(number, " has its own `doForce`: put that force into an element on the coordinate");
         if (ports.size() == 2) {
           at(1) = builder::link(at(0), n.rigid);
           break;

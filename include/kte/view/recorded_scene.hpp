@@ -27,10 +27,10 @@ struct replay_plan {
 };
 }  // namespace detail
 
-/// A scene with one recording that grows row by row: what `scene_recording` is, whatever the chain.
+/// A scene with one recording that grows row by row: the part of `scene_recording` that does not depend on the chain.
 class recorded_scene {
  public:
-  /// The scene with what was recorded so far.
+  /// The scene with the recording so far.
   const scene& contents() const { return scene_; }
 
  protected:

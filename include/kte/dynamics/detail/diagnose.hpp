@@ -149,7 +149,7 @@ std::string_view name_of_row(const Layout& layout, int i) {
 }
 /// Of a coordinate whose friction by what its joint carries has no accelerations that go with it.
 [[noreturn, gnu::cold]] inline void raise_jammed(std::string_view coordinate) {
-  raise<no_solution>(std::string("kte: friction of joints by what they carry jams at '")
+  raise<no_solution>(std::string("kte: load-dependent friction jams at '")
                          .append(coordinate)
                          .append("': no accelerations go with it, or several, or so nearly none that half their digits "
                                  "are lost; a smaller coefficient of friction, or a bearing of less radius, has some"));

@@ -105,7 +105,7 @@ class chain_reduction {
   void keep_constant(kind k, int i, runtime_chain& to) {
     if (!is_coordinate(k) || at(locked_, k, i) != as_locked) return;
     if (k != kind::gen)
-      throw bad_argument("kte: '" + name(k, i) + "' cannot be locked: an element besides its joint acts on it");
+      throw bad_argument("kte: '" + name(k, i) + "' cannot be locked: an element other than its joint acts on it");
     const std::string origin = "origin of " + name(k, i);
     to << base_gen(origin) << rigid_link_gen(origin, name(k, i), state_.get<kind::gen>(i).q);
     at(locked_, k, i) = as_constant;
@@ -123,7 +123,7 @@ inline constexpr bool reads_key = [] {
     if (same) return true;
   return false;
 }();
-/// Whether nothing but joints reads what is to be locked.
+/// Whether only joints reads what is to be locked.
 template <class Locked, class Element>
 inline constexpr bool locks_cleanly = true;
 template <class Locked, class Core, class... Keys>

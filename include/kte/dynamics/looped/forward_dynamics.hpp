@@ -126,7 +126,7 @@ void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<c
     if (prescribed[static_cast<std::size_t>(i)]) a[i] = given[i];
   solve_partly_known(s.work.mass, a, prescribed, fail);
 }
-/// By articulated bodies in trees, else by the mass matrix; with friction by what joints carry.
+/// By articulated bodies in trees, else by the mass matrix; with load-dependent friction.
 template <class Elements, class State, class Tau>
 void accelerate_with_friction(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;

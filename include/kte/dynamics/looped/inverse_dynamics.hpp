@@ -27,8 +27,7 @@ void clear_coordinates(State& s) {
   });
 }
 
-/// Which elements count: all; all, but with friction that depends on what joints carry as it is in the working memory;
-/// bodies.
+/// Which elements count: all; all, but with load-dependent friction as it is in the working memory; bodies.
 enum class acting { all, with_given_friction, bodies };
 
 /// What acts on coordinates, and followers, which hand on what is on them: from the last.

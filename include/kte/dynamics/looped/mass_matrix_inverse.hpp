@@ -34,7 +34,7 @@ void invert_free_rows_with_friction(const Elements& c, State& s, const Matrix& b
   });
   if (!invert_general(m, inverse)) [[unlikely]]
     raise<no_solution>(
-        "kte: accelerations do not follow smoothly from forces: friction of joints by what they carry is "
+        "kte: accelerations do not follow smoothly from forces: load-dependent friction is "
         "about to jam");
   for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
 }

@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/looped/inverse_dynamics.hpp>
 
-/// What few chains have, in the loops over body nodes: masses between several things. `Elements` and states as in
+/// What few chains have, in the loops over body nodes: distributed masses. `Elements` and states as in
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
@@ -29,7 +29,7 @@ class motion_aside {
   Eigen::Matrix<typename State::scalar, Eigen::Dynamic, 1> v_, a_;
 };
 
-/// The forces of masses between several things on the degrees of freedom, at rest under the accelerations of the state.
+/// The forces of distributed masses on the degrees of freedom, at rest under the accelerations of the state.
 template <class Elements, class State>
 void forces_of_distributed_masses(const Elements& c, State& s) {
   const auto& t = s.tree();

@@ -90,7 +90,7 @@ auto with_motion(basic_runtime_state<S>& s, const runtime_frame& x, const F& f) 
 template <class S>
 struct passes_in {
   static_assert(std::is_same_v<S, double>,
-                "kte: elements of runtime chains have passes in double alone: motion of frames and energies need a "
+                "kte: elements of runtime chains have passes in double only: motion of frames and energies need a "
                 "kte::runtime_state");
   static constexpr bool known = true;
 };

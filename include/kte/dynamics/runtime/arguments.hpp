@@ -101,7 +101,7 @@ KTE_INLINE bool all_moderate_as(const X& x, std::size_t n) {
   else
     return false;
 }
-/// Throws by `why` unless the forces or accelerations that a state gives back are finite.
+/// Throws by `why` unless the forces or accelerations that a state returns are finite.
 template <class S, class Diagnose>
 KTE_INLINE void check_result(const basic_runtime_state<S>& s, const Diagnose& why) {
   if (!tree::all_finite_in_row(s.work.forces.data(), static_cast<std::size_t>(s.dofs()))) [[unlikely]]

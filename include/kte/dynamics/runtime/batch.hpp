@@ -11,7 +11,7 @@
 namespace kte::batch::detail {
 
 /// `Function` of a runtime chain and of inputs with in[i] numbers a state each, giving `out` numbers a state: as `job`,
-/// whose numbers are known to the compiler. Each task has a state of its own.
+/// whose numbers are known to the compiler. Each task has its own state.
 template <class Function, class P, std::size_t Inputs>
 class runtime_job {
   using T = typename P::value_type;

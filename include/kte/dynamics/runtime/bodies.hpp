@@ -41,7 +41,7 @@ const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
   return s.work.forces;
 }
 
-/// Throws `bad_argument` for masses between several things.
+/// Throws `bad_argument` for distributed masses.
 template <class S>
 void refuse_distributed_masses(const runtime_chain& c, const basic_runtime_state<S>& s) {
   if (!s.tree().distributed.empty()) [[unlikely]]

@@ -11,9 +11,10 @@
 /// Jacobians of frames of runtime chains, into memory of the state or of the caller.
 namespace kte {
 
-/// The Jacobian of a frame, as on static chains.
+/// The Jacobian of a frame of a runtime chain, 6 x dofs.
 template <class S>
 using basic_runtime_jacobian = Eigen::Matrix<S, 6, Eigen::Dynamic>;
+/// The Jacobian of a frame of a runtime chain, 6 x dofs, in double.
 using runtime_jacobian = basic_runtime_jacobian<double>;
 
 namespace detail {
@@ -131,7 +132,7 @@ template <class S, class J>
 void put_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world, J& j) {
   static_assert(!std::is_const_v<J> && bool(J::Flags & Eigen::DirectAccessBit) && !J::IsRowMajor &&
                     int(J::InnerStrideAtCompileTime) == 1,
-                "kte: a Jacobian goes into memory by columns that can be written: a matrix, 6 rows of one or a map");
+                "kte: a Jacobian needs writable memory stored by columns: a matrix, 6 rows of one or a map");
   if constexpr (grows<J>)
     if (j.rows() != 6 || j.cols() != s.dofs()) j.resize(6, s.dofs());  // which divides, whatever the size is
   write_jacobian(c, s, x, world, columns_of_six<S>{j.data(), j.outerStride()});

@@ -65,7 +65,7 @@ void check_whole(const runtime_chain& c, const basic_runtime_state<S>& s) {
 }
 template <class Exception>
 [[noreturn, gnu::cold]] void refuse_chain(const runtime_chain& c, const Exception& x) {
-  throw bad_argument("kte: passes and inverse dynamics alone take this chain: " +
+  throw bad_argument("kte: only passes and inverse dynamics support this chain: " +
                      describe_element(runtime_elements{c}.element(x.element)) + x.why);
 }
 /// The same where passes alone know the chain.

@@ -14,18 +14,18 @@ namespace kte {
 class runtime_chain;
 
 // The last argument is the type of the result, which only keeps compilers from saying more.
-#define KTE_ASKED_BY_NAME(algorithm, arguments, ...)                                                             \
-  template <class Gravity, class... E, class... A>                                                               \
-  requires(text_type<A> || ...) auto algorithm(const static_chain<Gravity, E...>&, const A&...) {                \
-    static_assert(detail::fit<A...>, "kte: a static chain is asked by keys, " #algorithm "(arm, " arguments      \
-                                     ", hand); texts are for runtime chains");                                   \
-    return __VA_ARGS__();                                                                                        \
-  }                                                                                                              \
-  template <class... A>                                                                                          \
-  requires(key_type<A> || ...) auto algorithm(const runtime_chain&, const A&...) {                               \
-    static_assert(detail::fit<A...>, "kte: a runtime chain is asked by texts, " #algorithm "(arm, s, " arguments \
-                                     ", \"hand\"); keys are for static chains");                                 \
-    return __VA_ARGS__();                                                                                        \
+#define KTE_ASKED_BY_NAME(algorithm, arguments, ...)                                                                  \
+  template <class Gravity, class... E, class... A>                                                                    \
+  requires(text_type<A> || ...) auto algorithm(const static_chain<Gravity, E...>&, const A&...) {                     \
+    static_assert(detail::fit<A...>, "kte: items of a static chain are named by keys, " #algorithm "(arm, " arguments \
+                                     ", hand); texts are for runtime chains");                                        \
+    return __VA_ARGS__();                                                                                             \
+  }                                                                                                                   \
+  template <class... A>                                                                                               \
+  requires(key_type<A> || ...) auto algorithm(const runtime_chain&, const A&...) {                                    \
+    static_assert(detail::fit<A...>, "kte: items of a runtime chain are named by texts, " #algorithm                  \
+                                     "(arm, s, " arguments ", \"hand\"); keys are for static chains");                \
+    return __VA_ARGS__();                                                                                             \
   }
 #define KTE_STATE_OF_STATIC_CHAIN(algorithm, ...)                                                            \
   template <class S, class Wiring, class... A>                                                               \
@@ -47,27 +47,27 @@ KTE_STATE_OF_STATIC_CHAIN(inverse_dynamics, Eigen::VectorXd)
 KTE_STATE_OF_STATIC_CHAIN(mass_matrix, Eigen::MatrixXd)
 
 template <indexable Q, indexable V, indexable T>
-Eigen::VectorXd forward_dynamics(const runtime_chain&, const Q&, const V&, const T&) {
+[[nodiscard]] Eigen::VectorXd forward_dynamics(const runtime_chain&, const Q&, const V&, const T&) {
   static_assert(detail::fit<Q, V, T>, KTE_STATE_FORGOTTEN " forward_dynamics(c, s, q, v, tau)");
   return {};
 }
 template <indexable Q, indexable V, indexable A>
-Eigen::VectorXd inverse_dynamics(const runtime_chain&, const Q&, const V&, const A&) {
+[[nodiscard]] Eigen::VectorXd inverse_dynamics(const runtime_chain&, const Q&, const V&, const A&) {
   static_assert(detail::fit<Q, V, A>, KTE_STATE_FORGOTTEN " inverse_dynamics(c, s, q, v, a)");
   return {};
 }
 template <indexable Q>
-Eigen::MatrixXd mass_matrix(const runtime_chain&, const Q&) {
+[[nodiscard]] Eigen::MatrixXd mass_matrix(const runtime_chain&, const Q&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " mass_matrix(c, s, q)");
   return {};
 }
 template <indexable Q, text_type Text>
-pose<mat3<vec3<>>, vec3<>> forward_kinematics(const runtime_chain&, const Q&, const Text&) {
+[[nodiscard]] pose<mat3<vec3<>>, vec3<>> forward_kinematics(const runtime_chain&, const Q&, const Text&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " forward_kinematics(c, s, q, \"hand\")");
   return {};
 }
 template <indexable Q, text_type Text>
-Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const runtime_chain&, const Q&, const Text&) {
+[[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const runtime_chain&, const Q&, const Text&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " jacobian(c, s, q, \"hand\")");
   return {};
 }

@@ -10,6 +10,7 @@ namespace kte {
 /// Numbers of a runtime chain.
 template <class S>
 using runtime_vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+/// A matrix of a runtime chain, dofs x dofs or another dynamic size.
 template <class S>
 using runtime_matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 

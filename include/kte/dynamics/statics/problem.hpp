@@ -29,7 +29,7 @@ inline double largest_number(const sparse_matrix& m) {
 
 /// tau(q, p) = `static_forces`, with p the load factor: accelerations of bases, which are gravity, elements that are
 /// loads, and wrenches that are given times p; or, where it has a name, an input or a coordinate that is given. On
-/// request some forces are left to hold the chain, (1 - p) times. In a state of its own, at rest.
+/// request some forces are left to hold the chain, (1 - p) times. In its own state, at rest.
 class static_problem {
  public:
   static_problem(const runtime_chain& c, const runtime_state& s, const std::vector<external_wrench>& loads,

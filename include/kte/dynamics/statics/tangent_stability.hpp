@@ -14,11 +14,13 @@
 
 namespace kte {
 
-/// What the tangent K = d tau/dq says of an equilibrium, by the eigenvalues of (K + K^T)/2, along the numbers of v.
+/// The stability of an equilibrium: eigenvalues of (K + K^T)/2, the symmetric part of the tangent K = d tau/dq, along
+/// the numbers of v.
 struct tangent_stability {
-  double stiffness = 0;  ///< the smallest of them, N/m and Nm/rad
-  int unstable = 0;      ///< how many are negative: directions in which the chain goes away
+  double stiffness = 0;  ///< the smallest eigenvalue, N/m and Nm/rad
+  int unstable = 0;      ///< number of negative eigenvalues: of unstable directions
   double asymmetry = 0;  ///< the largest number of K - K^T, relative to that of K: 0 where all forces have a potential
+  /// Whether all eigenvalues are positive.
   bool stable() const { return stiffness > 0; }
 };
 

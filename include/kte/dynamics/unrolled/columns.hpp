@@ -6,6 +6,7 @@
 /// Matrices with six rows, three linear and three angular, and a column for each degree of freedom.
 namespace kte {
 
+/// A 6 x dofs matrix, such as a Jacobian.
 template <class S, int N>
 using six_by_dofs = Eigen::Matrix<S, 6, N>;
 

@@ -162,7 +162,7 @@ struct base_of_state {
     using wiring = typename State::wiring;
     for (int i = wiring::gen_dofs; i < wiring::count(kind::gen); ++i)
       if (wiring::writer(kind::gen, i) < 0)
-        check_finite(&s.coordinate(i).q, 1, "kte: a coordinate that is given is not finite");
+        check_finite(&s.coordinate(i).q, 1, "kte: a prescribed coordinate is not finite");
   }
   template <kind K, int I>
   KTE_INLINE constexpr decltype(auto) at() const {

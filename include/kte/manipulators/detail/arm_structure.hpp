@@ -9,7 +9,7 @@
 
 namespace kte {
 
-/// What makes the inverse kinematics of an arm closed form.
+/// Families of arms with closed-form inverse kinematics; `none`: another arm.
 enum class arm_family : std::uint8_t {
   none,
   planar_3R,           ///< three parallel axes, and a tool in their plane

@@ -21,10 +21,10 @@ auto starting_configuration(const Arm& arm) {
 template <class Chain, key_type First, key_type... More>
 constexpr void refuse_by_type(const manipulator<Chain, tool_keys<First, More...>>&) {
   static_assert(sizeof...(More) == 0,
-                "kte: inverse kinematics in closed form is of an arm with one tool; kte::numerical_inverse_kinematics "
+                "kte: inverse kinematics in closed form needs an arm with one tool; kte::numerical_inverse_kinematics "
                 "takes goals of several");
   static_assert(sizeof...(More) > 0 || may_have_closed_form<First, Chain>(),
-                "kte: no closed form of inverse kinematics: for that an arm has three, four, six or seven joints of "
+                "kte: no closed form of inverse kinematics: it needs an arm with three, four, six or seven joints of "
                 "one free coordinate each between base and tool, or a body that moves freely; "
                 "kte::numerical_inverse_kinematics solves others");
 }
@@ -35,7 +35,7 @@ constexpr void refuse_by_type(const Arm&) {}
 template <class Arm>
 void check_closed_form(const Arm& arm) {
   if (arm.tools().size() != 1)
-    raise<bad_argument>("kte: inverse kinematics in closed form is of an arm with one tool; this one has " +
+    raise<bad_argument>("kte: inverse kinematics in closed form needs an arm with one tool; this one has " +
                         std::to_string(arm.tools().size()));
   if (arm.structure().form == closed_form::none)
     raise<no_closed_form>("kte: " + why_no_closed_form(arm.structure()) +
@@ -95,7 +95,7 @@ void check_packs(const arm_structure& s) {
   if constexpr (is_pack<S>)
     if (s.form == closed_form::free_body || is_rough(s))
       raise<no_closed_form>(
-          "kte: inverse kinematics of several poses at once, in a pack, is of arms whose closed forms need no "
+          "kte: inverse kinematics of packs of poses is limited to arms whose closed forms need no "
           "equations of degree four and no tolerance; take the poses of this one by one");
 }
 

@@ -21,7 +21,7 @@ arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
   return {R, x.position - R * as<S>(s.arm.tool.position - s.p(s.arm.n - 1))};
 }
 
-/// What is wanted of `arm_structure::arm` when the joint that is held stands at `value`.
+/// What is needed of `arm_structure::arm` when the joint that is held stands at `value`.
 template <class S>
 plain_pose_of<S> pose_for_formulas(const arm_structure& s, plain_pose_of<S> x, const S& value,
                                    const solved_angle<S>& turn) {

@@ -37,7 +37,7 @@ constexpr const char* refused_by_type() {
   }
 }
 
-/// Element I where its coordinate is zero: no sines are asked for, so that it is known while compiling.
+/// Element I where its coordinate is zero: no sines are requested, so that it is known while compiling.
 template <std::size_t I, class Chain>
 constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_geometry& arm) {
   using core_t = typename Chain::template core_type<I>;

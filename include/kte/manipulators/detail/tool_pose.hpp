@@ -2,7 +2,7 @@
 
 #include <kte/manipulators/detail/raw_answers.hpp>
 
-/// Where a tool is, of one posture and of many, and how far that is from where it is wanted.
+/// Where a tool is, of one posture and of many, and how far that is from where it is needed.
 namespace kte::detail {
 
 template <class S>

@@ -11,7 +11,8 @@ template <class Chain, class S>
 class momenta_of {
   using wiring = typename Chain::wiring;
   using vector = joint_vector<S, sizes_of_model<Chain>::v>;
-  static_assert(wiring::count(kind::internal) == 0, "kte: variational integrators know no internal states of elements");
+  static_assert(wiring::count(kind::internal) == 0,
+                "kte: variational integrators do not support internal states of elements");
 
  public:
   explicit momenta_of(const Chain&) {}

@@ -11,7 +11,7 @@
 
 namespace kte::detail {
 
-/// Of a runtime chain, in a state of its own.
+/// Of a runtime chain, in its own state.
 template <class S>
 class momenta_of<unchanging_chain, S> {
   using vector = runtime_vector<S>;
@@ -21,7 +21,7 @@ class momenta_of<unchanging_chain, S> {
   explicit momenta_of(const unchanging_chain& c) : s_(c.make_state()) {
     if (c.wiring().count(kind::internal) > 0)
       raise<bad_argument>(
-          "kte: variational integrators know no internal states of elements, as that of " +
+          "kte: variational integrators do not support internal states of elements, as that of " +
           describe_element(*c.wiring().elements[static_cast<std::size_t>(c.wiring().keepers[0])].element));
   }
 

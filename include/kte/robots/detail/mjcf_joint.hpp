@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// A range, where there is one: by its own flag, or as the compiler says because it is written.
+/// A range, if there is one: by its own flag, or as the compiler says because it is written.
 inline std::optional<std::pair<double, double>> mjcf_range(const xml_item& x, const char* range, const char* limited,
                                                            const mjcf_settings& settings) {
   const auto on = keyword(x, limited, {"auto", "true", "false"});

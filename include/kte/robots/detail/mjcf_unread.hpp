@@ -33,7 +33,7 @@ class mjcf_unread {
         if (!no_equality_ && classes.resolved(c, "", "equality").text_or("active", "true") == "true")
           c.moves_differently("this constraint is not modelled");
         else
-          c.not_read("not read, as it is switched off");
+          c.not_read("not read: it is disabled");
     } else if (x.name() == "tendon") {
       for (const auto& c : x.children()) tendon(classes.resolved(c, ""));
     } else if (x.name() == "deformable") {
@@ -79,7 +79,7 @@ class mjcf_unread {
       site_->not_read("what sites look like is not read: " + all);
     }
     if (contact_)
-      contact_->moves_differently("contact is not modelled: friction, solref and the like of " +
+      contact_->moves_differently("contact is not modelled: friction, solref and others of " +
                                   std::to_string(contacts_) + (contacts_ == 1 ? " element" : " elements"));
   }
 

@@ -51,7 +51,7 @@ class motor_maker {
     check(o_.stiffness, "stiffness"), check(o_.damping, "damping");
     check(o_.stop_stiffness, "stop_stiffness"), check(o_.stop_damping, "stop_damping");
     if (o_.stiffness == 0 && o_.damping > 0)
-      raise<bad_argument>("kte: motor_options: a servo of damping without a stiffness goes nowhere");
+      raise<bad_argument>("kte: motor_options: a servo with damping needs a stiffness");
   }
   static std::string title(const robot_actuator& a) {
     return a.name.empty() ? "the actuator of joint '" + a.joint + "'" : "actuator '" + a.name + "'";

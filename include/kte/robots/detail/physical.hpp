@@ -12,9 +12,10 @@ inline std::string unphysical(const rigid_body<>& b) {
   if (broken.rule == nullptr) return {};
   const auto& [largest, middle, smallest] = broken.moments;
   char text[200];
-  std::snprintf(text, sizeof text,
-                "no body can have such an inertia: its principal moment %.6g is above %.6g + %.6g by %.3g kg m^2",
-                largest, middle, smallest, broken.value);
+  std::snprintf(
+      text, sizeof text,
+      "the inertia is not physically realizable: its principal moment %.6g is above %.6g + %.6g by %.3g kg m^2",
+      largest, middle, smallest, broken.value);
   return text;
 }
 

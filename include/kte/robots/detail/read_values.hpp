@@ -79,7 +79,7 @@ inline void note_near_quarter(const xml_item& x, double angle, const robot_optio
   const auto [count, off] = nearest_quarter(angle);
   if (off > 1e-14 && off < (count == 0 ? 1e-6 : 1e-4) && off > o.quarter_turn_tolerance)
     x.warn("the angle " + number(angle) + " is " + short_number(count) + " quarter turns but for " + short_number(off) +
-           " rad, and taken as it is: a larger robot_options::quarter_turn_tolerance makes it exact");
+           " rad, and used unchanged: a larger robot_options::quarter_turn_tolerance makes it exact");
 }
 
 }  // namespace kte::detail

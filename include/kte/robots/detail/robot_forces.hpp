@@ -14,7 +14,7 @@
 
 namespace kte::detail {
 
-/// What joints of a robot do besides moving: springs, dampers, friction, inertias of rotors.
+/// What joints of a robot do in addition to moving: springs, dampers, friction, inertias of rotors.
 class robot_forces {
  public:
   robot_forces(robot_elements& to, std::vector<robot_note>& warnings, const robot_description& d,

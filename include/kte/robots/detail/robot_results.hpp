@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-/// What a robot has besides its chain.
+/// What a robot has in addition to its chain.
 namespace kte::detail {
 
 inline void list_joints(robot& r, const robot_description& d) {

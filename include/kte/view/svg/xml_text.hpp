@@ -5,7 +5,7 @@
 /// Texts of any bytes as text of XML.
 namespace kte::detail::svg {
 
-/// A character of a text and how many bytes it takes. What is no UTF-8 is U+FFFD, one byte at a time.
+/// A character of a text and how many bytes it takes. What is not UTF-8 is U+FFFD, one byte at a time.
 struct text_character {
   char32_t code;
   std::size_t bytes;

@@ -54,7 +54,7 @@ inline std::string printed_unit(std::string unit) {
   return unit;
 }
 
-/// What recorders mean by the name of a column, or of a thing with a unit of its own.
+/// What recorders mean by the name of a column, or of a thing with its own unit.
 inline column_meaning meaning_by_name(std::string_view name, const unit_map& units) {
   if (name == "t" || name == "time") return {"s", "time"};
   if (name == "energy" || name.starts_with("energy/")) return {"J", "energy"};
