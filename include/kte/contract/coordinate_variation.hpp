@@ -15,7 +15,7 @@ inline constexpr bool is_on_coordinates = [] {
   return true;
 }();
 
-/// Whether the derivatives of the forces of an element are known: joints, links and bodies (kernels/variation.hpp), and
+/// Whether the derivatives of the forces of an element are known: joints, links and bodies (recursions/force_variations.hpp), and
 /// elements on coordinates.
 template <class Core>
 inline constexpr bool has_derivatives =

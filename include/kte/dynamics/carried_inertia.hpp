@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kte/dynamics/centre_of_mass.hpp>
-#include <kte/dynamics/detail/local_composite.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/mass_properties.hpp>
 #include <kte/runtime_chain/kte_map_chain.hpp>
 
 #include <vector>
@@ -40,8 +40,12 @@ auto carried_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Fra
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_of_nothing};
-  const local_composite<S, chain_type, std::remove_const_t<decltype(g)>> all{c, g};
-  return checked_composite<S>(all.template carried<Frame::what, frame_slot<Frame, chain_type>()>());
+  using motion_type = local_motion<chain_type, std::remove_const_t<decltype(g)>>;
+  using bodies_type = typed_bodies<S, motion_type, axes_of_joints<chain_type>>;
+  const motion_type m(c, g);
+  const bodies_type bodies{m};
+  return checked_composite<S>(engine::composite_inertia_of<frame_place<Frame::what, frame_slot<Frame, chain_type>()>>(
+      engine::unrolled<bodies_type>{bodies}));
 }
 
 namespace detail {

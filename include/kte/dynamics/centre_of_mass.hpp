@@ -1,7 +1,7 @@
 #ifndef KTE_CENTRE_OF_MASS_HPP
 #define KTE_CENTRE_OF_MASS_HPP
 
-#include <kte/dynamics/detail/local_weight.hpp>
+#include <kte/dynamics/unrolled/mass_properties.hpp>
 
 namespace kte {
 

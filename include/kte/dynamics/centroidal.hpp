@@ -1,7 +1,7 @@
 #ifndef KTE_CENTROIDAL_HPP
 #define KTE_CENTROIDAL_HPP
 
-#include <kte/dynamics/detail/local_momenta.hpp>
+#include <kte/dynamics/unrolled/momentum_columns.hpp>
 
 namespace kte {
 
@@ -46,16 +46,17 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  using pass = local_momenta<S, chain_type, std::remove_const_t<decltype(g)>>;
+  using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>>;
   const auto w = weight_of<S>(c, at);
   typename pass::matrix_type a;
-  pass(c, g,
-       divided_by_mass<S>(w.mass, w.moment,
-                          [&]() KTE_INLINE_LAMBDA {
-                            blame<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{}, same<zero_t>{},
-                                                               "a");
-                          }),
-       a);
+  (void)pass(c, g,
+             divided_by_mass<S>(w.mass, w.moment,
+                                [&]() KTE_INLINE_LAMBDA {
+                                  blame<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{},
+                                                                     same<zero_t>{}, "a");
+                                }),
+             a)
+      .fill();
   check_result(a.data(), static_cast<std::size_t>(a.size()), too_large{"a momentum"});
   return a;
 }

@@ -10,8 +10,8 @@ namespace kte {
 
 /// Inverse dynamics and its derivatives by q, v and a, dofs x dofs each; by_a is the mass matrix, less the derivatives
 /// of friction that depends on what joints carry. In a tree of joints and bodies, with springs, dampers and masses on
-/// coordinates, by recursion over the elements (kernels/variation.hpp); where other forces act between frames, or
-/// coordinates follow others, by dual numbers.
+/// coordinates, by recursion over the elements (recursions/force_variations.hpp); where other forces act between
+/// frames, or coordinates follow others, by dual numbers.
 ///
 ///   inverse_dynamics_derivatives(c, q, v, a)       of a static chain, a value
 ///   inverse_dynamics_derivatives(c, s, q, v, a)    of a runtime chain, in the state s, for which the first call makes

@@ -1,9 +1,9 @@
 #ifndef KTE_FORWARD_DYNAMICS_HPP
 #define KTE_FORWARD_DYNAMICS_HPP
 
-#include <kte/dynamics/detail/local_articulated.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/unrolled/articulated.hpp>
 #include <kte/kernels/solve.hpp>
 
 namespace kte {
@@ -15,7 +15,7 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
                                           joint_vector<S, N>& a) {
   static_assert(sizeof(check_loads_of<Chain>) > 0);
   if constexpr (is_unrolled<Chain, S>) {
-    local_articulated<S, Chain, Given>(c, g).accelerate(tau, a);
+    articulated_chain<S, Chain, Given>(c, g).accelerate(tau, a);
   } else {
     a = accelerations_by_records<S>(c, g, tau);
   }
@@ -29,7 +29,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   if constexpr (is_tree_of_joints<Chain> || !Chain::common) {
     using given_type = given<At, V, same<zero_t>, Base, true>;
     if constexpr (is_unrolled<Chain, S>)
-      static_assert(sizeof(typename local_articulated<S, Chain, given_type>::need) > 0);
+      static_assert(sizeof(typename articulated_chain<S, Chain, given_type>::need) > 0);
     const given_type g{at, v, {}, base};
     articulated_accelerations(c, g, tau, a);
   } else {

@@ -1,9 +1,9 @@
 #ifndef KTE_MASS_MATRIX_INVERSE_HPP
 #define KTE_MASS_MATRIX_INVERSE_HPP
 
-#include <kte/dynamics/detail/local_inverse_mass.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
+#include <kte/dynamics/unrolled/inverse_mass.hpp>
 
 namespace kte {
 
@@ -23,7 +23,7 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     }();
     const given<At, same<zero_t>, same<zero_t>, std::remove_const_t<decltype(resting)>, true> g{at, {}, {}, resting};
     if constexpr (is_unrolled<Chain, S>) {
-      local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
+      inverted_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
     } else {
       m = inverse_mass_by_records<S>(c, g);
     }

@@ -22,14 +22,24 @@ KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, 
 }  // namespace detail
 
 /// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. The linear rows of `centroidal_map`,
-/// by mass.
+/// by mass. Throws `bad_argument` for a mass of zero.
 template <class Gravity, class... E, indexable Q>
 auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
+  using namespace detail;
+  using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
-  constexpr int n = static_chain<Gravity, E...>::dofs;
-  const auto map = centroidal_map(c, q);  // refuses chains without mass
-  const detail::configuration<S, typename static_chain<Gravity, E...>::wiring, Q> at(q);
-  return Eigen::Matrix<S, 3, n>(map.template topRows<3>() / as<S>(detail::weight_of<S>(c, at).mass));
+  static_assert(sizeof(check_bodies_of<chain_type>) > 0);
+  check_configuration<chain_type>(q);
+  const configuration<S, typename chain_type::wiring, Q> at(q);
+  at.check();
+  const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
+  using pass = momentum_columns<S, chain_type, std::remove_const_t<decltype(g)>, 3>;
+  typename pass::matrix_type j;
+  const auto all = pass(c, g, {}, j).fill();
+  (void)divided_by_mass<S>(all.mass, all.moment);
+  j *= S(1) / as<S>(all.mass);
+  check_result(j.data(), static_cast<std::size_t>(j.size()), too_large{"a Jacobian"});
+  return j;
 }
 
 /// The time derivative of `centroidal_momentum`, N and Nm: the sum f of the forces that bodies need for their motion,

@@ -25,6 +25,12 @@ articulated(M, H, J) -> articulated<M, H, J>;
 
 inline constexpr articulated<sym3<zero_t>, mat3<zero3>, sym3<zero_t>> no_articulated{};
 
+/// What accelerating a composite inertia takes: (1) of math/rigid_body.hpp.
+template <class M, class H, class J, class A, class AL>
+KTE_INLINE constexpr auto accelerating_wrench(const composite<M, H, J>& b, const A& a, const AL& al) {
+  return wrench{b.mass * a + cross(al, b.moment), b.inertia * al + cross(b.moment, a)};
+}
+
 /// Of bodies without joints between them: M = m 1, H = -[h]x.
 template <class M, class H, class I>
 KTE_INLINE constexpr auto to_articulated(const composite<M, H, I>& b) {

@@ -31,20 +31,24 @@ auto bias_motions(const forest<P>& f, memory<P, S>& m) {
 template <class P, class S, class Biases>
 int articulate(const forest<P>& f, memory<P, S>& m, const Biases& biases) {
   const articulated_bodies<P, S> bodies(f, m);
-  return engine::articulate<articulated_body<S>>(
+  int unmoved = -1;
+  engine::articulate<articulated_body<S>>(
       engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(), biases,
       [load = load_of_slot<S>{m.loads.data()}](const auto& b, const auto& x)
           KTE_INLINE_LAMBDA { return engine::velocity_wrench(b, x.ang_velocity) - load(b); },
       [force = m.force.data()](const auto& b)
           KTE_INLINE_LAMBDA { return [of_joint = force + b.first()](int k) KTE_INLINE_LAMBDA { return of_joint[k]; }; },
-      m.factors.data());
+      m.factors.data(), unmoved);
+  return unmoved;
 }
 /// The same of articulated inertias alone.
 template <class P, class S>
 int articulate_at_rest(const forest<P>& f, memory<P, S>& m) {
   const articulated_bodies<P, S> bodies(f, m);
-  return engine::articulate_at_rest(engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(),
-                                    m.factors.data());
+  int unmoved = -1;
+  engine::articulate_at_rest(engine::looped<articulated_bodies<P, S>>{bodies}, m.articulated.data(), m.factors.data(),
+                             unmoved);
+  return unmoved;
 }
 /// Accelerations of all bodies and axes, from the motions of bases. After `articulate`.
 template <class P, class S, class Biases>

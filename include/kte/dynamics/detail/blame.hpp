@@ -265,12 +265,12 @@ template <class Wiring, class Matrix, class Q>
 [[gnu::cold, gnu::noinline]] void blame_if_endless(const Matrix& m, Q q) {
   if (const int row = first_endless(m); row >= 0) blame_mass<Wiring>(row, false, q);
 }
-/// The same by bits (kernels/articulate.hpp): of the last coordinate, which carries none of the others.
+/// The same by bits (dynamics/unrolled/articulated.hpp): of the last row, whose joint carries none of the others.
 template <class Wiring, class Q>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_masses(std::uint64_t nothing, std::uint64_t endless, Q q) {
-  const auto last = static_cast<std::size_t>(std::bit_width(nothing)) - 1;
-  if (Wiring::freedoms > 64 && last == 63) raise_singular_mass_matrix();
-  blame_mass<Wiring>(Wiring::table.free[last].v, (endless >> last & 1) == 0, q);
+[[noreturn, gnu::cold, gnu::noinline]] void blame_axes(std::uint64_t nothing, std::uint64_t endless, Q q) {
+  const int last = static_cast<int>(std::bit_width(nothing)) - 1;
+  if (Wiring::dofs > 64 && last == 63) raise_singular_mass_matrix();
+  blame_mass<Wiring>(last, (endless >> last & 1) == 0, q);
 }
 /// Of one vector of arguments, or of two configurations.
 template <class Wiring, class X>

@@ -11,15 +11,16 @@ using six_by_dofs = Eigen::Matrix<S, 6, N>;
 
 namespace detail {
 
-/// The joints and coordinates of a chain as `Given`, and a matrix that takes what the unit rates of joints cause.
-template <class S, class Chain, class Given>
+/// The joints and coordinates of a chain as `Given`, and a matrix that takes what the unit rates of joints cause: all
+/// six rows, or the three linear ones.
+template <class S, class Chain, class Given, int Rows = 6>
 class columns {
  public:
   using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
   template <std::size_t I>
   using core_t = typename types::template core<I>;
-  using matrix_type = six_by_dofs<S, Chain::dofs>;
+  using matrix_type = Eigen::Matrix<S, Rows, Chain::dofs>;
 
   KTE_INLINE columns(const Chain& c, const Given& g, matrix_type& m) : chain_(c), given_(g), matrix_(m) { m.setZero(); }
 
@@ -79,7 +80,9 @@ class columns {
     if constexpr (wiring::template is_free<K, Slot>) {
       constexpr int j = wiring::template at<K, Slot>.v + N;
       put_number(matrix_(0, j), linear.x), put_number(matrix_(1, j), linear.y), put_number(matrix_(2, j), linear.z);
-      put_number(matrix_(3, j), angular.x), put_number(matrix_(4, j), angular.y), put_number(matrix_(5, j), angular.z);
+      if constexpr (Rows == 6)
+        put_number(matrix_(3, j), angular.x), put_number(matrix_(4, j), angular.y),
+            put_number(matrix_(5, j), angular.z);
     } else if constexpr (wiring::writer(K, Slot) >= 0) {  // q_end' = sum of ratio_p q_p'
       constexpr std::size_t w{wiring::writer(K, Slot)};
       for_each_number<int{input_count<core_t<w>>}>([&]<int P>() KTE_INLINE_LAMBDA {

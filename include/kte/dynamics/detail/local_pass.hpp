@@ -18,12 +18,14 @@ template <class Chain, class Given, std::size_t... E>
 class local_motion<Chain, Given, std::index_sequence<E...>>
     : protected local_types<Chain, Given>::template written<E>... {
  protected:
-  using types = local_types<Chain, Given>;
-  using wiring = typename Chain::wiring;
   template <std::size_t I>
-  using written = typename types::template written<I>;
+  using written = typename local_types<Chain, Given>::template written<I>;
 
  public:
+  using chain_type = Chain;
+  using types = local_types<Chain, Given>;
+  using wiring = typename Chain::wiring;
+
   /// doMotion of all elements.
   KTE_INLINE constexpr local_motion(const Chain& c, const Given& g) : chain_(c), given_(g) {
     const int done[]{(static_cast<written<E>&>(*this).value = move<E>(typename types::template inputs<E>{}), 0)..., 0};
@@ -61,12 +63,29 @@ class local_motion<Chain, Given, std::index_sequence<E...>>
   KTE_INLINE constexpr auto joint_axis() const {
     return axis_of<N>(chain_.template core<I>(), joint_coordinate<I>());
   }
+  KTE_INLINE constexpr const Chain& chain() const { return chain_; }
+  /// The sum of the masses on coordinate Slot of kind K alone, kg or kg m^2.
+  template <class S, kind K, int Slot>
+  KTE_INLINE constexpr auto mass_on_coordinate() const {
+    return mass_on_coordinate<S, K, Slot>(std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
+  }
 
  protected:
   const Chain& chain_;
   const Given& given_;
 
  private:
+  template <class S, kind K, int Slot, std::size_t... N>
+  KTE_INLINE constexpr auto mass_on_coordinate(std::index_sequence<N...>) const {
+    const auto mass = [this]<std::size_t I>() KTE_INLINE_LAMBDA {
+      if constexpr (K == kind::gen && has_mass<typename types::template core<I>, S>) {
+        return chain_.template core<I>().template mass<S>();
+      } else {
+        return zero;
+      }
+    };
+    return (zero + ... + mass.template operator()<loads_on<wiring, K, Slot>[N].element>());
+  }
   template <std::size_t I, std::size_t... P>
   KTE_INLINE constexpr typename written<I>::type move(std::index_sequence<P...>) const {
     const auto& core = chain_.template core<I>();
@@ -91,14 +110,12 @@ class local_pass;
 template <class Chain, class Given, std::size_t... E>
 class local_pass<Chain, Given, std::index_sequence<E...>>
     : public local_motion<Chain, Given>, local_types<Chain, Given>::template loads<Chain::size - 1 - E>... {
- protected:
+ public:
   using typename local_motion<Chain, Given>::types;
   using typename local_motion<Chain, Given>::wiring;
   template <std::size_t I>
   using loads = typename types::template loads<I>;
 
- public:
-  using chain_type = Chain;
   /// doMotion, then doForce of all elements.
   KTE_INLINE constexpr local_pass(const Chain& c, const Given& g) : local_motion<Chain, Given>(c, g) {
     static_assert(sizeof(need) > 0);

@@ -75,6 +75,14 @@ struct pass_over {
                 "bodies by coordinates to be a kte::transmission");
 };
 
+/// The elements of a chain in an algorithm of bodies.
+template <class Chain, class Elements = std::make_index_sequence<Chain::size>>
+struct passed_over;
+template <class Chain, std::size_t... I>
+struct passed_over<Chain, std::index_sequence<I...>> {
+  static_assert(((sizeof(pass_over<Chain, I>) > 0) && ...));
+};
+
 /// Bases at rest: as `few` of their motion as joints and links ask for, or whole where elements of rare shapes may read
 /// positions.
 template <class Chain, class Few, class Whole = decltype(base_at_rest)>

@@ -3,10 +3,10 @@
 #include <kte/dynamics/detail/column_groups.hpp>
 #include <kte/dynamics/detail/coordinate_derivatives.hpp>
 #include <kte/dynamics/detail/dual_derivatives.hpp>
-#include <kte/dynamics/detail/local_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/unrolled/force_derivatives.hpp>
 
 /// Derivatives of inverse and forward dynamics of static chains.
 namespace kte::detail {
@@ -32,7 +32,7 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
     if constexpr (is_unrolled<Chain, S>) {
       r.by_q.setZero(), r.by_v.setZero(), r.by_a.setZero();
       using given_type = std::remove_const_t<decltype(g)>;
-      const local_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
+      const unrolled_force_derivatives<S, Chain, given_type> pass(c, g, r.by_q, r.by_v, r.by_a);
       coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
       r.tau = forces_of<S>(pass, minus_one);
     } else {
@@ -61,7 +61,7 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     at.check(), base.check();
     const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
     if constexpr (is_unrolled<Chain, S>) {
-      local_inverse_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate_and_invert(tau, r.a, r.by_tau);
+      inverted_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate_and_invert(tau, r.a, r.by_tau);
     } else {
       accelerations_and_inverse_by_records<S>(c, g, tau, r.a, r.by_tau);
     }

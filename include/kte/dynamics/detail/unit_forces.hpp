@@ -84,8 +84,8 @@ constexpr unit_forces<Width, N> side_by_side(const std::array<joint_place, E>& p
   return f;
 }
 
-/// The numbers of (1) of local_inverse_mass.hpp between the axes of groups G and H of `Forces`, from e and D^-1 e: row
-/// i, a register of columns for each group.
+/// The numbers of (1) of recursions/inverse_mass.hpp between the axes of groups G and H of `Forces`, from e and D^-1 e:
+/// row i, a register of columns for each group.
 template <const auto& Forces, std::size_t G, std::size_t H, class Rows, class Matrix>
 KTE_INLINE void sum_answers_between(const Rows& left, const Rows& rate, Matrix& inverse) {
   using S = typename Matrix::Scalar;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/joint.hpp>
+#include <kte/engine/body.hpp>
 
 /// First variations of inverse dynamics, one element at a time. A frame moves by A = (a, al) and w; whoever carries it
 /// pushes it by a wrench W. With everything beyond it left as it is,
@@ -150,6 +151,86 @@ KTE_INLINE constexpr auto sensitivity_through(const Motion& x, const W& w, const
   const auto by_k = dot(w, f) * p - constant<2>{} * (dot(p, f) * w) + dot(w, p) * f;
   return sensitivity{transmit(x, z.to_acceleration),
                      x.rotation * z.to_rate + by_k + (cross(w_b, t) + constant<2>{} * cross(v_b, f))};
+}
+
+/// How a body moves on its parent, and its parent.
+///   relative()         the motion of its joint (frames/motion.hpp)
+///   parent_motion()    w, a, al of the parent
+///   load()             the wrench that is felt from it and all beyond it: -W
+template <class B>
+concept moving_body = engine::body_with_axes<B> && requires(const B& b) {
+  b.relative(), b.parent_motion(), b.load();
+};
+template <int K, moving_body B>
+KTE_INLINE constexpr auto axis_motion(const B& b) {
+  const auto s = b.template axis<K>();
+  return motion{zero3{}, no_rotation{}, s.linear, s.angular, zero3{}, zero3{}};
+}
+
+/// On the way to the base: changes of wrench by a displacement and a rate of axis j, and the sensitivity of its force.
+template <class Q, class V, class Z>
+struct axis_variation {
+  Q by_q;
+  V by_v;
+  Z force;
+};
+template <class Q, class V, class Z>
+axis_variation(Q, V, Z) -> axis_variation<Q, V, Z>;
+template <moving_body B, class Q, class V, class Z>
+KTE_INLINE constexpr auto seen_by_parent(const B& b, const axis_variation<Q, V, Z>& x) {
+  const auto at = b.relative();
+  return axis_variation{transmit(at, x.by_q), transmit(at, x.by_v),
+                        sensitivity_through(at, b.parent_motion().ang_velocity, x.force)};
+}
+/// Of axis j of a body that carries c, column j and row j of the derivatives of forces by q, v and a, while they run to
+/// the base: by_q(i, j, x), by_v(i, j, x), by_a(i, j, x).
+template <int J = 0, class Driver, moving_body B, class C, class Put>
+KTE_INLINE constexpr void variation_columns(const Driver& d, const B& b, const C& c, const Put& put) {
+  if constexpr (J < B::axes) {
+    const int j = b.first() + J;
+    const auto s = axis_motion<J>(b);
+    const auto by_q = varied_wrench(c.inertia, c.gyration, by_displacement(b.relative(), s, b.parent_motion()));
+    const auto by_v = varied_wrench(c.inertia, c.gyration, by_rate(b.relative(), s, b.parent_motion()));
+    const auto force = sensitivity_along(c.inertia, c.gyration, s);
+    for_each_number<B::axes>([&]<int K>() KTE_INLINE_LAMBDA {
+      const auto s_k = axis_motion<K>(b);
+      put.by_q(b.first() + K, j, power(s_k, by_q)), put.by_v(b.first() + K, j, power(s_k, by_v));
+      put.by_a(b.first() + K, j, power(s_k, force.to_acceleration));
+    });
+    const axis_variation end{by_q - by_displacement(s, b.load()), by_v, force};
+    d.ancestors(b, seen_by_parent(b, end), [&]<class P>(const P& parent, const auto& x) KTE_INLINE_LAMBDA {
+      for_each_number<P::axes>([&]<int K>() KTE_INLINE_LAMBDA {
+        const int i = parent.first() + K;
+        const auto s_i = axis_motion<K>(parent);
+        const auto m = power(s_i, x.force.to_acceleration);
+        put.by_q(i, j, power(s_i, x.by_q));
+        put.by_q(j, i, change(x.force, by_displacement(parent.relative(), s_i, parent.parent_motion())));
+        put.by_v(i, j, power(s_i, x.by_v));
+        put.by_v(j, i, change(x.force, by_rate(parent.relative(), s_i, parent.parent_motion())));
+        put.by_a(i, j, m), put.by_a(j, i, m);
+      });
+      return seen_by_parent(parent, x);
+    });
+    variation_columns<J + 1>(d, b, c, put);
+  }
+}
+/// Inward: the derivatives of the forces on all axes. What is fixed to a frame has its `ang_velocity()`.
+template <class Driver, class Put>
+KTE_INLINE constexpr void derivatives_of_forces(const Driver& d, const Put& put) {
+  d.template inward<false, engine::nothing, false>(
+      engine::nothing{}, engine::kept_constant<engine::nothing>{},
+      [](const auto& b, engine::nothing) KTE_INLINE_LAMBDA {
+        return turning_body{b.composite(), gyration_of(b.composite(), b.ang_velocity())};
+      },
+      [&](const moving_body auto& b, const auto& c, bool) KTE_INLINE_LAMBDA {
+        variation_columns(d, b, c, put);
+        return engine::fresh(c);
+      },
+      [](const moving_body auto& b, engine::nothing, const auto& c) KTE_INLINE_LAMBDA {
+        const auto x = b.relative();
+        return turning_body{transported(x.rotation, x.position, c.inertia),
+                            gyration_through(x, b.parent_motion().ang_velocity, c.inertia, c.gyration)};
+      });
 }
 
 }  // namespace kte::detail

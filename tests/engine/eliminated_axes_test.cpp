@@ -1,14 +1,13 @@
-#include <kte/kernels/articulate.hpp>
+#include <kte/recursions/articulated_body.hpp>
 #include <kte/static.hpp>
 
 #include "catch.hpp"
 #include "math/draw.hpp"
 
-// What joints leave of the articulated inertia of their end. Along coordinate axes of the end it is exactly nothing,
-// told by types; along other axes it is a difference that rounding makes almost nothing.
+// What joints leave of the articulated inertia of their body. Along unit axes it is exactly nothing, told by types;
+// along other axes it is a difference that rounding makes almost nothing.
 
 using namespace kte;
-using kte::detail::split_of;
 using test::draw;
 
 namespace {
@@ -68,32 +67,70 @@ template <kind Dim, class Axis>
 using prismatic = core::prismatic_joint<Dim, std::remove_const_t<Axis>>;
 constexpr kind flat = kind::frame_2D, solid = kind::frame_3D;
 
-using six = std::array<bool, 6>;
+/// A joint of a core at a coordinate, with a mass on it, as the recursions see it.
+template <class Core, class C, class M = zero_t>
+struct jointed {
+  using scalar = double;
+  const Core& core;
+  const C& at;
+  M m{};
+  static constexpr bool always_free = true;
+  static constexpr bool free() { return true; }
+  static constexpr int first() { return 0; }
+  static constexpr int axes = detail::joint_dofs<Core>;
+  template <int K>
+  constexpr auto axis() const {
+    const auto s = detail::axis_of<K>(core, at);
+    return engine::motion_vector{s.velocity, s.ang_velocity};
+  }
+  template <int>
+  constexpr M mass() const {
+    return m;
+  }
+  auto placed() const { return core.relative(detail::position_only(at)); }
+  auto position() const { return placed().position; }
+  template <class U>
+  auto in(const U& u) const {
+    return transpose(placed().rotation) * u;
+  }
+  template <class X, class Y, class Z>
+  auto out(const vec3<X, Y, Z>& u) const {
+    return placed().rotation * u;
+  }
+  template <class A>
+  auto out(const A& a) const {
+    return turned_by(matrix(placed().rotation), a);
+  }
+};
+
+/// The components along axes of which nothing is left: 0, 1, 2 linear, 3, 4, 5 angular; -1 of an axis that is no unit
+/// axis.
 template <class Core, class C>
-constexpr bool leaves(const six& what) {
-  constexpr auto s = split_of<Core, C>();
-  return s.exact && s.leaves == what;
+constexpr auto eliminated_components = []<int... K>(std::integer_sequence<int, K...>) {
+  return std::array{engine::eliminated_component<jointed<Core, C>, K>...};
 }
-/// No axis is treated as that of a coordinate, not even in part.
+(std::make_integer_sequence<int, detail::joint_dofs<Core>>{});
 template <class Core, class C>
-constexpr bool is_general = std::is_same_v<std::remove_cvref_t<decltype(split_of<Core, C>())>, detail::no_split>;
+constexpr bool takes(const std::array<int, std::size_t{detail::joint_dofs<Core>}>& components) {
+  return eliminated_components<Core, C> == components;
+}
+/// Nothing of it is told by types.
+template <class Core, class C>
+constexpr bool is_general = takes<Core, C>({-1});
 
 }  // namespace
 
-TEST_CASE("joints along coordinate axes take these exactly", "[laws]") {
-  STATIC_REQUIRE(leaves<revolute<solid, decltype(axis::z)>, one_number>({true, true, true, true, true, false}));
-  STATIC_REQUIRE(leaves<revolute<solid, decltype(axis::x)>, one_number>({true, true, true, false, true, true}));
-  STATIC_REQUIRE(leaves<revolute<solid, decltype(axis::minus_y)>, one_number>({true, true, true, true, false, true}));
-  STATIC_REQUIRE(leaves<revolute<flat, decltype(axis::z)>, one_number>({true, true, true, true, true, false}));
-  STATIC_REQUIRE(leaves<prismatic<solid, decltype(axis::x)>, one_number>({false, true, true, true, true, true}));
-  STATIC_REQUIRE(leaves<prismatic<solid, decltype(axis::minus_z)>, one_number>({true, true, false, true, true, true}));
-  STATIC_REQUIRE(leaves<prismatic<flat, decltype(axis::y)>, one_number>({true, false, true, true, true, true}));
-  STATIC_REQUIRE(leaves<core::spherical_joint, ball>({true, true, true, false, false, false}));
-  STATIC_REQUIRE(leaves<core::free_joint<flat>, pose_2>({false, false, true, true, true, false}));
-  STATIC_REQUIRE(leaves<core::free_joint<solid>, pose_3>({}));
-  STATIC_REQUIRE(split_of<core::free_joint<solid>, pose_3>().leaves_nothing);
-  STATIC_REQUIRE(!split_of<core::free_joint<flat>, pose_2>().leaves_nothing);
-  STATIC_REQUIRE(!split_of<core::spherical_joint, ball>().leaves_nothing);
+TEST_CASE("joints along unit axes take these exactly", "[laws]") {
+  STATIC_REQUIRE(takes<revolute<solid, decltype(axis::z)>, one_number>({5}));
+  STATIC_REQUIRE(takes<revolute<solid, decltype(axis::x)>, one_number>({3}));
+  STATIC_REQUIRE(takes<revolute<solid, decltype(axis::minus_y)>, one_number>({4}));
+  STATIC_REQUIRE(takes<revolute<flat, decltype(axis::z)>, one_number>({5}));
+  STATIC_REQUIRE(takes<prismatic<solid, decltype(axis::x)>, one_number>({0}));
+  STATIC_REQUIRE(takes<prismatic<solid, decltype(axis::minus_z)>, one_number>({2}));
+  STATIC_REQUIRE(takes<prismatic<flat, decltype(axis::y)>, one_number>({1}));
+  STATIC_REQUIRE(takes<core::spherical_joint, ball>({3, 4, 5}));
+  STATIC_REQUIRE(takes<core::free_joint<flat>, pose_2>({0, 1, 5}));
+  STATIC_REQUIRE(takes<core::free_joint<solid>, pose_3>({0, 1, 2, 3, 4, 5}));
 }
 
 TEST_CASE("other axes are not taken exactly") {
@@ -112,15 +149,15 @@ TEST_CASE("axes of joints made by users") {
   STATIC_REQUIRE(is_general<screw<constant<-1>, along_z>, one_number>);
   STATIC_REQUIRE(is_general<screw<double, vec3<>>, one_number>);
   // Without a pitch it is a revolute joint.
-  STATIC_REQUIRE(leaves<screw<zero_t, along_z>, one_number>({true, true, true, true, true, false}));
+  STATIC_REQUIRE(takes<screw<zero_t, along_z>, one_number>({5}));
   // The rate along an axis of length 2 is half the component.
   STATIC_REQUIRE(is_general<geared<2>, one_number>);
-  STATIC_REQUIRE(leaves<geared<-1>, one_number>({true, true, true, true, true, false}));
-  // One general axis among others, the first one, makes all general.
-  STATIC_REQUIRE(is_general<ramp, place<vec3<double, double, zero_t>, rotation_2D<double>>>);
+  STATIC_REQUIRE(takes<geared<-1>, one_number>({5}));
+  // One axis among others is general.
+  STATIC_REQUIRE(takes<ramp, place<vec3<double, double, zero_t>, rotation_2D<double>>>({-1, 1, 5}));
 }
 
-// ---- one joint by (1) to (4) of kernels/articulate.hpp with dense matrices of six
+// ---- one joint by (2) and (3) of recursions/articulated_body.hpp with dense matrices of six
 
 namespace {
 
@@ -170,19 +207,27 @@ wide error_of_joint(const Core& core, const C& at, const M& m, draw& random) {
   constexpr int n = detail::joint_dofs<Core>;
   const auto body = draw_body(random);
   const wrench load{random.vector(), random.vector()};
-  const motion c{skip{}, skip{}, skip{}, skip{}, random.vector(), random.vector()};
+  const engine::bias_motion c{skip{}, zero3{}, random.vector(), random.vector()};
   std::array<double, 6> f{};
   for (auto& x : f) x = random.number();
-  detail::joint_response<double, n> response;
-  bool good = true;
-  const auto b = detail::carried_by_joint<double>(
-      core, at, c, detail::burden{body, load}, [&f]<int K>() { return f[K]; }, m, response, good);
-  CHECK(good);
-  const detail::acceleration base{random.vector(), random.vector()};
-  const auto x = core.relative(detail::position_only(at));
+  std::array<engine::axis_factors<double>, std::size_t{n}> factors;
+  int unmoved = -1;
+  const jointed<Core, C, M> joint{core, at, m};
+  const auto force = [&f](int k) { return f[static_cast<std::size_t>(k)]; };
+  const engine::articulated_body carried{body, no_wrench - load};
+  const auto met = engine::eliminated(joint, carried, force, factors.data(), unmoved);
+  CHECK(unmoved == -1);
+  const auto b = engine::seen_by_parent(joint, c, met, force);
+  const vec3<> linear = random.vector(), angular = random.vector();
+  const auto x = joint.placed();
+  const auto t = transpose(x.rotation);
   column q_ddot(n);
-  const auto a = detail::accelerated(core, at, response, m, detail::carried_acceleration(x, c, base),
-                                     [&](int k, double value) { q_ddot[k] = value; });
+  std::array<double, 6> change{};
+  const auto a = engine::accelerated<0>(
+      joint, factors.data(),
+      engine::motion_vector{t * plus_cross(linear, angular, x.position) + c.linear, t * angular + c.angular},
+      change.data());
+  for (int k = 0; k < n; ++k) q_ddot[k] = change[static_cast<std::size_t>(k)];
 
   table s(6, n);
   const auto fill = [&]<int... K>(std::integer_sequence<int, K...>) {
@@ -192,18 +237,18 @@ wide error_of_joint(const Core& core, const C& at, const M& m, draw& random) {
   fill(std::make_integer_sequence<int, n>{});
   const table I = dense(body), X = way(x), U = I * s;
   const table D = s.transpose() * U + as<double>(m) * table::Identity(n, n), gain = U * D.inverse();
-  const column W = stacked(load.force, load.torque), bias = stacked(c.acceleration, c.ang_acceleration);
-  const column force = Eigen::Matrix<double, 6, 1>(f.data()).head(n).template cast<wide>();
-  const column rate = D.inverse() * (force + s.transpose() * W);
+  const column W = stacked(load.force, load.torque), bias = stacked(c.linear, c.angular);
+  const column applied = Eigen::Matrix<double, 6, 1>(f.data()).head(n).template cast<wide>();
+  const column rate = D.inverse() * (applied + s.transpose() * W);
   const table left = I - gain * U.transpose();
   const column passed = W - left * bias - U * rate;
-  const column before = X * stacked(base.linear, base.angular) + bias;
+  const column before = X * stacked(linear, angular) + bias;
   const column exact_q = rate - gain.transpose() * before;
   const auto gap = [](const auto& y, const auto& z) {
     return (y - z).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
   };
   wide e = gap(dense(b.inertia), table(X.transpose() * left * X));
-  e = test::worse(e, gap(stacked(b.load.force, b.load.torque), column(X.transpose() * passed)));
+  e = test::worse(e, gap(stacked(b.bias.force, b.bias.torque), column(-(X.transpose() * passed))));
   e = test::worse(e, gap(q_ddot, exact_q));
   return test::worse(e, gap(stacked(a.linear, a.angular), column(before + s * exact_q)));
 }
@@ -250,10 +295,10 @@ TEST_CASE("one joint against dense matrices") {
   }
 }
 
-TEST_CASE("what a joint along coordinate axes takes is exactly nothing") {
+TEST_CASE("what a joint along a unit axis takes is exactly nothing") {
   draw random(52);
   const auto body = draw_body(random);
-  const auto taken = rest(split_of<revolute<solid, decltype(axis::z)>, one_number>(), body);
+  const auto taken = engine::without<5>(body);
   STATIC_REQUIRE(std::is_same_v<decltype(taken.angular), sym3<double, double, zero_t, double, zero_t, zero_t>>);
   STATIC_REQUIRE(std::is_same_v<decltype(taken.coupling), mat3<vec3<double, double, zero_t>>>);
   STATIC_REQUIRE(std::is_same_v<decltype(taken.linear), sym3<>>);
@@ -261,30 +306,27 @@ TEST_CASE("what a joint along coordinate axes takes is exactly nothing") {
   CHECK(taken.coupling.y.x == body.coupling.y.x);
   CHECK(taken.angular.xy == body.angular.xy);
   const wrench load{random.vector(), random.vector()};
-  const auto some = rest(split_of<prismatic<solid, decltype(axis::minus_x)>, one_number>(), load);
+  const auto some = engine::without<0>(load);
   STATIC_REQUIRE(std::is_same_v<decltype(some.force), vec3<zero_t, double, double>>);
   CHECK(some.torque == load.torque);
-  const auto none = rest(split_of<core::free_joint<solid>, pose_3>(), body);
+  const auto none = engine::without<0>(
+      engine::without<1>(engine::without<2>(engine::without<3>(engine::without<4>(engine::without<5>(body))))));
   STATIC_REQUIRE(std::is_same_v<decltype(none), const std::remove_const_t<decltype(no_articulated)>>);
-  const auto all = rest(split_of<screw<one_t, vec3<one_t, zero_t, zero_t>>, one_number>(), body);
-  CHECK(all.linear == body.linear);
-  CHECK(all.coupling == body.coupling);
-  CHECK(all.angular == body.angular);
 }
 
 TEST_CASE("an axis that moves next to nothing") {
   // What is left of an inertia about an axis by rounding is not taken for one.
-  detail::joint_response<double, 1> response;
-  const motion still{skip{}, skip{}, skip{}, skip{}, vec3<>{}, vec3<>{}};
+  std::array<engine::axis_factors<double>, 1> factors;
   const one_number at{0.0, {}, {}, 1.0, 0.0};
+  const core::revolute_joint<solid, vec3<>> core({0.0, 0.0, 1.0});
   const auto is_good = [&](double inertia, double m) {
-    bool good = true;
+    int unmoved = -1;
     const articulated<sym3<>, mat3<>, sym3<>> body{
         {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {}, {1.0, 0.0, 0.0, 1.0, 0.0, inertia}};
-    (void)detail::carried_by_joint<double>(
-        core::revolute_joint<solid, vec3<>>({0.0, 0.0, 1.0}), at, still, detail::burden{body, no_wrench},
-        []<int>() { return 0.0; }, m, response, good);
-    return good;
+    const jointed<core::revolute_joint<solid, vec3<>>, one_number, double> joint{core, at, m};
+    (void)engine::eliminated(
+        joint, engine::articulated_body{body, no_wrench}, [](int) { return 0.0; }, factors.data(), unmoved);
+    return unmoved == -1;
   };
   CHECK(is_good(1e-10, 0.0));
   CHECK(is_good(0.0, 1e-10));

@@ -1,20 +1,22 @@
 #pragma once
 
-#include <kte/contract/joint.hpp>
 #include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/detail/static_loops.hpp>
-#include <kte/dynamics/detail/tree.hpp>
+#include <kte/dynamics/unrolled/bodies.hpp>
 #include <kte/kernels/joint_vector.hpp>
+#include <kte/recursions/composite_body.hpp>
 
-/// The composite-rigid-body algorithm on local variables.
+/// The mass matrix of static chains (recursions/composite_body.hpp).
 namespace kte::detail {
 
-/// The mass matrix over all coordinates of a chain: the degrees of freedom first, then followers. `Given` has positions
-/// without rates and bases of `skip`.
+/// Over all coordinates of a chain: the degrees of freedom first, then followers. `Given` has positions without rates
+/// and bases of `skip`.
 template <class S, class Chain, class Given>
-class local_mass {
+class unrolled_mass {
   using types = local_types<Chain, Given>;
   using wiring = typename Chain::wiring;
+  using motion_type = local_motion<Chain, Given>;
+  using axes = axes_of_joints<Chain>;
   template <std::size_t I>
   using core_t = typename types::template core<I>;
 
@@ -22,9 +24,14 @@ class local_mass {
   static constexpr int coordinates = wiring::dofs + wiring::count(kind::gen) - wiring::gen_dofs;
   using matrix_type = joint_matrix<S, coordinates>;
 
-  KTE_INLINE local_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
+  KTE_INLINE unrolled_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
     M.setZero();
-    for_each_base<wiring>([&]<kind K, int Slot>() KTE_INLINE_LAMBDA { (void)carried<K, Slot>(); });
+    const typed_bodies<S, motion_type, axes> bodies{motion_};
+    engine::mass_matrix(
+        engine::unrolled<typed_bodies<S, motion_type, axes>>{bodies},
+        [this](int j, const auto& x) KTE_INLINE_LAMBDA { put_diagonal(j, x); },
+        [this](int i, int j, const auto& x) KTE_INLINE_LAMBDA { put(i, j, x); });
+    sum_ += column_;
     coordinate_masses(std::make_index_sequence<Chain::size>{});
     if constexpr (!written_once) sum_ = detail::zero_or_nan(M.data(), static_cast<std::size_t>(M.size()));
   }
@@ -32,77 +39,14 @@ class local_mass {
   KTE_INLINE S zero_or_nan() const { return sum_ * S(0); }
 
  private:
-  /// The row of the coordinate of element I, which is that of its first port, or of number N of it.
-  template <kind K, int Slot>
-  static constexpr int row =
-      wiring::template is_free<K, Slot> ? wiring::template at<K, Slot>.v : wiring::dofs + Slot - wiring::gen_dofs;
-  template <std::size_t I>
-  static constexpr int row_of = row<coordinate_kind<core_t<I>>, wiring::slot(I, 0)>;
-  template <std::size_t I>
-  static constexpr int axes = joint_dofs<core_t<I>>;
-
-  // ---- up the tree: composite inertias, and a column of M at each joint
-  /// The inertia carried by a frame, about it and in its axes: `sum`, and that of its readers from number N on. One
-  /// after the other: of a sum in one expression g++ makes the last part first, whose numbers then wait in memory.
-  template <kind K, int Slot, std::size_t N = 0, class Sum = std::remove_const_t<decltype(no_mass)>>
-  KTE_INLINE constexpr auto carried(const Sum& sum = {}) {
-    if constexpr (N == loads_on<wiring, K, Slot>.size()) {
-      return sum;
-    } else {
-      return carried<K, Slot, N + 1>(sum + part<loads_on<wiring, K, Slot>[N].element>());
-    }
-  }
-  /// The part of it that comes through element I.
-  template <std::size_t I>
-  KTE_INLINE constexpr auto part() {
-    if constexpr (has_mass<core_t<I>, S>) {
-      return chain_.template core<I>().template mass<S>();
-    } else if constexpr (is_transmission<core_t<I>>) {
-      constexpr kind k = types::template output_kind<I>;
-      constexpr int end = types::template output_slot<I>;
-      const auto c = carried<k, end>();
-      if constexpr (coordinates_of<core_t<I>> == 1)
-        for_each_number<axes<I>>([&]<int N>() KTE_INLINE_LAMBDA { column<I, N>(c); });
-      const auto x = motion_.template joint_pose<I>();
-      return transported(x.rotation, x.position, c);
-    } else {
-      return no_mass;
-    }
-  }
-
-  // ---- down the tree: the force of a unit acceleration of joint J, felt at all joints below
-  template <std::size_t J, int N, class C>
-  KTE_INLINE constexpr void column(const C& composite_inertia) {
-    const auto w = accelerating_wrench(composite_inertia, motion_.template joint_axis<J, N>());
-    constexpr int j = row_of<J> + N;
-    column_ = S(0);
-    for_each_number<axes<J>>([&]<int R>() KTE_INLINE_LAMBDA {
-      const auto m = power(motion_.template joint_axis<J, R>(), w);
-      if constexpr (R < N) put(row_of<J> + R, j, m);
-      if constexpr (R == N) M(j, j) = written_once ? as<S>(m) : as<S>(M(j, j) + m), watch(m);
-    });
-    down<J>(w, j);
-    sum_ += column_;
-  }
-  template <std::size_t I, class W>
-  KTE_INLINE constexpr void down(const W& at_end, int column) {
-    constexpr std::size_t base_port = port_count<core_t<I>> - 2;
-    constexpr int below = wiring::writer(types::template output_kind<I>, wiring::slot(I, base_port));
-    if constexpr (below >= 0) {
-      const auto w = transmit(motion_.template joint_pose<I>(), at_end);
-      if constexpr (coordinates_of<core_t<std::size_t{below}>> == 1)
-        for_each_number<axes<std::size_t{below}>>([&]<int N>() KTE_INLINE_LAMBDA {
-          put(row_of<std::size_t{below}> + N, column, power(motion_.template joint_axis<std::size_t{below}, N>(), w));
-        });
-      down<std::size_t{below}>(w, column);
-    }
-  }
-  /// While it is in a register.
+  /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once, and summed while it
+  /// is in a register.
   template <class T>
-  KTE_INLINE constexpr void watch(const T& x) {
-    if constexpr (written_once && variable<T>) column_ += as<S>(x);
+  KTE_INLINE constexpr void put_diagonal(int j, const T& x) {
+    sum_ += column_, column_ = S(0);
+    watch(x);
+    M(j, j) = written_once ? as<S>(x) : as<S>(M(j, j) + x);
   }
-  /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once.
   template <class T>
   KTE_INLINE constexpr void put(int i, int j, const T& x) {
     watch(x);
@@ -112,6 +56,10 @@ class local_mass {
       M(i, j) = as<S>(M(i, j) + x);
       M(j, i) = as<S>(M(j, i) + x);
     }
+  }
+  template <class T>
+  KTE_INLINE constexpr void watch(const T& x) {
+    if constexpr (written_once && variable<T>) column_ += as<S>(x);
   }
   static constexpr bool written_once = [] {
     bool once = coordinates == wiring::dofs;
@@ -142,14 +90,16 @@ class local_mass {
   }
   template <std::size_t I>
   KTE_INLINE void coordinate_mass() {
-    constexpr int b = row_of<I>;
+    constexpr int b = axes::template row_of_coordinate<core_t<I>::ports[0].what, wiring::slot(I, 0)>;
     if constexpr (core_t<I>::ports[0].what != kind::gen) {
       return;
     } else if constexpr (has_mass<core_t<I>, S>) {
       M(b, b) = as<S>(M(b, b) + chain_.template core<I>().template mass<S>());
     } else if constexpr (has_output<core_t<I>> && types::template output_kind<I> == kind::gen) {
-      constexpr int e = row<kind::gen, types::template output_slot<I>>;  // q_e' = ratio q_b': both its row and column
-      const auto& q_b = motion_.template get<kind::gen, wiring::slot(I, 0)>();  // count for b too
+      constexpr int e =
+          axes::template row_of_coordinate<kind::gen, types::template output_slot<I>>;  // q_e' = ratio q_b': both its
+                                                                                        // row and column
+      const auto& q_b = motion_.template get<kind::gen, wiring::slot(I, 0)>();          // count for b too
       const auto ratio = chain_.template core<I>().doMotion(unit_rate<kind::gen, 0>(q_b)).q_dot;
       for (int c = 0; c < coordinates; ++c) M(b, c) = as<S>(M(b, c) + ratio * M(e, c));
       for (int c = 0; c < coordinates; ++c) M(c, b) = as<S>(M(c, b) + ratio * M(c, e));
@@ -165,7 +115,7 @@ class local_mass {
 /// A function of its own: only a variable of its outermost block is made where the caller wants it.
 template <class S, class Chain, class Given>
 KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g, S& zero_or_nan) {
-  using mass_type = local_mass<S, Chain, Given>;
+  using mass_type = unrolled_mass<S, Chain, Given>;
   typename mass_type::matrix_type m;
   zero_or_nan = mass_type(c, g, m).zero_or_nan();
   if constexpr (mass_type::coordinates == Chain::dofs) {
