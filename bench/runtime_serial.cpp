@@ -14,8 +14,8 @@ struct serial_at_run_time {
   }
 
  private:
-  static kte::kte_map_chain build() {
-    kte::kte_map_chain c;
+  static kte::runtime_chain build() {
+    kte::runtime_chain c;
     c.gravity(kte::along_z(-9.81));
     for (int i = 0; i < N; ++i) {
       const auto number = std::to_string(i + 1);

@@ -6,7 +6,7 @@
 #include "robots/solo12.hpp"
 
 /// The HyQ of the Italian Institute of Technology, from its published parameters: a floating trunk and four legs of
-/// three revolute joints about z, seated by quarter turns. A lower leg and its foot are one body. m, kg, kg m^2.
+/// three revolute joints about z, placed by quarter turns. A lower leg and its foot are one body. m, kg, kg m^2.
 namespace robots {
 
 namespace hyq_names {

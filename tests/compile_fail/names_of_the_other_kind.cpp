@@ -16,7 +16,7 @@ using numbers = std::array<double, 1>;
 
 double pose(const numbers& x) { return kte::forward_kinematics(arm, x, "hand").position.x; }
 double rate(const numbers& x) { return kte::frame_velocity(arm, x, x, std::string("hand")).linear.x; }
-double pose(const kte::kte_map_chain& c, kte::runtime_state& s, const numbers& x) {
+double pose(const kte::runtime_chain& c, kte::runtime_state& s, const numbers& x) {
   return kte::forward_kinematics(c, s, x, hand).position.x;
 }
-double column(const kte::kte_map_chain& c, kte::runtime_state& s) { return kte::jacobian(c, s, hand)(0, 0); }
+double column(const kte::runtime_chain& c, kte::runtime_state& s) { return kte::jacobian(c, s, hand)(0, 0); }

@@ -1,5 +1,5 @@
 // mistakes: 7
-// expect: error: .*kte: .at.position.* places the seat of a joint in its base; this element is not a joint
+// expect: error: .*kte: .at.position.* places a joint in its base; this element is not a joint
 // expect: spring
 // expect: rigid_link
 // expect: error: .*kte: this joint has a place in its base already: .at.. comes once
@@ -34,6 +34,6 @@ void f() {
   rigid_link_3D("wall", "arm", along_x(0.5)).at(along_x(0.5));
   chain(revolute_joint_3D(q, base, arm).at(along_x(0.5)).at(along_x(0.5)));
   chain(revolute_joint_3D(q, base, arm).at(along_x(0.5), rotation_by(0.3)));
-  kte_map_chain() << prismatic_joint_2D("q", "base", "arm", axis::x).at(along_x(0.5), quarter_turn_x);
-  kte_map_chain() << universal_joint_3D("q", "p", "base", "arm", axis::x, axis::y).at(along_x(0.5), rotation_by(0.3));
+  runtime_chain() << prismatic_joint_2D("q", "base", "arm", axis::x).at(along_x(0.5), quarter_turn_x);
+  runtime_chain() << universal_joint_3D("q", "p", "base", "arm", axis::x, axis::y).at(along_x(0.5), rotation_by(0.3));
 }

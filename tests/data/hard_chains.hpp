@@ -22,7 +22,7 @@ struct acceleration {
 /// A chain, its state, and what it does: `accelerations` of some or all degrees of freedom, and the largest of all in
 /// size.
 struct hard_chain {
-  kte_map_chain chain;
+  runtime_chain chain;
   std::vector<double> q, v, tau;
   std::span<const acceleration> accelerations;
   long double largest;

@@ -75,8 +75,8 @@ constexpr auto static_chain_of(const serial_body (&bodies)[N]) {
 
 /// The runtime chain.
 template <std::size_t N>
-kte_map_chain runtime_chain_of(const serial_body (&bodies)[N]) {
-  kte_map_chain c;
+runtime_chain runtime_chain_of(const serial_body (&bodies)[N]) {
+  runtime_chain c;
   c.gravity(along_z(-9.81));
   std::string before = "base";
   for (std::size_t i = 0; i < N; ++i) {

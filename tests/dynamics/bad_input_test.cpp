@@ -9,7 +9,7 @@
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
 #include <kte/elements/position_control.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <limits>
 
@@ -109,7 +109,7 @@ TEST_CASE("a joint with a force of its own") {
   const std::array q{0.1}, v{0.5}, a{3.0};
   CHECK(inverse_dynamics(slide, q, v, a)[0] == 6.25);  // m a + c v; what is beyond that does not compile
   for (const bool nested : {false, true}) {
-    kte_map_chain model;
+    runtime_chain model;
     if (nested)
       model << slide;
     else
@@ -239,7 +239,7 @@ TEST_CASE("a call that throws leaves the state as it was") {
     refused(x, [&] { forward_kinematics(c, x, q, "tip"); });
     refused(x, [&] { jacobian(c, x, q, "tip"); });
     refused(x, [&] { static_forces(c, x, q); });
-    refused(x, [&] { centroidal_map(c, x, q); });
+    refused(x, [&] { centroidal_momentum_matrix(c, x, q); });
   };
   const auto of_v = [&](kte::runtime_state& x, const vector& q, const vector& v) {
     refused(x, [&] { nonlinear_effects(c, x, q, v); });

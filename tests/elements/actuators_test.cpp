@@ -30,8 +30,8 @@ auto arm_with(const Drive& drive) {
       .gravity(vec3{0.3, -0.4, -9.81});
 }
 template <class... E>
-kte_map_chain named(const E&... e) {
-  kte_map_chain c;
+runtime_chain named(const E&... e) {
+  runtime_chain c;
   return (c << ... << e);
 }
 template <class A, class B>

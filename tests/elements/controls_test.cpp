@@ -39,7 +39,7 @@ TEST_CASE("an arm on a table that turns, with measures and a controller: static 
     CHECK(o.numbers[0] == within(is.x, 1e-14));
   }
   CHECK(named.size() == 6);
-  kte_map_chain appended;
+  runtime_chain appended;
   appended << c;
   auto n = appended.make_state();
   n.vector("r") = turn, n.vector("w") = omega, n.vector("al") = alpha, n.input("wanted") = 0.5;

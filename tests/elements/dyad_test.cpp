@@ -17,8 +17,8 @@ namespace {
 constexpr dyad_lengths lengths{.pivot = {0.2, 0.03}, .crank1 = 0.15, .bar1 = 0.3, .bar2 = 0.28, .crank2 = 0.12};
 
 /// A five-bar linkage with two motors. The hand is at the end of the first bar, the second ends there too.
-kte_map_chain five_bar() {
-  kte_map_chain c;
+runtime_chain five_bar() {
+  runtime_chain c;
   c.gravity(along_y(-9.81));
   c << base_2D("ground") << dyad_2D("q1", "q2", "b1", "b2", lengths) << revolute_joint_2D("q1", "ground", "crank 1")
     << inertia_2D("crank 1", planar_body(0.4, 0.004, along_x(0.07)))

@@ -96,7 +96,7 @@ TEST_CASE("dry friction stops a sliding mass where it should") {
 }
 
 TEST_CASE("smooth friction is saved and loaded, and rejects what makes no sense") {
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("q", 1.0) << joint_friction_gen("q", dry) << joint_damping_gen("q", 0.5)
     << joint_stiffness_gen("q", 8.0, 0.25) << joint_friction_gen("q", {.viscous = 0.1});
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));

@@ -99,7 +99,7 @@ TEST_CASE("a ball jumps on a stiff floor, and its touches are events") {
 }
 
 TEST_CASE("limits are saved and loaded, and reject what makes no sense") {
-  kte_map_chain c;
+  runtime_chain c;
   c << inertia_gen("q", 1.0) << joint_limit_gen("q", both) << joint_limit_gen("q", {.lower = 0, .stiffness = 1});
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));
   const auto read = from_json(R"({"kte_model": {"version": 1, "gravity": [0, 0, 0], "elements": [

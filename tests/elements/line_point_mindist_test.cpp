@@ -38,8 +38,8 @@ inline constexpr struct foot_   final : frame_3D_key<"foot">     {} foot;
 
 /// A mass on two sliding joints across each other, tied by a spring to a nearest point.
 template <class Nearest>
-kte_map_chain tied(const Nearest& nearest) {
-  kte_map_chain c;
+runtime_chain tied(const Nearest& nearest) {
+  runtime_chain c;
   c << prismatic_joint_3D("x", "ground", "a", axis::x) << prismatic_joint_3D("y", "a", "b", axis::y)
     << prismatic_joint_3D("z", "b", "mass", axis::z) << inertia_3D("mass", point_mass(2.0)) << nearest
     << spring_3D("mass", "nearest", 0.0, 50.0) << damper_3D("mass", "nearest", 3.0);
@@ -96,7 +96,7 @@ TEST_CASE("nearest points reject what is no direction") {
 
 TEST_CASE("the nearest point of a line under gravity is accelerated as in the world") {
   const bool plane = GENERATE(false, true), turned = GENERATE(false, true);
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_y(-9.75)) << prismatic_joint_3D("x", "ground", "mass", axis::x)
                             << inertia_3D("mass", point_mass(2.0));
   if (plane)

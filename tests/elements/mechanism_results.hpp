@@ -29,7 +29,7 @@ struct mechanism_results {
   }
 };
 
-inline mechanism_results results_of(const kte_map_chain& c, const std::string& tip, const Eigen::VectorXd& q,
+inline mechanism_results results_of(const runtime_chain& c, const std::string& tip, const Eigen::VectorXd& q,
                                     const Eigen::VectorXd& v, const Eigen::VectorXd& x) {
   auto s = c.make_state();
   mechanism_results r;

@@ -43,7 +43,7 @@ auto planar_pendulum(double radius) {
 
 template <class Chain>
 void check_pendulum(const Chain& c, double R) {
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   CHECK(record_of(r) == record_of(c));
   auto state = r.make_state();
   for (const double rate : {3.0, -1.0, 0.02, 0.0}) {
@@ -62,7 +62,7 @@ void check_pendulum(const Chain& c, double R) {
 }  // namespace
 
 TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[laws]") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("p", "ground", "table", axis::z)
     << inertia_3D("table", rigid_body{1.0, zero3{}, sym3{0.2, 0.0, 0.0, 0.2, 0.0, 0.3}}) << inertia_gen("q", 0.5)
     << rotor_3D("q", "table", axis::z, 20.0, 0.01);
@@ -83,7 +83,7 @@ TEST_CASE("a rotor has its reflected inertia, and turns its housing back", "[law
 TEST_CASE("a gyroscope on a turntable tilts") {
   // The table turns at W about z, a gimbal on it tilts about x, a rotor spins in it about y with momentum h: at no tilt
   // the gimbal feels the torque W h about x.
-  kte_map_chain c;
+  runtime_chain c;
   const sym3 ball{0.2, 0.0, 0.0, 0.2, 0.0, 0.2};
   c << revolute_joint_3D("table angle", "ground", "table", axis::z)
     << inertia_3D("table", rigid_body{1.0, zero3{}, ball}) << revolute_joint_3D("tilt", "table", "gimbal", axis::x)
@@ -110,7 +110,7 @@ TEST_CASE("a pendulum on a bearing with friction by its load") {
 TEST_CASE("a wheel runs down on its bearing") {
   // Balanced, it loads the bearing by its weight: I q'' = - R m g q' / sqrt(q'^2 + v^2), whatever its angle.
   constexpr double m = 3.0, I = 0.2, R = 0.01;
-  kte_map_chain c;
+  runtime_chain c;
   c.gravity(along_y(-g)) << dry_revolute_joint_2D("q", "wall", "rod", R, smoothing).at(vec2{0.3, 0.1}, rotation_by(0.7))
                          << inertia_2D("rod", planar_body(m, I));
   auto s = c.make_state();
@@ -131,7 +131,7 @@ TEST_CASE("a bearing jams from where accelerations lose half their digits") {
   const Eigen::Matrix<double, 1, 1> q1(angle), v1(rate), none(0.0);
   for (const double beyond : {-1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-3}) {
     const auto c = pendulum(L / s * (1 + beyond));
-    const kte_map_chain r = models::registered(record_of(c));
+    const runtime_chain r = models::registered(record_of(c));
     auto state = r.make_state();
     CHECK_THROWS_MATCHES(forward_dynamics(c, q1, v1, none), no_solution, says("jams at 'q': "));
     CHECK_THROWS_MATCHES(forward_dynamics(r, state, q1, v1, none), no_solution, says("jams at 'q': "));
@@ -146,7 +146,7 @@ TEST_CASE("a bearing jams from where accelerations lose half their digits") {
 
 TEST_CASE("a bearing jams where it is larger than its arm") {
   const auto c = pendulum(0.6);
-  const kte_map_chain r = models::registered(record_of(c));
+  const runtime_chain r = models::registered(record_of(c));
   auto state = r.make_state();
   const Eigen::Matrix<double, 1, 1> angle(0.4), rate(3.0), none(0.0);
   CHECK_THROWS_AS(forward_dynamics(c, angle, rate, none), no_solution);

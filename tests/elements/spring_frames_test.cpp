@@ -302,7 +302,7 @@ TEST_CASE("what springs and dampers do not read is not computed, what they read 
 }
 
 TEST_CASE("elements between frames in files") {
-  kte_map_chain c;
+  runtime_chain c;
   c << base_2D("a") << base_2D("b") << base_3D("x") << base_3D("y") << spring_2D("a", "b", 0.5, 8.0, 1.0)
     << spring_3D("x", "y", zero, 8.0) << damper_2D("a", "b", 0.5) << damper_3D("x", "y", 0.25)
     << torsion_spring_2D("a", "b", 8.0, 1.0, -0.5) << torsion_spring_3D("x", "y", 8.0, 2.0)

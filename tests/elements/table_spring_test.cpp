@@ -102,7 +102,7 @@ TEST_CASE("Duffing's oscillator keeps its period") {
 }
 
 TEST_CASE("tables are saved and loaded, functions are refused") {
-  kte_map_chain c;
+  runtime_chain c;
   c << base_gen("wall") << inertia_gen("q", 1.0) << table_spring_gen("wall", "q", lengths, pulls) << base_3D("a")
     << base_3D("b") << table_spring_3D("a", "b", std::vector{0.0, 1.0}, std::vector{0.0, 5.0});
   const auto r = record_of(c);

@@ -27,7 +27,7 @@ constexpr double few_ulps = 1e-14;
 constexpr auto arm = chain(hooke_joint_3D(q1, q2, ground, shaft, axis::x, oblique, offset), inertia_3D(shaft, brick),
                            revolute_joint_3D(p, shaft, hand, axis::y), inertia_3D(hand, brick))
                          .gravity(weight);
-kte_map_chain with_arm(kte_map_chain c) {
+runtime_chain with_arm(runtime_chain c) {
   c.gravity(weight) << inertia_3D("shaft", brick) << revolute_joint_3D("p", "shaft", "hand", axis::y)
                     << inertia_3D("hand", brick);
   return c;
@@ -36,14 +36,14 @@ kte_map_chain with_arm(kte_map_chain c) {
 }  // namespace
 
 TEST_CASE("universal joints are the same by keys, by texts, and as joints and a link", "[laws]") {
-  kte_map_chain texts, old;
+  runtime_chain texts, old;
   texts << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset);
   old << revolute_joint_3D("q1", "ground", "cross", axis::x) << rigid_link_3D("cross", "second", offset)
       << revolute_joint_3D("q2", "second", "shaft", oblique);
   CHECK(difference(arm, with_arm(texts), hand, 1) < few_ulps);
   CHECK(difference(with_arm(texts), with_arm(old), hand, 2) < few_ulps);
   CHECK(record_of(with_arm(texts)) == record_of(arm));
-  kte_map_chain none, without;
+  runtime_chain none, without;
   none << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, axis::y, zero3{});
   without << universal_joint_3D("q1", "q2", "ground", "shaft", axis::x, axis::y);
   CHECK(difference(with_arm(none), with_arm(without), hand, 3) < few_ulps);
@@ -55,7 +55,7 @@ TEST_CASE("a joint of two coordinates has a place, as a link in front of it") {
       chain(hooke_joint_3D(q1, q2, ground, shaft, axis::x, oblique, offset).at(offset, turned),
             inertia_3D(shaft, brick), revolute_joint_3D(p, shaft, hand, axis::y), inertia_3D(hand, brick))
           .gravity(weight);
-  kte_map_chain texts, linked;
+  runtime_chain texts, linked;
   texts << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset).at(offset, turned);
   linked << fixed_joint_3D("ground", "seat", offset, turned)
          << hooke_joint_3D("q1", "q2", "seat", "shaft", axis::x, oblique, offset);
@@ -105,7 +105,7 @@ TEST_CASE("the cross of a universal joint has a name") {
   CHECK(inner_of(shaft).name == "shaft.inner");
   CHECK(inner_of("shaft") == "shaft.inner");
   auto t =
-      with_arm(kte_map_chain() << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset)).make_state();
+      with_arm(runtime_chain() << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset)).make_state();
   CHECK(t.frame_3D(inner_of("shaft")).position == vec3{0.0, 0.0, 0.0});
 }
 

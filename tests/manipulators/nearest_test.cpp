@@ -8,7 +8,7 @@ using test::says;
 
 namespace {
 constexpr double deg = M_PI / 180;
-joint_limits<> iiwa_limits(const kte_map_chain& c, double part = 1) {
+joint_limits<> iiwa_limits(const runtime_chain& c, double part = 1) {
   auto l = unlimited(c);
   l.upper = {170 * deg, 120 * deg, 170 * deg, 120 * deg, 170 * deg, 120 * deg, 175 * deg};
   for (auto& x : l.upper) x *= part;

@@ -26,8 +26,8 @@ constexpr struct hairs_  final : internal_key<"bristles">  {} bristles;
 constexpr double k = 100, most = 20, mass = 1;  // N/m, N, kg: limited beyond 0.2 m
 constexpr auto sprung = chain(base_gen(anchor), prismatic_joint_2D(q, base, cart, axis::x),
                               inertia_2D(cart, point_mass(mass)), spring_gen(anchor, q, 0.0, k, most));
-kte_map_chain sprung_at_run_time() {
-  kte_map_chain c;
+runtime_chain sprung_at_run_time() {
+  runtime_chain c;
   c << base_gen("anchor") << prismatic_joint_2D("q", "base", "cart", axis::x) << inertia_2D("cart", point_mass(mass))
     << spring_gen("anchor", "q", 0.0, k, most);
   return c;

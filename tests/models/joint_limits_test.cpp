@@ -24,8 +24,8 @@ constexpr auto two = chain(revolute_joint_2D(q1, ground, arm), revolute_joint_2D
 constexpr double inf = joint_limits<>::none;
 
 /// A trunk and a head.
-kte_map_chain floating() {
-  kte_map_chain c;
+runtime_chain floating() {
+  runtime_chain c;
   c << free_joint_3D("trunk", "world", "body") << revolute_joint_3D("neck", "body", "head");
   return c;
 }

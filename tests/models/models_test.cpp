@@ -84,7 +84,7 @@ TEST_CASE("a model is an element of larger chains") {
   auto s = make_state(slide);  // and passes work on it
   slide.doMotion(s), slide.clearForce(s), slide.doForce(s);
   CHECK(positions(s) == Eigen::Vector4d::Zero());
-  kte_map_chain c;
+  runtime_chain c;
   c << slide << base_3D("ground") << inverse_dynamics_model(models::element_by_element(geared));
   CHECK(c.dofs() == planar.dofs + geared.dofs - 1);  // they share q1
 }

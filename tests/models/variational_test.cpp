@@ -162,7 +162,7 @@ TEST_CASE("variational integrators of runtime chains step as those of static one
   solver.integrate(0.1), same.integrate(0.1);
   CHECK((same.state() - solver.state()).norm() < 1e-12 * solver.state().norm());
   CHECK((same.interpolate(0.095) - solver.interpolate(0.095)).norm() < 1e-12 * solver.state().norm());
-  kte_map_chain rubs;
+  runtime_chain rubs;
   rubs << inertia_gen("x", 1.0)
        << joint_lugre_gen("x", "bristles",
                           {.sigma0 = 1, .sigma1 = 0, .sigma2 = 0, .coulomb = 1, .stiction = 1, .stribeck_velocity = 1});

@@ -1,5 +1,5 @@
 #include <kte/robots/load_robot.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "robots/files.hpp"

@@ -85,14 +85,15 @@ TEST_CASE("bodies that MuJoCo would not take") {
 }
 
 TEST_CASE("what MJCF cannot say is refused by name, or listed") {
-  kte_map_chain c;
+  runtime_chain c;
   c << revolute_joint_3D("q", "ground", "arm") << inertia_3D("arm", rigid_body<>{2, {}, {1, 0, 0, 1, 0, 1}})
     << free_joint_3D("trunk", "arm", "body");
   CHECK_THROWS_MATCHES(to_mjcf(c), bad_argument,
                        says("kte: joint 'trunk': it floats in a link that moves, 'arm', which MJCF cannot say"));
-  kte_map_chain p;
+  runtime_chain p;
   p << free_joint_3D("trunk", "ground", "body").at(vec3<>{0, 0, 1}, robot_pose{}.rotation);
-  CHECK_THROWS_MATCHES(to_mjcf(p), bad_argument, says("kte: joint 'trunk': its seat stands elsewhere than the world"));
+  CHECK_THROWS_MATCHES(to_mjcf(p), bad_argument,
+                       says("kte: joint 'trunk': its placement stands elsewhere than the world"));
   const std::string mimic = "<limit effort='1' velocity='1'/><mimic joint='q' multiplier='2' offset='0.5'/>";
   const auto follower = made(heavy("a") + heavy("b") + heavy("c") + joint_text("q", "continuous", "a", "b") +
                              joint_text("f", "prismatic", "b", "c", mimic));
@@ -144,7 +145,7 @@ TEST_CASE("what MJCF cannot say is refused by name, or listed") {
   CHECK(to_mjcf(made(heavy("world")), {.not_written = &notes}) == (!holding("inertial")));
   CHECK(texts(notes) == std::vector<std::string>{"link 'world': its mass does not move, and is left out"});
   notes.clear();
-  kte_map_chain f;
+  runtime_chain f;
   f << revolute_joint_3D("q", "world", "a") << inertia_3D("a", rigid_body<>{2, {}, {1, 0, 0, 1, 0, 1}})
     << joint_friction_gen("q", {.viscous = 0.5, .coulomb = 1, .smoothing_velocity = 0.25});
   to_mjcf(f, "r", {.not_written = &notes});

@@ -15,7 +15,7 @@ using test::says;
 
 namespace {
 /// The laws of the motors of a chain, with their connections.
-std::vector<element_record> motors_of(const kte_map_chain& c) {
+std::vector<element_record> motors_of(const runtime_chain& c) {
   auto all = record_of(c).elements;
   std::erase_if(all,
                 [](const element_record& e) { return e.type != "joint_motor_gen" && e.type != "joint_limit_gen"; });

@@ -123,7 +123,7 @@ TEST_CASE("gravity is finite") {
     CHECK_THROWS_AS(pendulum.gravity(kte::along_y(x)), kte::bad_parameter);
     CHECK_THROWS_WITH(pendulum.gravity(kte::vec3{0.0, 1.0, x}),
                       kte::test::contains_text("kte: gravity must be finite"));
-    CHECK_THROWS_AS(kte::kte_map_chain().gravity(kte::along_y(x)), kte::bad_parameter);
+    CHECK_THROWS_AS(kte::runtime_chain().gravity(kte::along_y(x)), kte::bad_parameter);
     auto record = record_of(pendulum);
     record.gravity = {0, 0, x};
     CHECK_THROWS_AS(registered(record), kte::bad_parameter);

@@ -76,7 +76,7 @@ TEST_CASE("options of live pages that make no sense") {
 }
 
 TEST_CASE("states of another chain are refused") {
-  kte_map_chain a, b;
+  runtime_chain a, b;
   a << revolute_joint_2D("q", "base", "joint");
   b << revolute_joint_2D("q", "base", "joint");
   live_page page(a);

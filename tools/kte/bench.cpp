@@ -112,7 +112,7 @@ list numbers_of(const M&... m) {
 }
 
 /// The frame in space with the most joints below it, of several the last; empty where there is none.
-std::string last_frame(const kte::kte_map_chain& c) {
+std::string last_frame(const kte::runtime_chain& c) {
   std::map<std::string, int> joints;
   std::string frame;
   int most = 0;
@@ -216,7 +216,7 @@ class bench_run {
   }
 
   const options& o_;
-  const kte::kte_map_chain& c_;
+  const kte::runtime_chain& c_;
   kte::runtime_state s_;
   std::vector<bench_state> states_;
   std::unique_ptr<exact_chain> exact_;

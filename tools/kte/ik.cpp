@@ -1,7 +1,7 @@
 #include <kte/io/program.hpp>
 #include <kte/io/table_number.hpp>
-#include <kte/manipulators/clik.hpp>
 #include <kte/manipulators/nearest.hpp>
+#include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
 
 #include "commands.hpp"
@@ -69,20 +69,20 @@ struct answer {
   double position, rotation;  ///< by which it misses, m and rad
 };
 
-const char* status_text(kte::clik_status s) {
+const char* status_text(kte::numerical_ik_status s) {
   switch (s) {
-    case kte::clik_status::reached:
+    case kte::numerical_ik_status::reached:
       return "reached";
-    case kte::clik_status::at_limits:
+    case kte::numerical_ik_status::at_limits:
       return "at_limits";
-    case kte::clik_status::local_minimum:
+    case kte::numerical_ik_status::local_minimum:
       return "local_minimum";
   }
   return "";
 }
 
 class solver {
-  using arm_type = kte::manipulator<kte::kte_map_chain>;
+  using arm_type = kte::manipulator<kte::runtime_chain>;
 
  public:
   solver(const options& o, const mechanism& m) : arm_(m.chain(), o.frame, m.robot.limits), o_(o) {
@@ -111,15 +111,16 @@ class solver {
       } catch (const kte::unreachable&) {  // then the nearest that there is within limits
       }
     }
-    const kte::clik_options how{.numeric = o_.numeric};
+    const kte::numerical_ik_options how{.numeric = o_.numeric};
     const auto put = [&](const auto& r) {
       q = Eigen::VectorXd(r.q);
       out.push_back({row, status_text(r.status), q, r.position, r.rotation});
     };
     if (poses.has_rotation())
-      put(kte::clik(arm_, kte::reach(o_.frame, kte::pose{poses.rotation(row), poses.position(row)}), q, how));
+      put(kte::numerical_inverse_kinematics(
+          arm_, kte::reach(o_.frame, kte::pose{poses.rotation(row), poses.position(row)}), q, how));
     else
-      put(kte::clik(arm_, kte::reach_position(o_.frame, poses.position(row)), q, how));
+      put(kte::numerical_inverse_kinematics(arm_, kte::reach_position(o_.frame, poses.position(row)), q, how));
   }
 
  private:

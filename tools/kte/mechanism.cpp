@@ -90,7 +90,7 @@ mechanism read_and_warn(const reading& o, bool with_motors) {
   return m;
 }
 
-std::vector<std::string> coordinates_of(const mechanism& m, const kte::kte_map_chain& chain) {
+std::vector<std::string> coordinates_of(const mechanism& m, const kte::runtime_chain& chain) {
   std::set<std::string> free;
   std::vector<std::string> all;
   for (const auto& e : kte::layout(chain)) free.insert(e.name);

@@ -38,7 +38,7 @@ struct simulate_options {
 /// A file of the numbers of states over time. MCAP also has what Foxglove shows in space: it is written at the end.
 class recording_file {
  public:
-  recording_file(const std::string& path, const mechanism& m, const kte::kte_map_chain& c,
+  recording_file(const std::string& path, const mechanism& m, const kte::runtime_chain& c,
                  const std::vector<std::string>& names)
       : path_(path), m_(m), state_(c, names), numbers_(state_.columns().size() + 3) {
     std::vector<std::string> columns{"t"};
@@ -51,7 +51,7 @@ class recording_file {
     if (kte::format_of(path) == kte::table_format::mcap) kept_.emplace(columns);
     out_.emplace(path, columns);
   }
-  void row(double t, const kte::kte_map_chain& c, const kte::runtime_state& s) {
+  void row(double t, const kte::runtime_chain& c, const kte::runtime_state& s) {
     state_.read(s, numbers_.data());
     auto own = s;  // energies use its memory
     const auto e = kte::energy(c, own);

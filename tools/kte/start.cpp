@@ -1,7 +1,7 @@
 #include "start.hpp"
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "state_input.hpp"
 
@@ -27,7 +27,7 @@ command& add_start(command& c, start_options& o) {
       .text("--configuration", "NAME", o.configuration, "initial q: a named configuration of the file (MJCF)");
 }
 
-initial_state::initial_state(const start_options& o, const mechanism& m, const kte::kte_map_chain& c)
+initial_state::initial_state(const start_options& o, const mechanism& m, const kte::runtime_chain& c)
     : q(o.configuration.empty() ? Eigen::VectorXd(kte::neutral_configuration(c)) : configuration(o.configuration, m)),
       v(Eigen::VectorXd::Zero(c.dofs())) {
   if (o.table.empty()) return;

@@ -11,13 +11,13 @@
 namespace kte {
 
 namespace detail {
-/// What `.at(...)` makes of an element core: joints have a seat that can be placed (contract/seat.hpp).
+/// What `.at(...)` makes of an element core: joints have a placement (contract/placement.hpp).
 template <class Core>
-struct seat {
+struct placement {
   template <class... Place>
   static constexpr auto of(const Core&, const Place&...) {
     static_assert(rule<Core, void, fit<Core>>,
-                  "kte: .at(position[, rotation]) places the seat of a joint in its base; this element is not a joint");
+                  "kte: .at(position[, rotation]) places a joint in its base; this element is not a joint");
     return refused{};
   }
 };
@@ -39,10 +39,10 @@ struct element {
   using core_type = Core;
   Core core;
 
-  /// Of a joint: the same whose seat stands at a position, m, and a rotation in the base.
+  /// Of a joint: the same, placed at a position, m, and a rotation in the base.
   template <class... Place>
   constexpr auto at(const Place&... place) const {
-    return connect(detail::seat<Core>::of(core, place...), Keys{}...);
+    return connect(detail::placement<Core>::of(core, place...), Keys{}...);
   }
 };
 
@@ -53,10 +53,10 @@ struct named_element {
   Core core;
   std::array<std::string, port_count<Core>> names;
 
-  /// Of a joint: the same whose seat stands at a position, m, and a rotation in the base.
+  /// Of a joint: the same, placed at a position, m, and a rotation in the base.
   template <class... Place>
   auto at(const Place&... place) const {
-    const auto placed = detail::seat<Core>::of(core, place...);
+    const auto placed = detail::placement<Core>::of(core, place...);
     return [&]<std::size_t... P>(std::index_sequence<P...>) { return connect(placed, names[P]...); }
     (std::make_index_sequence<port_count<Core>>{});
   }
@@ -81,7 +81,7 @@ template <class... Core>
 struct named_elements {
   std::tuple<named_element<Core>...> all;
 
-  /// Of joints in series: the same whose first seat stands at a position, m, and a rotation in the base.
+  /// Of joints in series: the same, the first placed at a position, m, and a rotation in the base.
   template <class... Place>
   auto at(const Place&... place) const {
     return [&]<std::size_t... Later>(std::index_sequence<Later...>) {

@@ -149,7 +149,7 @@ struct stored_element {
   /// on what it carries.
   template <std::size_t... P>
   KTE_INLINE constexpr bool holds(std::index_sequence<P...>) const {
-    if constexpr (holds_coordinate<Core>) {
+    if constexpr (locks_coordinate<Core>) {
       return core.holds(input<P>()...);
     } else {
       return false;
@@ -157,9 +157,9 @@ struct stored_element {
   }
   template <std::size_t... P>
   KTE_INLINE constexpr auto capacity(std::index_sequence<P...>) const {
-    if constexpr (holds_by_load<Core>) {
+    if constexpr (locks_by_load<Core>) {
       return core.capacity(input<P>()..., load<ports - 1>());
-    } else if constexpr (holds_coordinate<Core>) {
+    } else if constexpr (locks_coordinate<Core>) {
       return core.capacity(input<P>()...);
     } else {
       return zero;
@@ -174,14 +174,14 @@ struct stored_element {
   /// The loads of a mass between several ports, for accelerations alone.
   template <std::size_t... P>
   KTE_INLINE constexpr void mass_force(std::index_sequence<P...>) const {
-    if constexpr (spreads_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
+    if constexpr (distributed_mass<Core>) spread<P...>(core.mass_loads(input<P>()...));
   }
   /// The friction of a joint that carries a wrench at its end.
   template <class Wrench>
   KTE_INLINE constexpr auto friction(const Wrench& end) const {
-    if constexpr (holds_by_load<Core>) {
+    if constexpr (locks_by_load<Core>) {
       return core.friction(input<0>(), input<1>(), end);
-    } else if constexpr (reads_reaction<Core>) {
+    } else if constexpr (load_dependent_friction<Core>) {
       return core.friction(input<0>(), end);
     } else {
       return zero;

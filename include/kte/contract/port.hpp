@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kte/contract/key.hpp>
+#include <kte/deprecated.hpp>
 
 #include <array>
 #include <span>
@@ -51,10 +52,13 @@ inline constexpr bool reads_accelerations<Core> = Core::reads_accelerations;
 
 /// Whether it has a mass between several ports: `mass_loads(things...)`, its loads for accelerations alone.
 template <class Core>
-inline constexpr bool spreads_mass = false;
+inline constexpr bool distributed_mass = false;
+template <class Core>
+requires requires { Core::distributed_mass; }
+inline constexpr bool distributed_mass<Core> = Core::distributed_mass;
 template <class Core>
 requires requires { Core::spreads_mass; }
-inline constexpr bool spreads_mass<Core> = Core::spreads_mass;
+inline constexpr bool distributed_mass<Core> = former::spreads_mass<Core>;
 
 /// Whether it is a load from outside, constant or given by signals, that `static_equilibrium` puts on in parts: what it
 /// acts on comes first among its ports.
@@ -67,10 +71,13 @@ inline constexpr bool is_load<Core> = Core::is_load;
 /// Whether it is a joint whose friction depends on what the joint carries: `friction(coordinate, wrench of the end)`,
 /// a load on the coordinate.
 template <class Core>
-inline constexpr bool reads_reaction = false;
+inline constexpr bool load_dependent_friction = false;
+template <class Core>
+requires requires { Core::load_dependent_friction; }
+inline constexpr bool load_dependent_friction<Core> = Core::load_dependent_friction;
 template <class Core>
 requires requires { Core::reads_reaction; }
-inline constexpr bool reads_reaction<Core> = Core::reads_reaction;
+inline constexpr bool load_dependent_friction<Core> = former::reads_reaction<Core>;
 
 /// Whether the loads that it hands back are the power dual of the motion that it passes on, as in a mechanism. An
 /// element for controllers of which that is not so says `static constexpr bool power_dual = false`: passes and inverse
@@ -81,15 +88,15 @@ template <class Core>
 requires requires { Core::power_dual; }
 inline constexpr bool power_dual<Core> = Core::power_dual;
 
-/// Whether it may hold a coordinate: contract/coordinate_holder.hpp.
+/// Whether it may hold a coordinate: contract/coordinate_lock.hpp.
 template <class Core>
-inline constexpr bool holds_coordinate = false;
+inline constexpr bool locks_coordinate = false;
 template <class Core>
-requires requires { Core::holds_coordinate; }
-inline constexpr bool holds_coordinate<Core> = Core::holds_coordinate;
+requires requires { Core::locks_coordinate; }
+inline constexpr bool locks_coordinate<Core> = Core::locks_coordinate;
 /// Whether it is a joint that may hold its own coordinate, by what it carries.
 template <class Core>
-inline constexpr bool holds_by_load = reads_reaction<Core>&& holds_coordinate<Core>;
+inline constexpr bool locks_by_load = load_dependent_friction<Core>&& locks_coordinate<Core>;
 
 /// Whether the forces of an element depend on positions, rotations or linear velocities of frames: its core then says
 /// so by `static constexpr bool reads_positions = true`.

@@ -88,7 +88,7 @@ KTE_INLINE constexpr auto number_of(const L& load) {
 }
 }  // namespace detail
 
-/// A stiff connection between two frames: a link, a joint. A core that derives from it gives one function,
+/// A rigid connection between two frames: a link, a joint. A core that derives from it gives one function,
 ///
 ///   relative(coordinate)   the motion of the end frame in the base frame, of a link relative()     (1)
 ///
@@ -96,9 +96,9 @@ KTE_INLINE constexpr auto number_of(const L& load) {
 ///   doMotion   X_end = X_base * relative                     (compose, frames/motion.hpp)        (2)
 ///   doForce    the full wrench of the end goes to the base   (transmit, the same)                (3)
 ///              f = s . wrench, s the velocity that a unit rate of the coordinate makes           (4)
-/// (where a core says `static constexpr bool reads_reaction = true`, f has also its `friction(coordinate, wrench)`)
-/// so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and the
-/// accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
+/// (where a core says `static constexpr bool load_dependent_friction = true`, f has also its `friction(coordinate,
+/// wrench)`) so that f is the force of virtual power on the coordinate, in any chain. So do the articulated inertia and
+/// the accelerations (dynamics/), and what else the algorithms need. A coordinate is a number (`coordinate`), or a
 /// rotation or pose (`motion`, with several f); s must be the same in every position, in the axes of the end.
 template <class Core>
 struct transmission {
@@ -122,7 +122,7 @@ struct transmission {
     const auto f = [&]<int N>()
                        KTE_INLINE_LAMBDA { return detail::power(core().relative(detail::unit_rate<k, N>(c)), end); };
     // Each in one expression: with a local in between g++ takes a tenth more instructions for inverse dynamics.
-    if constexpr (detail::reads_reaction<Core>) {
+    if constexpr (detail::load_dependent_friction<Core>) {
       return make_loads(detail::load_on<k>(f) + core().friction(c, end),
                         transmit(core().relative(detail::position_only(c)), end));
     } else {
@@ -131,7 +131,7 @@ struct transmission {
     }
   }
 
-  /// A joint that may be held (contract/coordinate_holder.hpp): its mode stands between coordinate and base.
+  /// A joint that may be held (contract/coordinate_lock.hpp): its mode stands between coordinate and base.
   template <class C, class Mode, class Base>
   KTE_INLINE constexpr auto doMotion(const C& c, const Mode&, const Base& base) const {
     return compose(base, core().relative(c));  // (2)
@@ -153,7 +153,7 @@ struct transmission {
 
 namespace detail {
 
-/// A core with a `relative`: a stiff connection between two frames. Its ports are the coordinates, the base, the end.
+/// A core with a `relative`: a rigid connection between two frames. Its ports are the coordinates, the base, the end.
 template <class Core>
 inline constexpr bool is_transmission = std::is_base_of_v<transmission<Core>, Core>;
 
@@ -203,4 +203,4 @@ struct check_core<Core> {
 
 }  // namespace kte
 
-#include <kte/contract/seat.hpp>  // joints of all who include this have seats
+#include <kte/contract/placement.hpp>  // joints of all who include this have .at()

@@ -68,8 +68,8 @@ void change_axes(jacobian_with_rate<Matrix>& j, const frame_in_world<S>& x) {
   }
 }
 /// The change of these rates at a motion.
-template <class S, class Axes, class M, class Blame = too_large>
-linear_angular<S> bias_of(const M& m, Axes, const Blame& why = {"an acceleration"}) {
+template <class S, class Axes, class M, class Diagnose = too_large>
+linear_angular<S> bias_of(const M& m, Axes, const Diagnose& why = {"an acceleration"}) {
   if constexpr (std::is_same_v<Axes, in_own_axes_t>) {
     return checked<S>(m.acceleration - cross(m.ang_velocity, m.velocity), m.ang_acceleration, why);
   } else {

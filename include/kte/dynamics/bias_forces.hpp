@@ -91,13 +91,13 @@ namespace kte {
 // The state keeps the velocities and accelerations that do not count.
 
 template <class S>
-const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
   return inverse_dynamics(c, s);
 }
 template <class S>
-const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
   detail::forces_of_bodies(c, s, true);
@@ -106,61 +106,61 @@ const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_st
 namespace detail {
 /// At positions and velocities that are good.
 template <class S>
-const runtime_vector<S>& nonlinear_effects_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& nonlinear_effects_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (!s.tree().only_bodies) {
     const rates_aside aside(s, false);
     return inverse_dynamics(c, s);
   }
   bias_forces_of_bodies(runtime_elements{c}, s);
-  take_needed_forces(s);
+  take_generalized_forces(s);
   check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] {
     const rates_aside aside(s, false);
-    blame("a force", s);
+    diagnose("a force", s);
   });
   return s.work.forces;
 }
 }  // namespace detail
 template <class S>
-const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
   return detail::nonlinear_effects_of(c, s);
 }
 template <class S>
-const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
   detail::forces_of_bodies(c, s, false);
   return detail::applied_forces(s);
 }
 template <class S, indexable Q>
-const runtime_vector<S>& static_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return static_forces(c, s); });
 }
 template <class S, indexable Q>
-const runtime_vector<S>& gravity_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& { return gravity_forces(c, s); });
 }
 template <class S, indexable Q, indexable V>
-const runtime_vector<S>& nonlinear_effects(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
     return detail::nonlinear_effects_of(c, s);
   });
 }
 template <class S, indexable Q, indexable V>
-const runtime_vector<S>& coriolis_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&]() -> const auto& {
     return coriolis_forces(c, s);
   });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_vector<double>& static_forces(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template const runtime_vector<double>& gravity_forces(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template const runtime_vector<double>& nonlinear_effects(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& static_forces(const runtime_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& gravity_forces(const runtime_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& nonlinear_effects(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template const runtime_vector<double>& nonlinear_effects_of(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& nonlinear_effects_of(const runtime_chain&, runtime_state&);
 }
-KTE_EXTERN template const runtime_vector<double>& coriolis_forces(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& coriolis_forces(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

@@ -32,8 +32,8 @@ auto centre_of_mass(const static_chain<Gravity, E...>& c, const Q& q) {
   at.check();
   const auto w = detail::weight_of<S>(c, at);
   return mass_centre<S>{as<S>(w.mass), detail::divided_by_mass<S>(w.mass, w.moment, [&]() KTE_INLINE_LAMBDA {
-                          detail::blame<typename chain_type::wiring>("a centre of mass", at.q, detail::same<zero_t>{},
-                                                                     detail::same<zero_t>{}, "a");
+                          detail::diagnose<typename chain_type::wiring>(
+                              "a centre of mass", at.q, detail::same<zero_t>{}, detail::same<zero_t>{}, "a");
                         })};
 }
 
@@ -50,7 +50,7 @@ auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, c
   at.check();
   return divided_by_mass<S>(
       weight_of<S>(c, at).mass, momentum_at_base<S>(c, at, each<S, V>{v}).force, [&]() KTE_INLINE_LAMBDA {
-        blame<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+        diagnose<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
       });
 }
 
@@ -68,32 +68,32 @@ auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, c
 namespace kte {
 
 template <class S>
-mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s) {
+mass_centre<S> centre_of_mass(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   detail::carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment, detail::blame_state{"a centre of mass", s})};
+  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment, detail::diagnose_state{"a centre of mass", s})};
 }
 template <class S>
-vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& s) {
+vec3<S> centre_of_mass_velocity(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
-  return detail::divided_by_mass<S>(tree::weight_in_world(s.tree().forest, s.work).mass,
+  return detail::divided_by_mass<S>(tree::weight_in_world(s.tree().body_tree, s.work).mass,
                                     detail::momentum_of_coordinates(s, vec3<S>{}).force,
-                                    detail::blame_state{"a velocity", s});
+                                    detail::diagnose_state{"a velocity", s});
 }
 template <class S, indexable Q>
-mass_centre<S> centre_of_mass(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+mass_centre<S> centre_of_mass(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take(c, s, q).call([&] { return centre_of_mass(c, s); });
 }
 template <class S, indexable Q, indexable V>
-vec3<S> centre_of_mass_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+vec3<S> centre_of_mass_velocity(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take(c, s, q, v).call([&] { return centre_of_mass_velocity(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template mass_centre<double> centre_of_mass(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template vec3<> centre_of_mass_velocity(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template mass_centre<double> centre_of_mass(const runtime_chain&, runtime_state&);
+KTE_EXTERN template vec3<> centre_of_mass_velocity(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

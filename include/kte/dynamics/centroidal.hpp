@@ -23,7 +23,7 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
   const auto w = weight_of<S>(c, at);
   const auto h = momentum_at_base<S>(c, at, each<S, V>{v});
   const auto why = [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("a momentum", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("a momentum", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   };
   return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);
 }
@@ -34,10 +34,10 @@ auto centroidal_momentum(const static_chain<Gravity, E...>& c, const Q& q, const
 ///   X I^c s          (2)
 ///
 /// with I^c the inertia of all that the joint carries, and X the transport of a momentum, as of a wrench, from the end
-/// of the joint to the centre of mass, in axes of the base. Of a runtime chain `centroidal_map(c, s, q)` or `(c, s)`, a
-/// value, for which memory is allocated.
+/// of the joint to the centre of mass, in axes of the base. Of a runtime chain `centroidal_momentum_matrix(c, s, q)` or
+/// `(c, s)`, a value, for which memory is allocated.
 template <class Gravity, class... E, indexable Q>
-auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
+auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
   using chain_type = static_chain<Gravity, E...>;
   using S = value_of<Q>;
@@ -52,7 +52,7 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
   (void)pass(c, g,
              divided_by_mass<S>(w.mass, w.moment,
                                 [&]() KTE_INLINE_LAMBDA {
-                                  blame<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{},
+                                  diagnose<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{},
                                                                      same<zero_t>{}, "a");
                                 }),
              a)
@@ -76,22 +76,22 @@ auto centroidal_map(const static_chain<Gravity, E...>& c, const Q& q) {
 namespace kte {
 
 template <class S>
-linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
+linear_angular<S> centroidal_momentum(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const detail::blame_state why{"a momentum", s};
+  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  const detail::diagnose_state why{"a momentum", s};
   const auto h = detail::momentum_of_coordinates(s, detail::divided_by_mass<S>(w.mass, w.moment, why));
   return detail::checked<S>(h.force, h.torque, why);
 }
 namespace detail {
 /// At positions that are good.
 template <class S>
-basic_runtime_jacobian<S> centroidal_map_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
+  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   basic_runtime_jacobian<S> a = basic_runtime_jacobian<S>::Zero(6, s.tree().plan.coordinates);
-  const blame_state why{"a momentum", s};
+  const diagnose_state why{"a momentum", s};
   for_each_momentum(s, divided_by_mass<S>(w.mass, w.moment, why), [&a](int row, const tree::dense_wrench<S>& h) {
     auto column = a.col(row);
     column[0] += h.force.x, column[1] += h.force.y, column[2] += h.force.z;
@@ -103,25 +103,25 @@ basic_runtime_jacobian<S> centroidal_map_of(const kte_map_chain& c, basic_runtim
 }
 }  // namespace detail
 template <class S>
-basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s) {
+basic_runtime_jacobian<S> centroidal_momentum_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
-  return detail::centroidal_map_of(c, s);
+  return detail::centroidal_momentum_matrix_of(c, s);
 }
 template <class S, indexable Q, indexable V>
-linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+linear_angular<S> centroidal_momentum(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take(c, s, q, v).call([&] { return centroidal_momentum(c, s); });
 }
 template <class S, indexable Q>
-basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+basic_runtime_jacobian<S> centroidal_momentum_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
-  return detail::take(c, s, q).call([&] { return detail::centroidal_map_of(c, s); });
+  return detail::take(c, s, q).call([&] { return detail::centroidal_momentum_matrix_of(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template linear_angular<double> centroidal_momentum(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template runtime_jacobian centroidal_map(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template linear_angular<double> centroidal_momentum(const runtime_chain&, runtime_state&);
+KTE_EXTERN template runtime_jacobian centroidal_momentum_matrix(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template runtime_jacobian centroidal_map_of(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template runtime_jacobian centroidal_momentum_matrix_of(const runtime_chain&, runtime_state&);
 }
 #endif
 

@@ -1,8 +1,8 @@
 #ifndef KTE_CONFIGURATION_SPACE_HPP
 #define KTE_CONFIGURATION_SPACE_HPP
 
-#include <kte/dynamics/detail/blame.hpp>
 #include <kte/dynamics/detail/coordinate_motion.hpp>
+#include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/math/dual.hpp>
 #include <kte/static_chain/static_chain.hpp>
@@ -25,8 +25,8 @@ auto integrate(const static_chain<Gravity, E...>&, const Q& q, const V& v, const
   joint_vector<S, wiring::nq> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::integrate_one<S>(wiring::table.free[i], q, v, S(dt), out);
   detail::check_result(out, std::size_t{wiring::nq}, [&] {
-    detail::raise_if_time_is_endless("a coordinate", dt);
-    detail::blame<wiring>("a coordinate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
+    detail::raise_if_time_is_non_finite("a coordinate", dt);
+    detail::diagnose<wiring>("a coordinate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
   });
   return out;
 }
@@ -41,7 +41,7 @@ auto configuration_rate(const static_chain<Gravity, E...>&, const Q& q, const V&
   std::array<S, std::size_t{wiring::nq} + 1> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::rate_of_one<S>(wiring::table.free[i], q, v, out);
   detail::check_result(out, std::size_t{wiring::nq}, [&] {
-    detail::blame<wiring>("a rate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
+    detail::diagnose<wiring>("a rate", detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{}, "a");
   });
   return joint_vector<S, wiring::nq>(Eigen::Map<const joint_vector<S, wiring::nq>>(out.data()));
 }
@@ -56,7 +56,7 @@ auto difference(const static_chain<Gravity, E...>&, const Q& from, const Q& to) 
   joint_vector<S, wiring::dofs> out;
   for (std::size_t i = 0; i < wiring::freedoms; ++i) detail::difference_one<S>(wiring::table.free[i], from, to, out);
   detail::check_result(out, std::size_t{wiring::dofs}, [&] {
-    detail::blame_configurations<wiring>("a coordinate", detail::each<S, Q>{from}, detail::each<S, Q>{to});
+    detail::diagnose_configurations<wiring>("a coordinate", detail::each<S, Q>{from}, detail::each<S, Q>{to});
   });
   return out;
 }
@@ -99,21 +99,21 @@ auto moving_along(const Chain& c, const Q& q, const V& v) {
 namespace kte {
 
 template <indexable Q, indexable V>
-Eigen::VectorXd integrate(const kte_map_chain& c, const Q& q, const V& v, double dt) {
+Eigen::VectorXd integrate(const runtime_chain& c, const Q& q, const V& v, double dt) {
   detail::check_configuration(c.nq(), c.dofs(), q), check_size(static_cast<std::size_t>(c.dofs()), v, "v");
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::integrate_one<double>(f, q, v, dt, out);
   const auto nq = static_cast<std::size_t>(c.nq()), nv = static_cast<std::size_t>(c.dofs());
   detail::check_result(out, nq, [&] {
     const auto from = detail::plain_numbers(q, nq), rates = detail::plain_numbers(v, nv);
-    detail::raise_if_time_is_endless("a coordinate", dt);
+    detail::raise_if_time_is_non_finite("a coordinate", dt);
     detail::raise_if_no_rotation(layout(c), from);
     detail::raise_not_finite("a coordinate", layout(c), {{"q", from, true}, {"v", rates}});
   });
   return out;
 }
 template <indexable Q>
-Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
+Eigen::VectorXd difference(const runtime_chain& c, const Q& from, const Q& to) {
   detail::check_configuration(c.nq(), c.dofs(), from), detail::check_configuration(c.nq(), c.dofs(), to);
   Eigen::VectorXd out(c.dofs());
   for (const auto& f : c.wiring().free) detail::difference_one<double>(f, from, to, out);
@@ -125,7 +125,7 @@ Eigen::VectorXd difference(const kte_map_chain& c, const Q& from, const Q& to) {
   });
   return out;
 }
-inline Eigen::VectorXd neutral_configuration(const kte_map_chain& c) {
+inline Eigen::VectorXd neutral_configuration(const runtime_chain& c) {
   Eigen::VectorXd out(c.nq());
   for (const auto& f : c.wiring().free) detail::neutral_one(f, out);
   return out;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <cmath>
 #include <limits>
@@ -23,7 +23,7 @@ auto interpolate(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1,
   return integrate(c, q0, difference(c, q0, q1), t);
 }
 template <indexable Q>
-Eigen::VectorXd interpolate(const kte_map_chain& c, const Q& q0, const Q& q1, double t) {
+Eigen::VectorXd interpolate(const runtime_chain& c, const Q& q0, const Q& q1, double t) {
   return integrate(c, q0, difference(c, q0, q1), t);
 }
 
@@ -59,11 +59,11 @@ auto distance(const static_chain<Gravity, E...>& c, const Q& q0, const Q& q1, co
   return detail::weighted_length(difference(c, q0, q1), [&weights](std::size_t i) { return weights[i]; });
 }
 template <indexable Q>
-double distance(const kte_map_chain& c, const Q& q0, const Q& q1) {
+double distance(const runtime_chain& c, const Q& q0, const Q& q1) {
   return detail::weighted_length(difference(c, q0, q1), detail::weight_of_one{});
 }
 template <indexable Q, indexable W>
-double distance(const kte_map_chain& c, const Q& q0, const Q& q1, const W& weights) {
+double distance(const runtime_chain& c, const Q& q0, const Q& q1, const W& weights) {
   check_size(static_cast<std::size_t>(c.dofs()), weights, "weights");
   return detail::weighted_length(difference(c, q0, q1), [&weights](std::size_t i) { return weights[i]; });
 }
@@ -109,7 +109,7 @@ auto random_configuration(const static_chain<Gravity, E...>&, Engine& engine, co
   return q;
 }
 template <class Engine, indexable Lower, indexable Upper>
-Eigen::VectorXd random_configuration(const kte_map_chain& c, Engine& engine, const Lower& lower, const Upper& upper) {
+Eigen::VectorXd random_configuration(const runtime_chain& c, Engine& engine, const Lower& lower, const Upper& upper) {
   detail::check_configuration(c.nq(), c.dofs(), lower), detail::check_configuration(c.nq(), c.dofs(), upper);
   Eigen::VectorXd q(c.nq());
   for (const auto& f : c.wiring().free) detail::random_one(f, engine, lower, upper, q);

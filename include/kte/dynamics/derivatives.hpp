@@ -19,7 +19,7 @@ namespace kte {
 ///   inverse_dynamics_derivatives(c, s)             of both, at the positions, rates and accelerations of a state
 ///
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than records say.
+/// acts by more than body nodes hold.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 auto inverse_dynamics_derivatives(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using chain_type = static_chain<Gravity, E...>;
@@ -78,14 +78,14 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
 namespace kte {
 
 template <class S>
-const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const kte_map_chain& c,
+const inverse_dynamics_result<S, Eigen::Dynamic>& inverse_dynamics_derivatives(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::forces_derived(c, s);
 }
 template <class S, indexable Q, indexable V, indexable A>
-const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const auto& inverse_dynamics_derivatives(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const A& a) {
   detail::check_regular(c, s);
   return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
@@ -94,7 +94,7 @@ const auto& inverse_dynamics_derivatives(const kte_map_chain& c, basic_runtime_s
 }
 
 template <class S>
-const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const kte_map_chain& c,
+const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   return detail::keep_accelerations(s).call([&]() -> const auto& {
@@ -103,7 +103,7 @@ const forward_dynamics_result<S, Eigen::Dynamic>& forward_dynamics_derivatives(c
   });
 }
 template <class S, indexable Q, indexable V, indexable T>
-const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const auto& forward_dynamics_derivatives(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                          const T& tau) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, detail::found_later{}, tau).call([&]() -> const auto& {
@@ -114,9 +114,9 @@ const auto& forward_dynamics_derivatives(const kte_map_chain& c, basic_runtime_s
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& inverse_dynamics_derivatives(
-    const kte_map_chain&, runtime_state&);
+    const runtime_chain&, runtime_state&);
 KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& forward_dynamics_derivatives(
-    const kte_map_chain&, runtime_state&);
+    const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

@@ -30,7 +30,7 @@ auto kinetic_energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   return checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   });
 }
 
@@ -49,7 +49,7 @@ auto potential_energy(const static_chain<Gravity, E...>& c, const Q& q) {
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   return checked_energy<S>(potential_energy_at<S>(c, at), [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an energy", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("an energy", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   });
 }
 
@@ -63,7 +63,7 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const auto why = [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("an energy", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   };
   return energies<S>{checked_energy<S>(kinetic_energy_at<S>(c, at, each<S, V>{v}), why),
                      checked_energy<S>(potential_energy_at<S>(c, at), why)};
@@ -83,49 +83,49 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
 namespace kte {
 
 template <class S>
-S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   c.check(s), detail::check_state_velocities(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;
   for (const auto& e : c.wiring().elements) sum += e.element->kinetic_energy(s);
-  return detail::checked_energy<S>(sum, detail::blame_state{"an energy", s});
+  return detail::checked_energy<S>(sum, detail::diagnose_state{"an energy", s});
 }
 template <class S>
-S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;
   for (const auto& e : c.wiring().elements) {
     sum += e.element->potential_energy(s);
-    if (e.spreads) sum -= dot(c.gravity(), e.element->first_moment(s));
+    if (e.distributed_mass) sum -= dot(c.gravity(), e.element->first_moment(s));
   }
   detail::carry_bodies(c, s);
-  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().forest, s.work).moment),
-                                   detail::blame_state{"an energy", s});
+  return detail::checked_energy<S>(sum - dot(c.gravity(), tree::weight_in_world(s.tree().body_tree, s.work).moment),
+                                   detail::diagnose_state{"an energy", s});
 }
 template <class S>
-energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
+energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s) {
   const S kinetic = kinetic_energy(c, s);
   return {kinetic, potential_energy(c, s)};
 }
 template <class S, indexable Q, indexable V>
-S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return kinetic_energy(c, s); });
 }
 template <class S, indexable Q>
-S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&] { return potential_energy(c, s); });
 }
 template <class S, indexable Q, indexable V>
-energies<S> energy(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
+energies<S> energy(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v).call([&] { return energy(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template double kinetic_energy(const kte_map_chain&, runtime_state&);
-KTE_EXTERN template double potential_energy(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template double kinetic_energy(const runtime_chain&, runtime_state&);
+KTE_EXTERN template double potential_energy(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

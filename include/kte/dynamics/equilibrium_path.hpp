@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/static_equilibrium.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <string_view>
@@ -128,7 +128,7 @@ class path_follower {
 };
 }  // namespace detail
 
-KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const kte_map_chain& c, runtime_state& s,
+KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const runtime_chain& c, runtime_state& s,
                                                               const Eigen::VectorXd& q0,
                                                               const equilibrium_path_options& options) {
   using namespace detail;
@@ -143,7 +143,7 @@ KTE_FUNCTION std::vector<equilibrium_point> follow_equilibria(const kte_map_chai
   return points;
 }
 #else
-std::vector<equilibrium_point> follow_equilibria(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&,
+std::vector<equilibrium_point> follow_equilibria(const runtime_chain&, runtime_state&, const Eigen::VectorXd&,
                                                  const equilibrium_path_options&);
 #endif
 
@@ -162,7 +162,7 @@ std::vector<equilibrium_point> follow_equilibria(const kte_map_chain&, runtime_s
 ///
 /// The state is then at the last point. Throws as `static_equilibrium`, then it is as it was.
 template <indexable Q>
-std::vector<equilibrium_point> equilibrium_path(const kte_map_chain& c, runtime_state& s, const Q& q0,
+std::vector<equilibrium_point> equilibrium_path(const runtime_chain& c, runtime_state& s, const Q& q0,
                                                 const equilibrium_path_options& options = {}) {
   return follow_equilibria(c, s, detail::start_of_statics(c, s, q0), options);
 }

@@ -4,7 +4,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/jacobian.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <string_view>
@@ -64,7 +64,7 @@ Eigen::Matrix<S, 6, 1> six_numbers(const W& w, std::string_view frame) {
   return x;
 }
 template <class... Core>
-inline constexpr bool no_reactions_read = (!reads_reaction<Core> && ...);
+inline constexpr bool no_load_dependent_friction = (!load_dependent_friction<Core> && ...);
 
 /// A load on a frame of a runtime chain.
 template <class S>
@@ -74,7 +74,7 @@ struct load_on_frame {
 };
 /// All that can be said before anything is computed.
 template <class S>
-std::vector<load_on_frame<S>> checked_loads(const kte_map_chain& c, const basic_runtime_state<S>& s,
+std::vector<load_on_frame<S>> checked_loads(const runtime_chain& c, const basic_runtime_state<S>& s,
                                             const std::vector<external_wrench>& loads) {
   check_regular(c, s);
   if (!s.tree().readers.empty())
@@ -90,7 +90,7 @@ std::vector<load_on_frame<S>> checked_loads(const kte_map_chain& c, const basic_
 }
 /// At positions that are good.
 template <class S>
-runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>& s,
+runtime_vector<S> forces_of_loads(const runtime_chain& c, basic_runtime_state<S>& s,
                                   const std::vector<load_on_frame<S>>& loads) {
   runtime_vector<S> sum = runtime_vector<S>::Zero(s.dofs());
   basic_runtime_jacobian<S> j;
@@ -98,7 +98,7 @@ runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>
     put_jacobian(c, s, w.frame, false, j);
     sum += j.transpose() * w.load;
   }
-  check_result(sum, static_cast<std::size_t>(sum.size()), blame_state{"a force", s});
+  check_result(sum, static_cast<std::size_t>(sum.size()), diagnose_state{"a force", s});
   return sum;
 }
 }  // namespace detail
@@ -106,7 +106,7 @@ runtime_vector<S> forces_of_loads(const kte_map_chain& c, basic_runtime_state<S>
 /// The forces of virtual power of loads on frames on the degrees of freedom, N and Nm: Q of (1). Throws `bad_argument`
 /// where the friction of a joint depends on what it carries, for then it depends on more than Q.
 template <class S, indexable Q>
-runtime_vector<S> external_forces(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+runtime_vector<S> external_forces(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                   const std::vector<external_wrench>& loads) {
   const auto all = detail::checked_loads(c, s, loads);
   return detail::take(c, s, q).call([&] { return detail::forces_of_loads(c, s, all); });
@@ -115,7 +115,7 @@ runtime_vector<S> external_forces(const kte_map_chain& c, basic_runtime_state<S>
 template <class Gravity, class... E, indexable Q, key_type... Frames>
 auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wrench_on_frame<Frames>&... loads) {
   static_assert(
-      detail::no_reactions_read<typename E::core_type...>,
+      detail::no_load_dependent_friction<typename E::core_type...>,
       "kte: of a joint whose friction depends on what it carries, forces from outside must be elements of the "
       "chain");
   static_assert(sizeof(detail::check_loads_of<static_chain<Gravity, E...>>) > 0);
@@ -132,7 +132,7 @@ auto external_forces(const static_chain<Gravity, E...>& c, const Q& q, const wre
 ///   inverse_dynamics(arm, s, q, v, a, {{"tool", {0, 0, -5}}})
 ///   inverse_dynamics(arm, q, v, a, wrench_on(tool, {0, 0, -5}))
 template <class S, indexable Q, indexable V, indexable A>
-runtime_vector<S> inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+runtime_vector<S> inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const A& a, const std::vector<external_wrench>& loads) {
   const auto all = detail::checked_loads(c, s, loads);
   return detail::take(c, s, q, v, a).call([&] {
@@ -150,7 +150,7 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V&
 
 /// `forward_dynamics` under loads from outside besides tau.
 template <class S, indexable Q, indexable V, indexable T>
-runtime_vector<S> forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+runtime_vector<S> forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                    const T& tau, const std::vector<external_wrench>& loads) {
   const auto checked = detail::checked_loads(c, s, loads);
   detail::check_regular(c, s);

@@ -17,7 +17,7 @@ KTE_INLINE void articulated_accelerations(const Chain& c, const Given& g, const 
   if constexpr (is_unrolled<Chain, S>) {
     articulated_chain<S, Chain, Given>(c, g).accelerate(tau, a);
   } else {
-    a = accelerations_by_records<S>(c, g, tau);
+    a = accelerations_by_tree<S>(c, g, tau);
   }
 }
 /// By articulated bodies where the chain is a tree of joints, otherwise by the factorised mass matrix.
@@ -35,7 +35,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
   } else {
     a = tau + generalized_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
     auto m = local_mass_matrix<S>(c, at, base);
-    solve_in_place(m, a, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
+    solve_in_place(m, a, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
     check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
   }
   return a;
@@ -94,13 +94,13 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 namespace kte {
 
 template <class S>
-const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::accelerations_under(c, s, [](int) { return S(0); });
 }
 template <class S, indexable Q, indexable V, indexable T>
-const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const T& tau) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
@@ -109,7 +109,7 @@ const runtime_vector<S>& forward_dynamics(const kte_map_chain& c, basic_runtime_
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& forward_dynamics(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

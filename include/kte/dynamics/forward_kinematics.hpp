@@ -64,8 +64,8 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
   using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
   const auto p = pose_of<S, Key::what>(motion_of < types, Key::what, slot < 0 ? 0 : slot > (c, g));
   const auto why = [&]() KTE_INLINE_LAMBDA {
-    blame_signals<typename Chain::wiring>("where a frame stands", base);
-    blame<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+    diagnose_signals<typename Chain::wiring>("where a frame stands", base);
+    diagnose<typename Chain::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   };
   if constexpr (Chain::wiring::table.signals == 0) {  // a turn by what was checked is one
     if constexpr (Key::what == kind::frame_2D) {
@@ -135,8 +135,8 @@ namespace kte {
 namespace detail {
 /// At positions that are good.
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> pose_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
-  const auto& f = s.tree().forest;
+pose<mat3<vec3<S>>, vec3<S>> pose_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+  const auto& f = s.tree().body_tree;
   const auto& place = f.frame(x.what, x.index);
   if constexpr (std::is_same_v<S, double>)
     if (s.tree().moves_unknown || place.slot < 0) [[unlikely]] {
@@ -161,14 +161,14 @@ const Pose& checked_pose(const basic_runtime_state<S>& s, const Pose& m, kind k,
                     as<S>(dot(r.x, r.x)), as<S>(dot(r.y, r.y)), as<S>(dot(r.z, r.z))};
   check_result(numbers, 6, [&] {
     const std::string& name = s.made_for()->names[static_cast<std::size_t>(k)][static_cast<std::size_t>(frame)];
-    blame(("where frame '" + name + "' stands").c_str(), s);
+    diagnose(("where frame '" + name + "' stands").c_str(), s);
   });
   return m;
 }
 }  // namespace detail
 
 template <class S>
-pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s,
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s,
                                                 const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
@@ -176,7 +176,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
   return detail::checked_pose(s, detail::pose_of(c, s, x), x.what, x.index);
 }
 template <class S, indexable Q>
-pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                 const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take<detail::keeping::if_needed>(c, s, q).call(
@@ -185,7 +185,7 @@ pose<mat3<vec3<S>>, vec3<S>> forward_kinematics(const kte_map_chain& c, basic_ru
 
 #ifdef KTE_EXTERN
 namespace detail {
-KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template pose<mat3<vec3<>>, vec3<>> pose_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 }
 #endif
 

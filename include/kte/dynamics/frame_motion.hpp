@@ -40,16 +40,17 @@ namespace detail {
 template <class Chain, class V>
 KTE_INLINE void check_rates(const V& v, const char* name, const char* what) {
   check_size<Chain::dofs>(v, name);
-  check_result(v, std::size_t{Chain::dofs},
-               [&]() KTE_INLINE_LAMBDA { blame_rates<typename Chain::wiring>(what, name, each<value_of<V>, V>{v}); });
+  check_result(v, std::size_t{Chain::dofs}, [&]() KTE_INLINE_LAMBDA {
+    diagnose_rates<typename Chain::wiring>(what, name, each<value_of<V>, V>{v});
+  });
 }
 template <class Chain, class V>
 KTE_INLINE void check_velocities(const V& v) {
   check_rates<Chain>(v, "v", "a velocity");
 }
 /// Linear and angular, unless they are too large.
-template <class S, class L, class A, class Blame = too_large>
-KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular, const Blame& why = {"a result"}) {
+template <class S, class L, class A, class Diagnose = too_large>
+KTE_INLINE linear_angular<S> checked(const L& linear, const A& angular, const Diagnose& why = {"a result"}) {
   const linear_angular<S> r{as<S>(linear), as<S>(angular)};
   const S all[]{r.linear.x, r.linear.y, r.linear.z, r.angular.x, r.angular.y, r.angular.z};
   check_result(all, 6, why);
@@ -117,7 +118,7 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const Q& q) {
   for (const auto& x : poses.in_space) zero_or_nan += (x.position.x + x.position.y + x.position.z) * S(0);
   if (!all(zero_or_nan == S(0))) [[unlikely]] {
     using detail::same;
-    detail::blame<typename chain_type::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
+    detail::diagnose<typename chain_type::wiring>("where a frame stands", at.q, same<zero_t>{}, same<zero_t>{}, "a");
   }
   return poses;
 }
@@ -136,7 +137,7 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   at.check();
   const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, same<skip>{}, base_with_velocity);
   return checked<S>(m.velocity, m.ang_velocity, [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
+    diagnose<typename chain_type::wiring>("a velocity", at.q, each<S, V>{v}, same<zero_t>{}, "a");
   });
 }
 
@@ -156,7 +157,7 @@ auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const 
   at.check();
   const auto m = motion_at_rest_bases<Frame>(c, at, each<S, V>{v}, each<S, A>{a}, base_with_acceleration);
   return checked<S>(m.acceleration, m.ang_acceleration, [&]() KTE_INLINE_LAMBDA {
-    blame<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, each<S, A>{a}, "a");
+    diagnose<typename chain_type::wiring>("an acceleration", at.q, each<S, V>{v}, each<S, A>{a}, "a");
   });
 }
 
@@ -185,7 +186,7 @@ void check_poses(const basic_runtime_state<S>& s) {
 }  // namespace detail
 
 template <class S>
-const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c, basic_runtime_state<S>& s) {
   static_assert(detail::goes_through_passes<S>);
   c.check(s);
   detail::check_positions(s);
@@ -194,7 +195,7 @@ const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c, basic_r
   return s;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const kte_map_chain& c,
+requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(const runtime_chain& c,
                                                                                basic_runtime_state<S>& s, const Q& q) {
   static_assert(detail::goes_through_passes<S>);
   return detail::take(c, s, q).call([&]() -> const auto& {
@@ -206,37 +207,37 @@ requires(!names_something<Q>) const basic_runtime_state<S>& forward_kinematics(c
 
 namespace detail {
 template <class S>
-linear_angular<S> velocity_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+linear_angular<S> velocity_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   static_assert(goes_through_passes<S>);
   move(c.wiring(), s, x);
   return with_motion(s, x, [&s](const auto& m) {
-    return checked<double>(m.velocity, m.ang_velocity, blame_state{"a velocity", s});
+    return checked<double>(m.velocity, m.ang_velocity, diagnose_state{"a velocity", s});
   });
 }
 template <class S>
-linear_angular<S> acceleration_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
+linear_angular<S> acceleration_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x) {
   return with_motion_in_world(c, s, x, [&s](const auto& m) {
-    return checked<double>(m.acceleration, m.ang_acceleration, blame_state{"an acceleration", s});
+    return checked<double>(m.acceleration, m.ang_acceleration, diagnose_state{"an acceleration", s});
   });
 }
 }  // namespace detail
 
 template <class S>
-linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+linear_angular<S> frame_velocity(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
   return detail::velocity_of(c, s, x);
 }
 template <class S, indexable Q, indexable V>
-linear_angular<S> frame_velocity(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> frame_velocity(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                  const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take(c, s, q, v).call([&] { return detail::velocity_of(c, s, x); });
 }
 
 template <class S>
-linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+linear_angular<S> frame_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   c.check(s);
   const auto x = detail::find_frame(c, frame);
   detail::check_state_velocities(s);
@@ -245,17 +246,17 @@ linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state
   return detail::acceleration_of(c, s, x);
 }
 template <class S, indexable Q, indexable V, indexable A>
-linear_angular<S> frame_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> frame_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                      const A& a, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   return detail::take(c, s, q, v, a).call([&] { return detail::acceleration_of(c, s, x); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_state& forward_kinematics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_state& forward_kinematics(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template linear_angular<double> velocity_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
-KTE_EXTERN template linear_angular<double> acceleration_of(const kte_map_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> velocity_of(const runtime_chain&, runtime_state&, const runtime_frame&);
+KTE_EXTERN template linear_angular<double> acceleration_of(const runtime_chain&, runtime_state&, const runtime_frame&);
 }  // namespace detail
 #endif
 

@@ -92,7 +92,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
       if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
     auto m = detail::local_mass_matrix<S>(c, at, base);
     detail::solve_partly_known(m, r.a, accelerations::is_known,
-                               [&at](int row) { detail::blame_mass<wiring>(row, true, at.q); });
+                               [&at](int row) { detail::diagnose_mass<wiring>(row, true, at.q); });
     detail::check_accelerations<wiring>(r.a, g, force);
   }
   r.tau = detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, detail::each<S, vector>{r.a}, base},
@@ -120,7 +120,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 namespace kte {
 
 template <class S, indexable Q, indexable V, indexable X>
-hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+hybrid_dynamics_result<S, Eigen::Dynamic> hybrid_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                                           const V& v, const X& known,
                                                           const std::vector<std::string_view>& prescribed) {
   using namespace detail;

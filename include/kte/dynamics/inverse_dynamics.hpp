@@ -44,7 +44,7 @@ KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
       static_assert(sizeof(typename pass::need) > 0);
       return forces_of<S>(pass(c, g), sign);
     } else {
-      return forces_by_records<S>(c, g, sign);
+      return forces_by_tree<S>(c, g, sign);
     }
   }();
   check_forces<typename Chain::wiring>(f, g);
@@ -109,14 +109,14 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 namespace kte {
 
 template <class S>
-const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::coordinate_forces(c, s);
-  detail::take_needed_forces(s);
-  detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::blame("a force", s); });
+  detail::take_generalized_forces(s);
+  detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::diagnose("a force", s); });
   return s.work.forces;
 }
 template <class S, indexable Q, indexable V, indexable A>
-const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const A& a) {
   return detail::take<detail::keeping::if_needed>(c, s, q, v, a).call([&]() -> const auto& {
     return inverse_dynamics(c, s);
@@ -124,7 +124,7 @@ const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_vector<double>& inverse_dynamics(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_vector<double>& inverse_dynamics(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

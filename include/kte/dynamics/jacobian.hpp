@@ -62,46 +62,46 @@ namespace kte {
 ///
 /// Throws `bad_argument` where it does not fit.
 template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
+void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at_state(c, s, frame, false, j);
 }
 template <class S, detail::matrix_like J>
-void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
+void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, in_world_axes_t, J&& j) {
   detail::put_jacobian_at_state(c, s, frame, true, j);
 }
 template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                             const name_or_handle& frame, J&& j) {
   detail::put_jacobian_at(c, s, q, frame, false, j);
 }
 template <class S, indexable Q, detail::matrix_like J>
-requires(!names_something<Q>) void jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q,
+requires(!names_something<Q>) void jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                             const name_or_handle& frame, in_world_axes_t, J&& j) {
   detail::put_jacobian_at(c, s, q, frame, true, j);
 }
 /// The same as a value.
 template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
+basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, frame, j);
   return j;
 }
 template <class S>
-basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
+basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame,
                                    in_world_axes_t axes) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, frame, axes, j);
   return j;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame) {
   basic_runtime_jacobian<S> j;
   jacobian(c, s, q, frame, j);
   return j;
 }
 template <class S, indexable Q>
-requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const kte_map_chain& c, basic_runtime_state<S>& s,
+requires(!names_something<Q>) basic_runtime_jacobian<S> jacobian(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  const Q& q, const name_or_handle& frame,
                                                                  in_world_axes_t axes) {
   basic_runtime_jacobian<S> j;

@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
 #include <vector>
@@ -18,8 +18,8 @@ struct joint_reaction_entry {
 };
 
 namespace detail {
-template <class S, class L, class Blame = too_large>
-wrench<vec3<S>, vec3<S>> reaction_to(const L& load, const Blame& why = {"a force"}) {
+template <class S, class L, class Diagnose = too_large>
+wrench<vec3<S>, vec3<S>> reaction_to(const L& load, const Diagnose& why = {"a force"}) {
   const auto x = checked<S>(-load.force, -load.torque, why);
   return {x.linear, x.angular};
 }
@@ -41,7 +41,7 @@ auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   using S = value_of<Q>;
   constexpr int slot = frame_slot<Frame, chain_type>();
   constexpr int by = wiring::writer(Frame::what, slot);
-  static_assert(by >= 0 && static_connections<chain_type>{}.stiff(by < 0 ? 0 : std::size_t(by)),
+  static_assert(by >= 0 && static_connections<chain_type>{}.rigid(by < 0 ? 0 : std::size_t(by)),
                 "kte: no joint or link moves this frame");
   check_configuration<chain_type>(q), check_velocities<chain_type>(v);
   check_rates<chain_type>(a, "a", "an acceleration");
@@ -51,24 +51,24 @@ auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   using pass = local_pass<chain_type, std::remove_const_t<decltype(g)>>;
   static_assert(sizeof(typename pass::need) > 0);
   return reaction_to<S>(pass(c, g).template load<Frame::what, slot>(),
-                        [&]() { blame<wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); });
+                        [&]() { diagnose<wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); });
 }
 
 namespace detail {
-inline void accumulate_loads(const kte_map_chain& c, runtime_state& s) {
+inline void accumulate_loads(const runtime_chain& c, runtime_state& s) {
   check_whole(c, s), check_state_velocities(s);
   c.doMotion(s), c.clearForce(s), c.doForce(s);
 }
 inline wrench<vec3<>, vec3<>> reaction_at(const runtime_state& s, kind k, int index) {
-  const blame_state why{"a force", s};
+  const diagnose_state why{"a force", s};
   if (k == kind::frame_2D) return reaction_to<double>(load_of(s.get<kind::frame_2D>(index)), why);
   return reaction_to<double>(load_of(s.get<kind::frame_3D>(index)), why);
 }
 /// Throws `unknown_name`, `bad_argument`.
-inline runtime_frame find_moved_frame(const kte_map_chain& c, const name_or_handle& frame) {
+inline runtime_frame find_moved_frame(const runtime_chain& c, const name_or_handle& frame) {
   const auto x = find_frame(c, frame);
   const int by = c.wiring().writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];
-  if (by < 0 || !c.wiring().elements[static_cast<std::size_t>(by)].stiff)
+  if (by < 0 || !c.wiring().elements[static_cast<std::size_t>(by)].rigid)
     throw bad_argument("kte: no joint or link moves '" +
                        c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] + "'");
   return x;
@@ -77,24 +77,24 @@ inline runtime_frame find_moved_frame(const kte_map_chain& c, const name_or_hand
 
 /// As on static chains, at the positions, rates and accelerations of a state, with its bases and inputs. Throws
 /// `unknown_name`, and `bad_argument` where no joint or link moves the frame.
-inline wrench<vec3<>, vec3<>> joint_reaction(const kte_map_chain& c, runtime_state& s, const name_or_handle& frame) {
+inline wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const name_or_handle& frame) {
   const auto x = detail::find_moved_frame(c, frame);
   detail::accumulate_loads(c, s);
   return detail::reaction_at(s, x.what, x.index);
 }
 /// The same at q, v, a, which are put into the state.
 template <indexable Q, indexable V, indexable A>
-wrench<vec3<>, vec3<>> joint_reaction(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
+wrench<vec3<>, vec3<>> joint_reaction(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                       const name_or_handle& frame) {
   (void)detail::find_moved_frame(c, frame);
   return detail::take(c, s, q, v, a).call([&] { return joint_reaction(c, s, frame); });
 }
 /// Of all joints, in the order of the chain.
-inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s) {
+inline std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s) {
   detail::accumulate_loads(c, s);
   std::vector<joint_reaction_entry> all;
   for (const auto& e : c.wiring().elements) {
-    if (!e.stiff || e.ports.size() < 3) continue;
+    if (!e.rigid || e.ports.size() < 3) continue;
     const kind k = e.ports.back().what;
     all.push_back({c.wiring().names[static_cast<std::size_t>(k)][static_cast<std::size_t>(e.index.back())],
                    detail::reaction_at(s, k, e.index.back())});
@@ -102,7 +102,7 @@ inline std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c,
   return all;
 }
 template <indexable Q, indexable V, indexable A>
-std::vector<joint_reaction_entry> joint_reactions(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
+std::vector<joint_reaction_entry> joint_reactions(const runtime_chain& c, runtime_state& s, const Q& q, const V& v,
                                                   const A& a) {
   return detail::take(c, s, q, v, a).call([&] { return joint_reactions(c, s); });
 }

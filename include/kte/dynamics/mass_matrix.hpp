@@ -18,7 +18,7 @@ namespace kte {
 ///   mass_matrix(c, s)       of both, at the positions of a state
 ///
 /// Arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a chain of which an element moves or
-/// acts by more than records say.
+/// acts by more than body nodes hold.
 template <class Gravity, class... E, indexable Q>
 auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using chain_type = static_chain<Gravity, E...>;
@@ -51,7 +51,7 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, deta
 namespace kte {
 
 template <class S>
-const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   detail::mass_of_coordinates(detail::runtime_elements{c}, s);
@@ -59,7 +59,7 @@ const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state
   return s.work.mass;
 }
 template <class S, indexable Q>
-const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
     detail::mass_of_coordinates(detail::runtime_elements{c}, s);
@@ -69,7 +69,7 @@ const runtime_matrix<S>& mass_matrix(const kte_map_chain& c, basic_runtime_state
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_matrix<double>& mass_matrix(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix(const runtime_chain&, runtime_state&);
 #endif
 
 }  // namespace kte

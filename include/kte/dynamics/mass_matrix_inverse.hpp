@@ -25,13 +25,13 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
     if constexpr (is_unrolled<Chain, S>) {
       inverted_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).invert(m);
     } else {
-      m = inverse_mass_by_records<S>(c, g);
+      m = inverse_mass_by_tree<S>(c, g);
     }
   } else {
     auto factors = local_mass_matrix<S>(c, at, base);
-    invert_by_factors(factors, m, [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
+    invert_by_factors(factors, m, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
   }
-  check_inverse(m, [&]() KTE_INLINE_LAMBDA { blame_if_endless<typename Chain::wiring>(m, at.q); });
+  check_inverse(m, [&]() KTE_INLINE_LAMBDA { diagnose_non_finite<typename Chain::wiring>(m, at.q); });
   return m;
 }
 }  // namespace detail
@@ -71,14 +71,14 @@ namespace kte {
 namespace detail {
 /// At positions that are good.
 template <class S>
-const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& inverse_of_masses(const runtime_chain& c, basic_runtime_state<S>& s) {
   runtime_matrix<S>& inverse = s.work.inverse;
   if (s.tree().plan.tree) {
     articulate_and_invert(runtime_elements{c}, s, inverse);
   } else {
     mass_of_coordinates(runtime_elements{c}, s);
     inverse.resize(s.dofs(), s.dofs());
-    invert_by_factors(s.work.mass, inverse, [&s](int row) { blame_mass(s, row, true); });
+    invert_by_factors(s.work.mass, inverse, [&s](int row) { diagnose_mass(s, row, true); });
   }
   check_inverse(inverse, [&] { check_masses(s, inverse); });
   return inverse;
@@ -86,21 +86,21 @@ const runtime_matrix<S>& inverse_of_masses(const kte_map_chain& c, basic_runtime
 }  // namespace detail
 
 template <class S>
-const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s) {
+const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s);
   detail::check_positions(s);
   return detail::inverse_of_masses(c, s);
 }
 template <class S, indexable Q>
-const runtime_matrix<S>& mass_matrix_inverse(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+const runtime_matrix<S>& mass_matrix_inverse(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   return detail::take(c, s, q).call([&]() -> const auto& { return detail::inverse_of_masses(c, s); });
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& mass_matrix_inverse(const runtime_chain&, runtime_state&);
 namespace detail {
-KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const kte_map_chain&, runtime_state&);
+KTE_EXTERN template const runtime_matrix<double>& inverse_of_masses(const runtime_chain&, runtime_state&);
 }
 #endif
 

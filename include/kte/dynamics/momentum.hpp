@@ -15,7 +15,7 @@ struct masses_alone {
     if constexpr (has_output<Core> || has_mass<Core, double>) {
       return (core);
     } else {
-      return silent<Core>{};
+      return no_load_core<Core>{};
     }
   }
 };

@@ -4,7 +4,7 @@
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/state_vectors.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 /// How the centre of mass and the momentum of a chain change, static and runtime: bases at rest, without gravity, axes
 /// of the base.
@@ -21,8 +21,8 @@ KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, 
 }
 }  // namespace detail
 
-/// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. The linear rows of `centroidal_map`,
-/// by mass. Throws `bad_argument` for a mass of zero.
+/// The Jacobian of the centre of mass, 3 x dofs: `centre_of_mass_velocity` = J v. The linear rows of
+/// `centroidal_momentum_matrix`, by mass. Throws `bad_argument` for a mass of zero.
 template <class Gravity, class... E, indexable Q>
 auto centre_of_mass_jacobian(const static_chain<Gravity, E...>& c, const Q& q) {
   using namespace detail;
@@ -58,7 +58,7 @@ auto centroidal_momentum_rate(const static_chain<Gravity, E...>& c, const Q& q, 
   check_rates<chain_type>(a, "a", "an acceleration");
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
-  const auto why = [&]() { blame<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
+  const auto why = [&]() { diagnose<typename chain_type::wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); };
   const auto w = weight_of<S>(c, at);
   const auto h = momentum_rate_at_base<S>(c, at, each<S, V>{v}, each<S, A>{a});
   return checked<S>(h.force, h.torque - cross(divided_by_mass<S>(w.mass, w.moment, why), h.force), why);  // (1)
@@ -78,7 +78,7 @@ namespace detail {
 template <class S>
 tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, const vec3<>& gravity,
                                                    const vec3<S>& about) {
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   auto& w = s.work;
   const auto bases = static_cast<std::size_t>(f.bases);
   take_rates(s), rest_given_coordinates(s);
@@ -102,7 +102,7 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, co
     sum = {sum.force + force, sum.torque + torque + cross(at.position - about, force)};
   };
   for (std::size_t b = 0; b < bases; ++b) add(f.base_weight[b], b);
-  for (std::size_t i = 0; i < f.records.size(); ++i) add(f.records[i].weight, bases + i);
+  for (std::size_t i = 0; i < f.nodes.size(); ++i) add(f.nodes[i].weight, bases + i);
   return sum;
 }
 }  // namespace detail
@@ -113,14 +113,14 @@ tree::dense_wrench<S> momentum_rate_of_coordinates(basic_runtime_state<S>& s, co
 namespace detail {
 /// At positions that are good.
 template <class S>
-runtime_matrix<S> centre_of_mass_jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> centre_of_mass_jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s) {
   if (s.tree().plan.coordinates > s.dofs()) {  // some of which follow others
-    const auto map = centroidal_map_of(c, s);
-    return map.topRows(3) / tree::weight_in_world(s.tree().forest, s.work).mass;
+    const auto map = centroidal_momentum_matrix_of(c, s);
+    return map.topRows(3) / tree::weight_in_world(s.tree().body_tree, s.work).mass;
   }
   carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const blame_state why{"a Jacobian", s};
+  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  const diagnose_state why{"a Jacobian", s};
   (void)divided_by_mass<S>(w.mass, w.moment, why);
   runtime_matrix<S> j = runtime_matrix<S>::Zero(3, s.dofs());
   for_each_momentum(s, vec3<S>{}, [&j, mass = w.mass](int row, const tree::dense_wrench<S>& h) {
@@ -132,40 +132,40 @@ runtime_matrix<S> centre_of_mass_jacobian_of(const kte_map_chain& c, basic_runti
 }
 }  // namespace detail
 template <class S>
-runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s) {
+runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_positions(s);
   return detail::centre_of_mass_jacobian_of(c, s);
 }
 template <class S>
-linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s) {
+linear_angular<S> centroidal_momentum_rate(const runtime_chain& c, basic_runtime_state<S>& s) {
   detail::check_regular(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
-  const auto w = tree::weight_in_world(s.tree().forest, s.work);
-  const detail::blame_state why{"a rate of momentum", s};
+  const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
+  const detail::diagnose_state why{"a rate of momentum", s};
   const auto h =
       detail::momentum_rate_of_coordinates(s, c.gravity(), detail::divided_by_mass<S>(w.mass, w.moment, why));
   return detail::checked<S>(h.force, h.torque, why);
 }
 template <class S>
-vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s) {
+vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<S>& s) {
   const S mass = centre_of_mass(c, s).mass;
   const vec3<S> f = centroidal_momentum_rate(c, s).linear;
   return {f.x / mass, f.y / mass, f.z / mass};
 }
 // The same at q, v, a, which are put into the state.
 template <class S, indexable Q>
-runtime_matrix<S> centre_of_mass_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
+runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);
   return detail::take(c, s, q).call([&] { return detail::centre_of_mass_jacobian_of(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
-linear_angular<S> centroidal_momentum_rate(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+linear_angular<S> centroidal_momentum_rate(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                            const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return centroidal_momentum_rate(c, s); });
 }
 template <class S, indexable Q, indexable V, indexable A>
-vec3<S> centre_of_mass_acceleration(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
+vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                     const A& a) {
   detail::check_regular(c, s);
   return detail::take(c, s, q, v, a).call([&] { return centre_of_mass_acceleration(c, s); });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <Eigen/Cholesky>
@@ -178,7 +178,7 @@ const Derived& check_at_rest(const Derived& d, const Layout& layout) {
 /// Throws `bad_argument` for a q that is no equilibrium, `singular_mass_matrix` for degrees of freedom without mass
 /// where there is damping, `no_solution` for such without stiffness.
 template <indexable Q>
-natural_modes_result natural_modes(const kte_map_chain& c, runtime_state& s, const Q& q) {
+natural_modes_result natural_modes(const runtime_chain& c, runtime_state& s, const Q& q) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.dofs());
   const auto& d = detail::check_at_rest(inverse_dynamics_derivatives(c, s, q, none, none), detail::layout_of_state(s));
   return natural_modes_of(d.by_a, d.by_q, d.by_v);

@@ -21,13 +21,13 @@ namespace kte {
 /// `unknown_name`, and `bad_argument` for what is no degree of freedom, or a rotation or pose that something besides
 /// its joint acts on.
 template <indexable Q, text_type... Names>
-requires(!names_something<Q>) kte_map_chain reduced(const kte_map_chain& c, const Q& q, const Names&... names) {
+requires(!names_something<Q>) runtime_chain reduced(const runtime_chain& c, const Q& q, const Names&... names) {
   detail::chain_reduction r(c, q);
   (r.lock(names), ...);
   return r.make();
 }
 template <indexable Q>
-kte_map_chain reduced(const kte_map_chain& c, const Q& q, const std::vector<std::string>& names) {
+runtime_chain reduced(const runtime_chain& c, const Q& q, const std::vector<std::string>& names) {
   detail::chain_reduction r(c, q);
   for (const auto& name : names) r.lock(name);
   return r.make();

@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/detail/tangent_stability.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
 #  include <kte/dynamics/detail/static_newton.hpp>
@@ -63,7 +63,7 @@ inline void put_loads_on(static_newton& newton, equilibrium& at) {
 }
 }  // namespace detail
 
-KTE_FUNCTION equilibrium find_static_equilibrium(const kte_map_chain& c, runtime_state& s, const Eigen::VectorXd& q0,
+KTE_FUNCTION equilibrium find_static_equilibrium(const runtime_chain& c, runtime_state& s, const Eigen::VectorXd& q0,
                                                  const equilibrium_options& options) {
   using namespace detail;
   if (!(options.tolerance > 0 && options.tolerance < 1) || options.iterations < 1)
@@ -88,13 +88,13 @@ KTE_FUNCTION equilibrium find_static_equilibrium(const kte_map_chain& c, runtime
   return x;
 }
 #else
-equilibrium find_static_equilibrium(const kte_map_chain&, runtime_state&, const Eigen::VectorXd&,
+equilibrium find_static_equilibrium(const runtime_chain&, runtime_state&, const Eigen::VectorXd&,
                                     const equilibrium_options&);
 #endif
 
 namespace detail {
 template <indexable Q>
-Eigen::VectorXd start_of_statics(const kte_map_chain& c, const runtime_state& s, const Q& q0) {
+Eigen::VectorXd start_of_statics(const runtime_chain& c, const runtime_state& s, const Q& q0) {
   check_regular(c, s);
   if (s.dofs() == 0) raise<bad_argument>("kte: this chain has no degree of freedom, which equilibria are about");
   check_positions(s, q0);
@@ -125,7 +125,7 @@ Eigen::VectorXd start_of_statics(const kte_map_chain& c, const runtime_state& s,
 /// which nothing holds, or says how far the loads got; the state is then as it was, and with `must_reach` false there
 /// is a status instead.
 template <indexable Q>
-equilibrium static_equilibrium(const kte_map_chain& c, runtime_state& s, const Q& q0,
+equilibrium static_equilibrium(const runtime_chain& c, runtime_state& s, const Q& q0,
                                const equilibrium_options& options = {}) {
   return find_static_equilibrium(c, s, detail::start_of_statics(c, s, q0), options);
 }

@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/runtime_algorithms.hpp>
 #include <kte/dynamics/detail/static_plan.hpp>
 #include <kte/dynamics/frame_motion.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>
 #include <string>
@@ -88,7 +88,7 @@ auto support(const static_chain<Gravity, E...>&, const Frame&) {
   return moves;
 }
 /// As on static chains. Throws `unknown_name`.
-inline std::vector<bool> support(const kte_map_chain& c, const name_or_handle& frame) {
+inline std::vector<bool> support(const runtime_chain& c, const name_or_handle& frame) {
   const auto x = detail::find_frame(c, frame);
   std::vector<bool> moves(static_cast<std::size_t>(c.dofs()));
   detail::mark_support(detail::runtime_connections{c.wiring()}, {x.what, x.index}, moves);
@@ -106,7 +106,7 @@ std::string_view common_ancestor(const static_chain<Gravity, E...>&, const A&, c
   return i < 0 ? std::string_view() : detail::name_of_thing<typename chain_type::wiring, E...>(k, i);
 }
 /// As on static chains. Throws `unknown_name`.
-inline std::string common_ancestor(const kte_map_chain& c, const name_or_handle& a, const name_or_handle& b) {
+inline std::string common_ancestor(const runtime_chain& c, const name_or_handle& a, const name_or_handle& b) {
   const auto x = detail::find_frame(c, a), y = detail::find_frame(c, b);
   const auto [k, i] =
       detail::find_common_ancestor(detail::runtime_connections{c.wiring()}, {x.what, x.index}, {y.what, y.index});

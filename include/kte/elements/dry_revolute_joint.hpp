@@ -16,7 +16,7 @@ namespace core {
 template <kind Dim, class Axis>
 struct dry_revolute_joint : revolute_joint<Dim, Axis>, transmission<dry_revolute_joint<Dim, Axis>> {
   static constexpr type_name type{"dry_revolute_joint", Dim};
-  static constexpr bool reads_reaction = true;
+  static constexpr bool load_dependent_friction = true;
   using joint = revolute_joint<Dim, Axis>;
   using transmission<dry_revolute_joint>::doMotion, transmission<dry_revolute_joint>::doForce;
   using joint::axis;

@@ -37,7 +37,7 @@ struct inertial_beam {
   static constexpr type_name type{"inertial_beam", Dim};
   static constexpr std::array<port, 2> ports{{{Dim, access::on, "anchor1"}, {Dim, access::on, "anchor2"}}};
   static constexpr bool reads_positions = true;
-  static constexpr bool spreads_mass = true;
+  static constexpr bool distributed_mass = true;
 
   Mass mass;
   Inertia inertia;

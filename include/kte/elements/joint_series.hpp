@@ -61,7 +61,7 @@ class static_series : public static_chain<zero3, First, Second> {
   constexpr explicit static_series(const static_chain<zero3, First, Second>& c)
       : static_chain<zero3, First, Second>(c) {}
 
-  /// Of two joints: the same whose first seat stands at a position, m, and a rotation in the base.
+  /// Of two joints: the same, the first placed at a position, m, and a rotation in the base.
   template <class... Place>
   constexpr auto at(const Place&... place) const {
     return in_series(boost::hana::at_c<0>(this->elements()).at(place...), boost::hana::at_c<1>(this->elements()));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/coordinate_holder.hpp>
+#include <kte/contract/coordinate_lock.hpp>
 #include <kte/kernels/stribeck.hpp>
 
 namespace kte {
@@ -17,13 +17,13 @@ struct stiction_parameters {
 namespace core {
 
 /// Dry friction of a joint that truly rests. The element keeps which way the joint slides, d, or that it is held
-/// (contract/coordinate_holder.hpp):
+/// (contract/coordinate_lock.hpp):
 ///
 ///   sliding   f -= (Fc + (Fs - Fc) exp(-(v/vs)^2)) d + b v          (1)
 ///   held      v' = 0, for as long as that takes no more than Fs     (2)
 ///
 /// (Stribeck 1902; Armstrong-Helouvry, Dupont and Canudas de Wit, Automatica 30 (1994), section 3.)
-struct joint_stiction_gen : coordinate_holder {
+struct joint_stiction_gen : coordinate_lock {
   static constexpr type_name type{"joint_stiction", kind::gen};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::internal, access::keep, "mode"}}};
@@ -60,7 +60,7 @@ struct joint_stiction_gen : coordinate_holder {
 
 /// A brake or clutch on a coordinate that is pressed by a signal: it holds, or slides with, a force of up to u. Pulled
 /// apart, by u < 0, it is open, as at 0.
-struct brake_gen : coordinate_holder {
+struct brake_gen : coordinate_lock {
   static constexpr type_name type{"brake", kind::gen};
   static constexpr std::array<port, 3> ports{{{kind::gen, access::on, "coordinate"},
                                               {kind::internal, access::keep, "mode"},

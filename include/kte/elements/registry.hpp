@@ -2,7 +2,7 @@
 
 #include <kte/detail/compiled.hpp>
 #include <kte/runtime_chain/kte_map_adapter.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 // Who links the elements has no need to read them.
 #if !defined(KTE_EXTERN) || defined(KTE_COMPILED_ELEMENTS) || \
@@ -199,7 +199,7 @@ class element_registry {
   static element_registry standard();
 
  private:
-  friend kte_map_chain to_chain(const model_record& m, const element_registry& registry);
+  friend runtime_chain to_chain(const model_record& m, const element_registry& registry);
   void put(std::string_view type, factory make) {
     const bool fresh = factories_.emplace(type, std::move(make)).second;
     if (!fresh) throw bad_argument("kte: the registry has a '" + std::string(type) + "' already");
@@ -214,10 +214,10 @@ class element_registry {
 };
 
 /// A runtime chain from a record. Throws `bad_file`, `bad_parameter` or `bad_wiring`, each naming the element.
-kte_map_chain to_chain(const model_record& m, const element_registry& registry);
+runtime_chain to_chain(const model_record& m, const element_registry& registry);
 /// The same with the elements of this library.
 template <class = void>
-kte_map_chain to_chain(const model_record& m) {
+runtime_chain to_chain(const model_record& m) {
   return to_chain(m, element_registry::standard());
 }
 
@@ -243,8 +243,8 @@ KTE_FUNCTION std::unique_ptr<kte_map> element_registry::make_unplaced(const elem
   if (const auto* single = dynamic_cast<const kte_element*>(e.get())) detail::check_complete(single->record(), r);
   return e;
 }
-KTE_FUNCTION kte_map_chain to_chain(const model_record& m, const element_registry& registry) {
-  kte_map_chain c;
+KTE_FUNCTION runtime_chain to_chain(const model_record& m, const element_registry& registry) {
+  runtime_chain c;
   if (m.gravity.size() != 3) throw bad_file("kte: the model's gravity has not three numbers");
   if (const vec3 g{m.gravity[0], m.gravity[1], m.gravity[2]}; g != vec3<>{}) c.gravity(g);  // zero says nothing
   for (std::size_t i = 0; i < m.elements.size(); ++i) {

@@ -19,7 +19,7 @@ struct rotor {
   static constexpr type_name type{"rotor", kind::frame_3D};
   static constexpr std::array<port, 2> ports{
       {{kind::gen, access::on, "coordinate"}, {kind::frame_3D, access::on, "frame"}}};
-  static constexpr bool spreads_mass = true;
+  static constexpr bool distributed_mass = true;
 
   Axis axis;
   Ratio ratio;

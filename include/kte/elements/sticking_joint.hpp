@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/contract/coordinate_holder.hpp>
+#include <kte/contract/coordinate_lock.hpp>
 #include <kte/elements/prismatic_joint.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/spring.hpp>
@@ -22,14 +22,14 @@ namespace core {
 ///   N = |F_n|,                     F_n = F - (n . F) n                        of one bearing          (1)
 ///   N = |F_n/2 + C| + |F_n/2 - C|, C = M x n / L            of two, at +-L/2 n from the origin        (2)
 ///
-/// The element keeps which way the joint slides, d, or that it is held (contract/coordinate_holder.hpp):
+/// The element keeps which way the joint slides, d, or that it is held (contract/coordinate_lock.hpp):
 ///
 ///   sliding   f -= mu r N d                                                                           (3)
 ///   held      q'' = 0, for as long as that takes no more than mu_s r N                                (4)
 ///
 /// r: the radius of the bearing of a revolute joint, 1 of a guide.
 template <class Joint>
-struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_holder {
+struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_lock {
   static constexpr bool turns = Joint::ports[0].how == access::angle;
   static constexpr kind dim = Joint::ports[1].what;
   static constexpr auto type = [] {
@@ -41,7 +41,7 @@ struct sticking_joint : Joint, transmission<sticking_joint<Joint>>, coordinate_h
   }();
   static constexpr std::array<port, 4> ports{
       {Joint::ports[0], {kind::internal, access::keep, "mode"}, Joint::ports[1], Joint::ports[2]}};
-  static constexpr bool reads_reaction = true;
+  static constexpr bool load_dependent_friction = true;
   using transmission<sticking_joint>::doMotion, transmission<sticking_joint>::doForce;
   using Joint::axis;
 

@@ -6,7 +6,7 @@
 
 namespace kte {
 
-/// What a frame must be pushed with to accelerate, where joints beyond it may give way (Featherstone, Rigid Body
+/// What a frame must be pushed with to accelerate, where joints beyond it may be free to move (Featherstone, Rigid Body
 /// Dynamics Algorithms, 2008, section 7.1). About the origin of a frame and in its axes; an acceleration a of the
 /// origin and al of the axes need the force and torque
 ///

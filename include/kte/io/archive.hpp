@@ -90,10 +90,10 @@ class archive {
   const model_record& model(std::string_view name) const { return get<model_record>(name, "a chain"); }
   /// A runtime chain of elements of this library, or of those of a registry.
   template <class = void>
-  kte_map_chain chain(std::string_view name) const {
+  runtime_chain chain(std::string_view name) const {
     return to_chain(model(name));
   }
-  kte_map_chain chain(std::string_view name, const element_registry& registry) const {
+  runtime_chain chain(std::string_view name, const element_registry& registry) const {
     return to_chain(model(name), registry);
   }
   /// A static chain of the type of `like`; throws `bad_file` that says which element differs, and how.
@@ -109,8 +109,8 @@ class archive {
   }
   /// Of a chain that came from this archive, whose states it takes (include kte/reak/mass_matrix_calc.hpp). Throws
   /// `bad_argument` for another chain.
-  template <class Calculator = mass_matrix_calc<kte_map_chain>>
-  Calculator calculator(std::string_view name, const kte_map_chain& c) const {
+  template <class Calculator = mass_matrix_calc<runtime_chain>>
+  Calculator calculator(std::string_view name, const runtime_chain& c) const {
     const auto& r = get<calculator_record>(name, "a calculator of the mass matrix");
     if (!same_chain(record_of(c), model(r.chain)))
       throw bad_argument("kte: '" + std::string(name) + "' of the archive is of its chain '" + r.chain +

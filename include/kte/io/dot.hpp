@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
 #include <boost/hana/for_each.hpp>
@@ -79,7 +79,7 @@ std::string to_dot(const static_chain<Gravity, E...>& chain) {
   return graph.text();
 }
 /// The same of a runtime chain; of a part that is neither an element nor a chain, the elements that it lists.
-inline std::string to_dot(const kte_map_chain& chain) {
+inline std::string to_dot(const runtime_chain& chain) {
   detail::dot_graph graph;
   chain.for_each_element([&graph](const kte_element& e) { graph.add(e.type(), e.ports(), e.names()); });
   return graph.text();

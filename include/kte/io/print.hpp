@@ -31,7 +31,7 @@ inline constexpr bool is_printed<basic_runtime_state<S>> = true;
 template <class Chain, class X>
 inline constexpr bool is_printed<named_vector<Chain, X>> = true;
 template <>
-inline constexpr bool is_printed<kte_map_chain> = true;
+inline constexpr bool is_printed<runtime_chain> = true;
 template <>
 inline constexpr bool is_printed<model_record> = true;
 template <>

@@ -5,9 +5,9 @@
 
 #include <tuple>
 
-/// What `clik` is to attain. `reach`, `reach_position` and `look_at` are hard: they are attained, or it says that they
-/// are not. `posture`, `away_from_limits`, `manipulability` are soft, as is what `soft` makes of the others: they are
-/// attained as nearly as the hard ones let them.
+/// What `numerical_inverse_kinematics` is to attain. `reach`, `reach_position` and `look_at` are hard: they are
+/// attained, or it says that they are not. `posture`, `away_from_limits`, `manipulability` are soft, as is what `soft`
+/// makes of the others: they are attained as nearly as the hard ones let them.
 namespace kte {
 
 namespace detail {

@@ -139,7 +139,7 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const pose<Rotatio
   check_closed_form(arm);
   const auto x = checked_pose(spatial(wanted));
   using S = std::remove_cvref_t<decltype(x.position.x)>;
-  static_assert(!has_lanes<S>, "kte: the nearest posture is of one pose, not of several in a pack");
+  static_assert(!is_pack<S>, "kte: the nearest posture is of one pose, not of several in a pack");
   auto now = starting_configuration<S>(arm);
   check_configuration_of(arm, to.q, "q_now");
   for (Eigen::Index i = 0; i < now.size(); ++i) now[i] = S(to.q[static_cast<std::size_t>(i)]);

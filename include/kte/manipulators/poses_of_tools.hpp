@@ -24,7 +24,8 @@ auto inverse_kinematics(const manipulator<Chain, Tools>& arm, const Poses& wante
   const arm_structure& s = arm.structure();
   if (s.form != closed_form::free_body)
     raise<no_closed_form>(
-        "kte: poses of several tools have a closed form where a body moves freely; kte::clik takes "
+        "kte: poses of several tools have a closed form where a body moves freely; kte::numerical_inverse_kinematics "
+        "takes "
         "them of any arm");
   const auto start = starting_configuration<double>(arm);
   const auto still = arm.getDependentPoses(start);

@@ -95,7 +95,8 @@ struct manipulability_goal {
 };
 }  // namespace detail
 
-/// A goal of `clik`: near a configuration; `weights` of squares, one for each of v, or none. It is soft.
+/// A goal of `numerical_inverse_kinematics`: near a configuration; `weights` of squares, one for each of v, or none. It
+/// is soft.
 template <indexable Q>
 auto posture(const Q& q, std::vector<double> weights = {}) {
   return detail::posture_goal<Q>{q, std::move(weights)};

@@ -16,13 +16,13 @@ namespace kte {
 ///
 /// Infinite limits where the file has none. Throws as `to_chain` does, and `bad_file` for a chain without tools (of
 /// which `kte::manipulator(kte::to_chain(record), "hand")` is one).
-inline manipulator<kte_map_chain> to_manipulator(const model_record& m, const element_registry& registry) {
+inline manipulator<runtime_chain> to_manipulator(const model_record& m, const element_registry& registry) {
   if (m.tools.empty()) throw bad_file("kte: a chain without tools is not a manipulator");
   const auto c = to_chain(m, registry);
   return {c, m.tools, limits_of(c, m)};
 }
 template <class = void>
-manipulator<kte_map_chain> to_manipulator(const model_record& m) {
+manipulator<runtime_chain> to_manipulator(const model_record& m) {
   return to_manipulator(m, element_registry::standard());
 }
 

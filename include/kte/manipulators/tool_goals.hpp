@@ -7,7 +7,8 @@
 
 namespace kte {
 
-/// Weights of a goal's squares, of metres and of radians times a length (`clik_options`); 0: that part does not matter.
+/// Weights of a goal's squares, of metres and of radians times a length (`numerical_ik_options`); 0: that part does not
+/// matter.
 struct pose_weights {
   double position = 1, rotation = 1;
 };
@@ -110,8 +111,8 @@ struct look_at_goal : goal_of_tool<Tool> {
 };
 }  // namespace detail
 
-/// A goal of `clik`: the tool at a pose in axes of the world. Throws `bad_argument` for what is not finite, and for a
-/// rotation that is none to 1e-6.
+/// A goal of `numerical_inverse_kinematics`: the tool at a pose in axes of the world. Throws `bad_argument` for what is
+/// not finite, and for a rotation that is none to 1e-6.
 template <class Tool, class R, class P>
 auto reach(const Tool& tool, const pose<R, P>& wanted, const pose_weights& weights = {}) {
   const auto p = detail::finite_place(wanted.position);

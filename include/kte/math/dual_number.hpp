@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/math/constant.hpp>
-#include <kte/math/dual_lanes.hpp>
+#include <kte/math/dual_simd.hpp>
 
 namespace kte {
 

@@ -27,7 +27,7 @@ struct element_switching : described<Element> {
 
   template <class T, class X>
   auto operator()(const T& t, const X& x) const {
-    if constexpr (holds_coordinate<core>) {
+    if constexpr (locks_coordinate<core>) {
       return mode_function(*model, t, own_part(x), place);
     } else {
       auto s = state_at(t, x);
@@ -37,7 +37,7 @@ struct element_switching : described<Element> {
   /// The reset.
   template <class T, class X>
   void switch_over(const T& t, X& x) const {
-    if constexpr (holds_coordinate<core>) {
+    if constexpr (locks_coordinate<core>) {
       auto own = own_part(x);
       switch_mode(*model, t, own, place);
       x.head(own.size()) = own;
@@ -50,7 +50,7 @@ struct element_switching : described<Element> {
   /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
   template <class T, class X>
   bool mend(const T& t, X& x) const {
-    if constexpr (holds_coordinate<core>) {
+    if constexpr (locks_coordinate<core>) {
       auto own = own_part(x);
       if (!mend_at_start(*model, t, own, place)) return false;
       x.head(own.size()) = own;
@@ -68,9 +68,9 @@ struct element_switching : described<Element> {
   using wiring = typename Model::wiring;
   using core = typename Model::template core_type<I>;
   using inputs = std::make_index_sequence<input_count<core>>;
-  static constexpr holder_place place = [] {
-    holder_place p{};
-    for (const auto& h : Model::holders())
+  static constexpr lock_place place = [] {
+    lock_place p{};
+    for (const auto& h : Model::locks())
       if (h.element == I) p = h;
     return p;
   }();
@@ -96,7 +96,7 @@ struct element_switching : described<Element> {
  public:
   /// Whether the law of the element ever changes.
   static constexpr bool changes =
-      holds_coordinate<core> ||
+      locks_coordinate<core> ||
       !typed_constant<decltype(std::declval<stored_element<core, chain_state<double, wiring>, by_index>>().switching(
           inputs{}))>;
 };

@@ -44,7 +44,7 @@ template <class Gravity, class... E>
 constexpr auto unlimited(const static_chain<Gravity, E...>&) {
   return joint_limits<std::array<double, static_cast<std::size_t>(static_chain<Gravity, E...>::dofs)>>{};
 }
-inline joint_limits<> unlimited(const kte_map_chain& c) {
+inline joint_limits<> unlimited(const runtime_chain& c) {
   const std::vector<double> none(static_cast<std::size_t>(c.dofs()), joint_limits<>::none);
   return {std::vector<double>(none.size(), -joint_limits<>::none), none, none, none, none, none};
 }

@@ -66,7 +66,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
   /// Not of chains with friction by what joints carry that keep internal states, of which stiff methods take
   /// differences: friction answers accelerations, and so those states, by no matrix alone.
-  static constexpr bool has_jacobian = size::z == 0 || !(detail::reads_reaction<typename E::core_type> || ...);
+  static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;
     jacobian(t, x, j);
@@ -94,8 +94,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   // ---- of elements that may hold a coordinate: models/modes.hpp
-  static constexpr std::size_t holder_count = (std::size_t{detail::holds_coordinate<typename E::core_type>} + ... + 0);
-  static constexpr auto holders() { return holders_of(std::index_sequence_for<E...>{}); }
+  static constexpr std::size_t lock_count = (std::size_t{detail::locks_coordinate<typename E::core_type>} + ... + 0);
+  static constexpr auto locks() { return locks_of(std::index_sequence_for<E...>{}); }
   joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q;
     const rate r = computeStateRate(t, x);
@@ -107,7 +107,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());
-    if constexpr ((detail::holds_by_load<typename E::core_type> || ...))
+    if constexpr ((detail::locks_by_load<typename E::core_type> || ...))
       s = state_at(t, x);
     else
       setJointStates(t, x, s), this->doMotion(s);
@@ -209,12 +209,12 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
 
  private:
   template <std::size_t... I>
-  static constexpr auto holders_of(std::index_sequence<I...>) {
-    std::array<detail::holder_place, holder_count> all{};
+  static constexpr auto locks_of(std::index_sequence<I...>) {
+    std::array<detail::lock_place, lock_count> all{};
     std::size_t n = 0;
     const auto add = [&]<std::size_t J>() {
       using core = typename chain_type::template core_type<J>;
-      if constexpr (detail::holds_coordinate<core>) {
+      if constexpr (detail::locks_coordinate<core>) {
         constexpr int row = wiring::freedom_of(kind::gen, wiring::slot(J, 0)).v;
         all[n++] = {J, row, size::q + row, size::q + size::v + wiring::slot(J, detail::kept_port<core>)};
       }

@@ -82,8 +82,8 @@ class manipulator_kinematics_model : public Chain {
   static void check(const X& x, std::size_t count, const char* what, const Q& q, const V& v) {
     using S = value_of<Q>;
     detail::check_result(x, count, [&] {
-      detail::blame<typename Chain::wiring>(what, detail::each<S, Q>{q}, detail::each<S, V>{v}, detail::same<zero_t>{},
-                                            "a");
+      detail::diagnose<typename Chain::wiring>(what, detail::each<S, Q>{q}, detail::each<S, V>{v},
+                                               detail::same<zero_t>{}, "a");
     });
   }
 };

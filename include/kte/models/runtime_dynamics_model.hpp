@@ -12,7 +12,7 @@
 #include <kte/models/element_events.hpp>
 #include <kte/models/manipulator_dynamics_model.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <functional>
 
@@ -23,15 +23,15 @@ template <>
 struct sizes_of_model<unchanging_chain> {
   static constexpr int q = Eigen::Dynamic, v = q, z = q, u = q, x = q, x_dot = q;
   static constexpr bool only_numbers = false;
-  static std::span<const freedom> freedoms(const kte_map_chain& c) { return c.wiring().free; }
-  static int nq(const kte_map_chain& c) { return c.nq(); }
-  static int nv(const kte_map_chain& c) { return c.dofs(); }
-  static int nu(const kte_map_chain& c) { return c.wiring().nu; }
-  static int count(const kte_map_chain& c, kind k) {
+  static std::span<const freedom> freedoms(const runtime_chain& c) { return c.wiring().free; }
+  static int nq(const runtime_chain& c) { return c.nq(); }
+  static int nv(const runtime_chain& c) { return c.dofs(); }
+  static int nu(const runtime_chain& c) { return c.wiring().nu; }
+  static int count(const runtime_chain& c, kind k) {
     return static_cast<int>(c.wiring().names[static_cast<std::size_t>(k)].size());
   }
   template <class Visit>
-  static void each_input(const kte_map_chain& c, const Visit& visit) {
+  static void each_input(const runtime_chain& c, const Visit& visit) {
     for (const auto& s : c.wiring().signals)
       if (s.u >= 0)
         visit(c.wiring().names[static_cast<std::size_t>(s.what)][static_cast<std::size_t>(s.slot)], s.u, nu_of(s.what));
@@ -41,14 +41,14 @@ struct sizes_of_model<unchanging_chain> {
 
 /// `manipulator_dynamics_model` of a runtime chain.
 template <>
-class manipulator_dynamics_model<kte_map_chain, double, void> : public state_space<unchanging_chain, double> {
+class manipulator_dynamics_model<runtime_chain, double, void> : public state_space<unchanging_chain, double> {
   using base = state_space<unchanging_chain, double>;
 
  public:
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
-  /// Throws `bad_wiring` as `kte_map_chain::make_state` does, and where an element holds a coordinate that others move.
-  explicit manipulator_dynamics_model(const kte_map_chain& c);
+  /// Throws `bad_wiring` as `runtime_chain::make_state` does, and where an element holds a coordinate that others move.
+  explicit manipulator_dynamics_model(const runtime_chain& c);
 
   const rate& computeStateRate(double t, const state& x) const;
   /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
@@ -106,7 +106,7 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   Eigen::VectorXd forces_at(const state& x, double t = 0) const;
 
   // ---- of elements that may hold a coordinate: models/modes.hpp
-  const std::vector<detail::holder_place>& holders() const { return holders_; }
+  const std::vector<detail::lock_place>& locks() const { return locks_; }
   const Eigen::VectorXd& needed_forces(double t, const state& x) const;
   double capacity(double t, const state& x, std::size_t element) const;
 
@@ -134,15 +134,15 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   // To work in, also through std::cref; who calls one model in two threads needs two.
   mutable runtime_state s_;
   mutable rate rate_;
-  std::vector<detail::holder_place> holders_;
+  std::vector<detail::lock_place> locks_;
   output_function output_;
 };
-manipulator_dynamics_model(const kte_map_chain&)->manipulator_dynamics_model<kte_map_chain>;
+manipulator_dynamics_model(const runtime_chain&)->manipulator_dynamics_model<runtime_chain>;
 
 namespace detail {
 /// `switching` of one element of a runtime chain.
 struct runtime_switching {
-  const manipulator_dynamics_model<kte_map_chain>* model;
+  const manipulator_dynamics_model<runtime_chain>* model;
   std::size_t element;
 
   double operator()(double t, const Eigen::VectorXd& x) const;
@@ -157,7 +157,7 @@ struct runtime_switching {
 }  // namespace detail
 
 /// As of a static chain (models/element_events.hpp), an event for each element whose law changes.
-inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& model) {
+inline auto element_events(const manipulator_dynamics_model<runtime_chain>& model) {
   using reset = detail::switch_element<detail::runtime_switching>;
   std::vector<decltype(event(detail::runtime_switching{}).reset(reset{}))> all;
   const auto& elements = model.wiring().elements;
@@ -172,19 +172,19 @@ inline auto element_events(const manipulator_dynamics_model<kte_map_chain>& mode
 #ifdef KTE_FUNCTION
 namespace kte {
 
-KTE_FUNCTION manipulator_dynamics_model<kte_map_chain>::manipulator_dynamics_model(const kte_map_chain& c)
+KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
-  for (const int e : s_.tree().holders) {
+  for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
     if (row >= dofs())
       throw bad_wiring("kte: " + describe_element(*wiring().elements[static_cast<std::size_t>(e)].element) +
                        " holds a coordinate that is not a degree of freedom");
-    holders_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
+    locks_.push_back({static_cast<std::size_t>(e), row, nq() + row, nq() + dofs() + index[1]});
   }
 }
 
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::computeStateRate(double t, const state& x) const
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(double t, const state& x) const
     -> const rate& {
   setJointStates(t, x, s_);
   rate_.head(dofs()) = velocities_of(x);
@@ -192,7 +192,7 @@ KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::computeStateRate(do
   rates_of_internals();
   return rate_;
 }
-KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::jacobian(double t, const state& x,
+KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {
   if (internals() > 0 || s_.tree().irregular) return false;
   setJointStates(t, x, s_);
@@ -202,7 +202,7 @@ KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::jacobian(double t, 
   detail::put_rate_derivatives(freedoms(), v, of_accelerations, j);
   return true;
 }
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::jacobian(double t, const state& x) const
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x) const
     -> jacobian_matrix {
   jacobian_matrix j;
   if (!jacobian(t, x, j))
@@ -212,16 +212,16 @@ KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::jacobian(double t, 
   return j;
 }
 
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::make_x(const Eigen::VectorXd& q,
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q,
                                                                     const Eigen::VectorXd& v) const -> state {
   return base::make_x(q, v);
 }
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                                                     const Eigen::VectorXd& z) const -> state {
   return base::make_x(q, v, z);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setInput(const Eigen::VectorXd& u) { base::setInput(u); }
-KTE_FUNCTION int manipulator_dynamics_model<kte_map_chain>::place_of_input(std::string_view name, kind k) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setInput(const Eigen::VectorXd& u) { base::setInput(u); }
+KTE_FUNCTION int manipulator_dynamics_model<runtime_chain>::place_of_input(std::string_view name, kind k) const {
   const int slot = wiring().find(name, k);
   for (const auto& signal : wiring().signals)
     if (signal.what == k && signal.slot == slot && signal.u >= 0) return signal.u;
@@ -229,19 +229,19 @@ KTE_FUNCTION int manipulator_dynamics_model<kte_map_chain>::place_of_input(std::
                      "' is not an input from outside: an element writes it, or it is the time");
 }
 
-KTE_FUNCTION auto manipulator_dynamics_model<kte_map_chain>::getJointStates(const runtime_state& s) const -> state {
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::getJointStates(const runtime_state& s) const -> state {
   check(s);
   Eigen::VectorXd z(internals());
   for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = s.get<kind::internal>(static_cast<int>(i)).z;
   return make_x(positions(s), velocities(s), z);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(double t, const state& x,
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(double t, const state& x,
                                                                             runtime_state& s) const {
   setJointStates(x, s);
   for (const auto& signal : wiring().signals)
     if (signal.u < 0) s.get<kind::input>(signal.slot) = t;
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(const state& x, runtime_state& s) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setJointStates(const state& x, runtime_state& s) const {
   check(s), checked(x);
   set_positions(s, positions_of(x)), set_velocities(s, velocities_of(x));
   for (int i = 0; i < internals(); ++i) s.get<kind::internal>(i).z = x[nq() + dofs() + i];
@@ -252,72 +252,72 @@ KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::setJointStates(cons
       s.get<kind::input>(signal.slot) = u_[signal.u];
   }
 }
-KTE_FUNCTION runtime_state& manipulator_dynamics_model<kte_map_chain>::own_state_at(double t, const state& x) const {
+KTE_FUNCTION runtime_state& manipulator_dynamics_model<runtime_chain>::own_state_at(double t, const state& x) const {
   computeStateRate(t, x);  // leaves accelerations in the state
   doMotion(s_), clearForce(s_), doForce(s_);
   return s_;
 }
-KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<kte_map_chain>::computeOutput(double t, const state& x) const {
+KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<runtime_chain>::computeOutput(double t, const state& x) const {
   checked(x);
   if (output_) return output_(state_at(t, x));
   return x.head(nq() + dofs());
 }
 
-KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::switching(double t, const state& x,
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::switching(double t, const state& x,
                                                                          std::size_t which) const {
-  for (const auto& h : holders_)
+  for (const auto& h : locks_)
     if (h.element == which) return detail::mode_function(*this, t, x, h);
   setJointStates(t, x, s_);
   doMotion(s_);
   return wiring().elements.at(which).element->switching(s_);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::switch_over(double t, state& x, std::size_t which) const {
-  for (const auto& h : holders_)
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::switch_over(double t, state& x, std::size_t which) const {
+  for (const auto& h : locks_)
     if (h.element == which) return detail::switch_mode(*this, t, x, h);
   setJointStates(t, x, s_);
   doMotion(s_);
   wiring().elements.at(which).element->switch_over(s_);
   for (int i = 0; i < internals(); ++i) x[nq() + dofs() + i] = s_.get<kind::internal>(i).z;
 }
-KTE_FUNCTION bool manipulator_dynamics_model<kte_map_chain>::mend(double t, state& x, std::size_t which) const {
-  for (const auto& h : holders_)
+KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::mend(double t, state& x, std::size_t which) const {
+  for (const auto& h : locks_)
     if (h.element == which) return detail::mend_at_start(*this, t, x, h);
   state after = x;
   switch_over(t, after, which);
   return detail::mend_internals(after, x, nq() + dofs(), x.size());
 }
-KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<kte_map_chain>::forces_at(const state& x, double t) const {
+KTE_FUNCTION Eigen::VectorXd manipulator_dynamics_model<runtime_chain>::forces_at(const state& x, double t) const {
   setJointStates(t, x, s_);
   return -nonlinear_effects(chain(), s_);
 }
-KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<kte_map_chain>::needed_forces(double t,
+KTE_FUNCTION const Eigen::VectorXd& manipulator_dynamics_model<runtime_chain>::needed_forces(double t,
                                                                                              const state& x) const {
   computeStateRate(t, x);  // leaves accelerations in the state
   return inverse_dynamics(chain(), s_);
 }
-KTE_FUNCTION double manipulator_dynamics_model<kte_map_chain>::capacity(double t, const state& x,
+KTE_FUNCTION double manipulator_dynamics_model<runtime_chain>::capacity(double t, const state& x,
                                                                         std::size_t element) const {
   const auto& e = wiring().elements.at(element);
-  if (e.stiff) return e.element->capacity(own_state_at(t, x));
+  if (e.rigid) return e.element->capacity(own_state_at(t, x));
   setJointStates(t, x, s_);
   doMotion(s_);
   return e.element->capacity(s_);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::rates_of_internals() const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rates_of_internals() const {
   for (const int keeper : wiring().keepers) detail::move_element(wiring(), s_, keeper);
   for (int i = 0; i < internals(); ++i) rate_[2 * dofs() + i] = s_.get<kind::internal>(i).z_dot;
 }
 
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::displace(const state& x, const rate& d, state& out) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::displace(const state& x, const rate& d, state& out) const {
   base::displace(x, d, out);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::pull_back(const rate& d, rate& r) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::pull_back(const rate& d, rate& r) const {
   base::pull_back(d, r);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::magnitudes(const state& x, rate& m) const {
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::magnitudes(const state& x, rate& m) const {
   base::magnitudes(x, m);
 }
-KTE_FUNCTION void manipulator_dynamics_model<kte_map_chain>::rounding(const state& x, const rate& d, const state& out,
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rounding(const state& x, const rate& d, const state& out,
                                                                       rate& rest) const {
   base::rounding(x, d, out, rest);
 }

@@ -225,7 +225,7 @@ KTE_INLINE constexpr auto eliminated(const B& b, const X& x, const Force& force,
 }
 
 /// The same of a joint of several unit axes that are known by number, all of them, on I^A as a matrix of 6 x 6. Where
-/// nothing is handed on (`ends`), an axis needs no more than the rows of those before it.
+/// nothing goes to the parent (`ends`), an axis needs no more than the rows of those before it.
 template <body B, class X, class Force, class S>
 auto eliminated_by_number(const B& b, const X& x, const Force& force, axis_factors<S>* factors, bool ends,
                           int& unmoved) {

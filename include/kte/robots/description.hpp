@@ -72,7 +72,7 @@ struct robot_joint_dynamics {
   bool operator==(const robot_joint_dynamics&) const = default;
 };
 
-/// A joint between two links. Its seat stands in the parent; the child link stands in what it moves.
+/// A joint between two links. Its placement stands in the parent; the child link stands in what it moves.
 struct robot_joint {
   enum class kind { fixed, revolute, prismatic, spherical, planar, floating, screw };
   static constexpr double none = std::numeric_limits<double>::infinity();
@@ -83,9 +83,9 @@ struct robot_joint {
   kind is = kind::fixed;
   bool continuous = false;  ///< a revolute joint without limits, as the file says
   std::string parent, child;
-  robot_pose origin;      ///< of the seat in the parent
+  robot_pose origin;      ///< of the placement in the parent
   robot_pose child_pose;  ///< of the child in the moving side of the joint
-  vec3<> axis{1, 0, 0};   ///< of length 1, in the axes of the seat; of a planar joint the normal
+  vec3<> axis{1, 0, 0};   ///< of length 1, in the axes of the placement; of a planar joint the normal
   double pitch = 0;       ///< of a screw, m/rad: its coordinate is the angle
   double lower = -none, upper = none, rate = none, effort = none;
   double soft_lower = -none, soft_upper = none;  ///< where a safety controller begins to brake

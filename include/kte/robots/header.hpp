@@ -15,7 +15,7 @@ namespace detail {
 
 class header_writer {
  public:
-  header_writer(const kte_map_chain& chain, const std::string& name)
+  header_writer(const runtime_chain& chain, const std::string& name)
       : robot_(robot_identifier(name)), of_robot_(robot_.ends_with('_') ? robot_ : robot_ + '_') {
     chain.for_each_element([this](const kte_element& e) { add(e); });
     const vec3<>& g = chain.gravity();
@@ -91,17 +91,17 @@ class header_writer {
 /// `elbow_`, so that it is no macro and no word of C++; other characters than letters and digits become one too, and
 /// where two names become the same the later one has a number. Throws `bad_argument` for a chain that holds code, or
 /// elements that are not of this library.
-inline std::string to_header(const kte_map_chain& chain, const std::string& name) {
+inline std::string to_header(const runtime_chain& chain, const std::string& name) {
   return detail::header_writer(chain, name).text(nullptr);
 }
 /// Also throws `bad_parameter` for limits that are none of this chain.
-inline std::string to_header(const kte_map_chain& chain, const std::string& name, const joint_limits<>& limits) {
+inline std::string to_header(const runtime_chain& chain, const std::string& name, const joint_limits<>& limits) {
   check_limits(chain, limits);
   return detail::header_writer(chain, name).text(&limits);
 }
 template <class Gravity, class... E>
 std::string to_header(const static_chain<Gravity, E...>& chain, const std::string& name) {
-  kte_map_chain c;
+  runtime_chain c;
   return to_header(c << chain, name);
 }
 inline std::string to_header(const model_record& model, const std::string& name) {

@@ -12,7 +12,7 @@ namespace kte {
 /// moves; `robot_writing::lossy` has them as near as may be. What else is not in the file is listed.
 std::string to_mjcf(const robot_description& d, const robot_writing& o = {});
 std::string to_mjcf(const robot& r, const robot_writing& o = {});
-std::string to_mjcf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {});
+std::string to_mjcf(const runtime_chain& c, const std::string& name = "robot", const robot_writing& o = {});
 
 }  // namespace kte
 
@@ -27,7 +27,7 @@ KTE_FUNCTION std::string to_mjcf(const robot& r, const robot_writing& o) {
   const auto d = describe(r);
   return detail::mjcf_writer(d, o, d.not_read).write();
 }
-KTE_FUNCTION std::string to_mjcf(const kte_map_chain& c, const std::string& name, const robot_writing& o) {
+KTE_FUNCTION std::string to_mjcf(const runtime_chain& c, const std::string& name, const robot_writing& o) {
   const auto d = describe(c, name);
   return detail::mjcf_writer(d, o, d.not_read).write();
 }

@@ -29,7 +29,7 @@ struct robot {
     std::vector<double> q;  ///< in the order of the chain
   };
   std::string name;
-  kte_map_chain chain;
+  runtime_chain chain;
   joint_limits<> limits, soft_limits;
   std::vector<std::string> joints;
   std::vector<shape> shapes;

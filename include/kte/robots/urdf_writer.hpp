@@ -12,7 +12,7 @@ namespace kte {
 /// not in the file is listed: gravity, motors, planes, ellipsoids.
 std::string to_urdf(const robot_description& d, const robot_writing& o = {});
 std::string to_urdf(const robot& r, const robot_writing& o = {});
-std::string to_urdf(const kte_map_chain& c, const std::string& name = "robot", const robot_writing& o = {});
+std::string to_urdf(const runtime_chain& c, const std::string& name = "robot", const robot_writing& o = {});
 
 }  // namespace kte
 
@@ -27,7 +27,7 @@ KTE_FUNCTION std::string to_urdf(const robot& r, const robot_writing& o) {
   const auto d = describe(r);
   return detail::urdf_writer(d, o, d.not_read).write();
 }
-KTE_FUNCTION std::string to_urdf(const kte_map_chain& c, const std::string& name, const robot_writing& o) {
+KTE_FUNCTION std::string to_urdf(const runtime_chain& c, const std::string& name, const robot_writing& o) {
   const auto d = describe(c, name);
   return detail::urdf_writer(d, o, d.not_read).write();
 }

@@ -20,7 +20,7 @@ class basic_derivative_state {
         freedoms_(t.free),
         tree_(std::move(tree)),
         things_([&t](kind k) { return t.count(k); }),
-        work(tree_->forest),
+        work(tree_->body_tree),
         q(static_cast<std::size_t>(t.nq)),
         v(static_cast<std::size_t>(t.nv)),
         a(v),

@@ -14,7 +14,7 @@ class handle {
   int index() const { return index_; }
 
  private:
-  friend class kte_map_chain;
+  friend class runtime_chain;
   friend class name_or_handle;
   handle(kind what, int index, std::shared_ptr<const char> layout)
       : what_(what), index_(index), layout_(std::move(layout)) {}

@@ -77,7 +77,7 @@ class kte_element : public kte_map {
   /// Whether it ever does.
   virtual bool switches() const = 0;
 
-  /// What it is to the loops over records (tree/record.hpp).
+  /// What it is to the loops over body nodes (tree/body_node.hpp).
   virtual detail::element_numbers<double> numbers() const = 0;
   /// Of a mass between several ports: adds its loads for accelerations alone; m c in axes of the base, after doMotion.
   virtual void mass_loads(runtime_state&) const = 0;

@@ -5,7 +5,7 @@
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
 
-/// The records of a runtime chain, worked out once for all copies of a state.
+/// The body nodes of a runtime chain, worked out once for all copies of a state.
 namespace kte::detail {
 
 /// What `arrange` asks of a runtime chain.
@@ -14,8 +14,8 @@ struct runtime_connections {
   std::size_t elements() const { return t.elements.size(); }
   std::span<const port> ports(std::size_t e) const { return t.elements[e].ports; }
   int index(std::size_t e, std::size_t p) const { return t.elements[e].index[p]; }
-  bool stiff(std::size_t e) const { return t.elements[e].stiff; }
-  bool spreads(std::size_t e) const { return t.elements[e].spreads; }
+  bool rigid(std::size_t e) const { return t.elements[e].rigid; }
+  bool distributed_mass(std::size_t e) const { return t.elements[e].distributed_mass; }
   int count(kind k) const { return t.count(k); }
   int writer(kind k, int i) const { return t.writers[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]; }
   std::size_t freedoms() const { return t.free.size(); }

@@ -37,12 +37,12 @@ class topology {
   };
   struct connection {
     const kte_element* element = nullptr;
-    std::vector<int> index;       ///< of what each port is connected to
-    std::string_view type;        ///< of the element
-    std::span<const port> ports;  ///< of the element
-    bool stiff = false;           ///< whether it is a joint or a link
-    bool spreads = false;         ///< whether it has a mass between several ports
-    bool load = false;            ///< whether it is a load from outside
+    std::vector<int> index;         ///< of what each port is connected to
+    std::string_view type;          ///< of the element
+    std::span<const port> ports;    ///< of the element
+    bool rigid = false;             ///< whether it is a joint or a link
+    bool distributed_mass = false;  ///< whether it has a mass between several ports
+    bool load = false;              ///< whether it is a load from outside
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
@@ -213,7 +213,7 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
                                   std::span<const std::string> to) const {
   const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
   // Who reads what only this element writes is to blame.
-  const auto blame_reader = [&](const port& writes, const std::string& name) {
+  const auto diagnose_reader = [&](const port& writes, const std::string& name) {
     const auto it = things_.find(name);
     const thing known = it == things_.end() ? thing{} : it->second[is_frame(writes.what)];
     if (!writes.declares() || !known || known.declared || known.what != writes.what) return;
@@ -248,13 +248,13 @@ KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> p
         refuse("it writes '" + name + "', which is then written twice");
         break;
       case detail::problem::read_before_written:
-        blame_reader(x, name);
+        diagnose_reader(x, name);
         refuse("it writes '" + name + "', which is read before it is written");
         break;
       case detail::problem::unknown:
         if (x.what == kind::internal)
           refuse("it reads the internal state '" + name + "', which no element before it keeps");
-        for (std::size_t q = p + 1; q < ports.size(); ++q) blame_reader(ports[q], to[q]);  // taken for the base
+        for (std::size_t q = p + 1; q < ports.size(); ++q) diagnose_reader(ports[q], to[q]);  // taken for the base
         if (of_name != things_.end())
           refuse("'" + name + "' is " + detail::text_with_article(of_name->second[0].what) + ", not " +
                  detail::text_with_article(x.what) + ", and no element before it writes a frame of this name");

@@ -49,7 +49,7 @@ class static_chain {
   /// Whether an element reads positions, rotations or linear velocities of frames by its forces; it says so by
   /// `static constexpr bool reads_positions = true`. Only then do the fused algorithms compute them.
   static constexpr bool reads_positions = shapes::reads_positions;
-  /// Whether it has nothing that only the loops over records know; whether all algorithms are unrolled for it.
+  /// Whether it has nothing that only the loops over body nodes know; whether all algorithms are unrolled for it.
   static constexpr bool common = shapes::common;
   static constexpr bool unrolled = detail::unrolls_all<size> && common;
 
@@ -204,7 +204,7 @@ struct check_part<refused> {
 template <class Core>
 struct check_part<named_element<Core>> {
   static_assert(fit<Core>,
-                "kte: a static chain is connected by keys; texts are for runtime chains: kte::kte_map_chain");
+                "kte: a static chain is connected by keys; texts are for runtime chains: kte::runtime_chain");
   static constexpr bool passed = false;
 };
 /// A part's gravity, as a tuple of it or of nothing.
@@ -277,6 +277,11 @@ constexpr auto make_state(const static_chain<Gravity, E...>& c) {
   for (int i = 0; i < wiring::count(kind::frame_3D); ++i)
     if (wiring::writer(kind::frame_3D, i) < 0) s.template get<kind::frame_3D>(i).acceleration = up;
   return s;
+}
+/// The degrees of freedom of a chain: numbers of v, a, tau.
+template <class Gravity, class... E>
+constexpr int dofs(const static_chain<Gravity, E...>&) {
+  return static_chain<Gravity, E...>::dofs;
 }
 
 }  // namespace kte

@@ -189,7 +189,7 @@ S mass_is_that_of_force(const Element& e, Draw&& draw) {
 /// For elements with a mass between several ports: `mass_loads` are the loads of their accelerations in doForce, and by
 /// a symmetric mass that is not negative: the power of those of one acceleration on another is that of the other on it.
 template <class S, class Element, class Draw>
-S spread_mass_is_that_of_force(const Element& e, Draw&& draw) {
+S distributed_mass_is_that_of_force(const Element& e, Draw&& draw) {
   return detail::worst_of_many<S>(e.core, draw, [&draw](auto& x) {
     x.for_each([](const port&, auto& thing) { detail::stop(thing); });
     const auto loads = detail::loads_by_accelerations(x);

@@ -10,8 +10,8 @@ namespace kte::testing {
 
 namespace detail {
 /// A chain of an element alone, behind declarations of what it reads.
-inline kte_map_chain declared(const element_record& r, std::span<const port> ports, std::unique_ptr<kte_map> e) {
-  kte_map_chain c;
+inline runtime_chain declared(const element_record& r, std::span<const port> ports, std::unique_ptr<kte_map> e) {
+  runtime_chain c;
   std::set<std::pair<bool, std::string>> known;  // names of frames live apart
   for (std::size_t p = 0; p < ports.size(); ++p) {
     const kind k = ports[p].what;
@@ -25,7 +25,7 @@ inline kte_map_chain declared(const element_record& r, std::span<const port> por
   return c;
 }
 /// Whether an element cannot stand as a state has it: a linkage that does not close.
-inline bool refuses(const kte_map_chain& c, runtime_state s) {
+inline bool refuses(const runtime_chain& c, runtime_state s) {
   try {
     c.doMotion(s);
     return false;

@@ -5,7 +5,7 @@
 #include <kte/elements/base.hpp>
 #include <kte/elements/free_joint.hpp>
 #include <kte/elements/inertia.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/testing/detail/states.hpp>
 
 /// An element does in a static chain what it does in a runtime chain.
@@ -68,8 +68,8 @@ constexpr auto carried(const Core& core, std::index_sequence<P...>) {
 }
 /// The elements of a static chain in a runtime chain.
 template <class Gravity, class... E>
-kte_map_chain loose(const static_chain<Gravity, E...>& c) {
-  kte_map_chain r;
+runtime_chain loose(const static_chain<Gravity, E...>& c) {
+  runtime_chain r;
   boost::hana::for_each(c.elements(), [&r](const auto& e) { r << kte::detail::with_texts(e); });
   return r;
 }

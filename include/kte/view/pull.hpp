@@ -2,7 +2,7 @@
 
 #include <kte/contract/no_parameters.hpp>
 #include <kte/contract/transmission.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/view/page_pull.hpp>
 
 #include <string_view>
@@ -68,7 +68,7 @@ constexpr auto pull_3D(const F& frame, const page_pull& by) {
 }
 
 /// The chain with such an element on each frame that a joint moves.
-inline kte_map_chain with_pulls(kte_map_chain c, const page_pull& by) {
+inline runtime_chain with_pulls(runtime_chain c, const page_pull& by) {
   for (const kind k : {kind::frame_2D, kind::frame_3D}) {
     const auto at = static_cast<std::size_t>(k);
     const auto names = c.wiring().names[at];
@@ -76,7 +76,7 @@ inline kte_map_chain with_pulls(kte_map_chain c, const page_pull& by) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (writers[i] < 0) continue;
       const auto& e = c.wiring().elements[static_cast<std::size_t>(writers[i])];
-      if (!e.stiff || !is_coordinate(e.ports.front().what)) continue;
+      if (!e.rigid || !is_coordinate(e.ports.front().what)) continue;
       if (k == kind::frame_2D)
         c << pull_2D(names[i], by);
       else

@@ -7,7 +7,7 @@
 
 namespace kte::page {
 
-using dynamics_model = manipulator_dynamics_model<kte_map_chain>;
+using dynamics_model = manipulator_dynamics_model<runtime_chain>;
 
 /// What an element exerts on one of the things that it acts on: number `which` of its frames, or of its coordinates. On
 /// a frame in axes of the world, at its origin; on a coordinate of one number in force.x, on others in its own axes.

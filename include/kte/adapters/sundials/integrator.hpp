@@ -99,7 +99,7 @@ class integrator : public kte::integrator<Method, F, X> {
   void check(int flag) const {
     relay_.rethrow();
     if (flag < 0)
-      this->fail((finite_ ? "" : std::string(endless) + this->base::reason() + "; ") + reason_of(flag),
+      this->fail((finite_ ? "" : std::string(non_finite) + this->base::reason() + "; ") + reason_of(flag),
                  failure_reason::other);
   }
 
@@ -144,7 +144,7 @@ class integrator : public kte::integrator<Method, F, X> {
     if (!this->next_is_finite()) [[unlikely]]
       this->fail("the next state is not a finite number", failure_reason::not_finite);
     if (reached != t_end && is_lost(reached)) [[unlikely]]
-      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : endless,
+      this->fail(finite_ ? "the tolerances need steps that are lost in the rounding of t" : non_finite,
                  finite_ ? failure_reason::step_too_short : failure_reason::not_finite);
     this->accept(reached);
     fresh_ = false;
@@ -177,7 +177,7 @@ class integrator : public kte::integrator<Method, F, X> {
   Method& method() { return static_cast<Method&>(*this); }
   const Method& method() const { return static_cast<const Method&>(*this); }
 
-  static constexpr const char* endless = "f is not finite, however short the step";
+  static constexpr const char* non_finite = "f is not finite, however short the step";
   tolerances<S> tolerances_;
   detail::accountant accountant_;
   long long tries_ = 0;

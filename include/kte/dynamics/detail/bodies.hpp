@@ -29,7 +29,7 @@ struct bodies_alone {
     if constexpr (has_output<Core> || is_body<Core>) {
       return (core);
     } else {
-      return silent<Core>{};
+      return no_load_core<Core>{};
     }
   }
 };
@@ -43,7 +43,7 @@ struct momenta {
     } else if constexpr (is_body<Core>) {
       return momentum_of<S, Core>{core};
     } else {
-      return silent<Core>{};
+      return no_load_core<Core>{};
     }
   }
 };

@@ -26,7 +26,7 @@ template <class Chain, std::size_t... E>
 constexpr auto couplings(std::index_sequence<E...>) {
   using wiring = typename Chain::wiring;
   constexpr std::size_t n{Chain::dofs};
-  const joint_place joints[]{joint_place_of<Chain, E, gives_way<Chain, E>>()..., {}};
+  const joint_place joints[]{joint_place_of<Chain, E, is_free_joint<Chain, E>>()..., {}};
   const bool on_coordinates[]{is_on_coordinates<core_of<Chain, E>>..., false};
   std::array<std::array<bool, n + 1>, n + 1> couples{};
   const auto couple = [&couples](const joint_place& a, const joint_place& b) {

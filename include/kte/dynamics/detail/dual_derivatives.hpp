@@ -83,7 +83,7 @@ void dual_derivatives(const Chain& c, const Base& base, const Q& q, const V& v, 
     return tau;
   };
   derive_by_duals(std::span(wiring::table.free.data(), wiring::freedoms), std::span<number>(x), std::span<number>(y),
-                  std::span<number>(z), reads_reactions<Chain>, evaluate, r);
+                  std::span<number>(z), has_load_dependent_friction<Chain>, evaluate, r);
 }
 
 }  // namespace detail

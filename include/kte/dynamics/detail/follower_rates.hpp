@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_masses.hpp>
+#include <kte/dynamics/detail/tree_masses.hpp>
 #include <kte/math/select.hpp>
 
 #include <vector>
@@ -42,9 +42,9 @@ auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) 
     if (ports[p].what == kind::gen) coordinate(p) = before.back(), before.pop_back();
   return rate;
 }
-/// As `hand_on`, with the rates of ratios: add(to, from, ratio, its time derivative).
+/// As `pull_back_followers`, with the rates of ratios: add(to, from, ratio, its time derivative).
 template <class Elements, class State, class Add>
-void hand_on_with_rates(const Elements& c, State& s, const Add& add) {
+void pull_back_followers_with_rates(const Elements& c, State& s, const Add& add) {
   for_each_followed(c, s, [&](int follower, std::size_t port, int to, int from) {
     const auto ratio = ratio_of(c, s, follower, s.template get<kind::gen>(c.index(follower, port)));
     add(to, from, ratio, ratio_rate_of(c, s, follower, port));

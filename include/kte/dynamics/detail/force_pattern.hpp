@@ -25,7 +25,7 @@ struct force_pattern {
 /// The cliques of a chain, each in order. One with all coordinates: nothing more is known.
 class force_cliques {
  public:
-  force_cliques(const kte_map_chain& c, const runtime_state& s) : chain_{c}, state_(s) {
+  force_cliques(const runtime_chain& c, const runtime_state& s) : chain_{c}, state_(s) {
     const auto& t = s.tree();
     if (!t.followers.empty() || !t.late.empty() || !t.readers.empty()) {
       std::vector<int> every(static_cast<std::size_t>(s.dofs()));
@@ -33,8 +33,8 @@ class force_cliques {
       all.push_back(std::move(every));
       return;
     }
-    for (std::size_t i = 0; i < t.forest.records.size(); ++i) {
-      add_way(t.forest.bases + static_cast<int>(i));
+    for (std::size_t i = 0; i < t.body_tree.nodes.size(); ++i) {
+      add_way(t.body_tree.bases + static_cast<int>(i));
       finish();
     }
     for (const auto* list : {&t.on_frames, &t.on_coordinates})
@@ -47,16 +47,16 @@ class force_cliques {
 
  private:
   void add_way(int slot) {
-    const auto& f = state_.tree().forest;
+    const auto& f = state_.tree().body_tree;
     while (slot >= f.bases) {
-      const auto& r = f.records[static_cast<std::size_t>(slot - f.bases)];
+      const auto& r = f.nodes[static_cast<std::size_t>(slot - f.bases)];
       for (int k = r.first; k < r.first + r.axes; ++k)
         if (const int row = f.row[static_cast<std::size_t>(k)]; row < state_.dofs()) rows_.push_back(row);
       slot = r.parent;
     }
   }
   void add_port(kind k, int index) {
-    if (is_frame(k)) add_way(state_.tree().forest.frame(k, index).slot);
+    if (is_frame(k)) add_way(state_.tree().body_tree.frame(k, index).slot);
     if (!is_coordinate(k)) return;
     for (const freedom& f : state_.freedoms())
       if (f.what == k && f.slot == index)
@@ -74,7 +74,7 @@ class force_cliques {
   std::vector<int> rows_;
 };
 
-inline force_pattern pattern_of_forces(const kte_map_chain& c, const runtime_state& s) {
+inline force_pattern pattern_of_forces(const runtime_chain& c, const runtime_state& s) {
   const auto n = static_cast<std::size_t>(s.dofs());
   const auto cliques = force_cliques(c, s).all;
   force_pattern x;

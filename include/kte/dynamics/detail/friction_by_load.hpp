@@ -1,20 +1,21 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_loops.hpp>
+#include <kte/dynamics/detail/tree_loops.hpp>
 
 #include <algorithm>
 
-/// Friction that depends on what joints carry, in the loops over records. `Elements` and states as in
-/// dynamics/detail/record_loops.hpp.
+/// Friction that depends on what joints carry, in the loops over body nodes. `Elements` and states as in
+/// dynamics/detail/tree_loops.hpp.
 namespace kte::detail {
 
 /// Of the i-th joint that has friction by what it carries.
 template <class Elements, class State>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_friction(const Elements& c, const State& s, Eigen::Index i) {
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_friction(const Elements& c, const State& s, Eigen::Index i) {
   const auto& t = s.tree();
   const int e = t.readers[static_cast<std::size_t>(i)];
-  const int slot = t.forest.frame(c.ports(e).back().what, c.written(e)).slot - t.forest.bases;
-  c.blame_friction(s, t.forest.row[static_cast<std::size_t>(t.forest.records[static_cast<std::size_t>(slot)].first)]);
+  const int slot = t.body_tree.frame(c.ports(e).back().what, c.written(e)).slot - t.body_tree.bases;
+  c.diagnose_friction(
+      s, t.body_tree.row[static_cast<std::size_t>(t.body_tree.nodes[static_cast<std::size_t>(slot)].first)]);
 }
 
 /// Accelerations where joints have friction by what they carry: sweep() computes them with the friction x in the
@@ -43,7 +44,7 @@ class friction_iteration {
 
   void solve() {
     evaluate();
-    if (!by_broyden() && !by_newton()) blame_friction(c_, s_, 0);
+    if (!by_broyden() && !by_newton()) diagnose_friction(c_, s_, 0);
     check_sure();
   }
 
@@ -124,7 +125,7 @@ class friction_iteration {
       S unsure(0);
       for (Eigen::Index j = 0; j < n_; ++j) unsure += S(abs(inverse_(i, j))) * S(abs(x_[j]));
       if (!all(unsure <= most)) [[unlikely]]
-        blame_friction(c_, s_, i);
+        diagnose_friction(c_, s_, i);
     }
   }
   bool is_rounding(const S& error, int units) const { return all(error <= S(S(units) * eps * largest(x_))); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/blame.hpp>
+#include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/dynamics/detail/local_pass.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/math/quaternion.hpp>
@@ -95,14 +95,16 @@ struct configuration {
   template <int... I>
   KTE_INLINE void check(std::integer_sequence<int, I...>) const {
     const std::array<S, sizeof...(I) + 1> x{q.template at<I>()...};
-    check_result(x, sizeof...(I),
-                 [this]() KTE_INLINE_LAMBDA { blame<Wiring>("a coordinate", q, same<zero_t>{}, same<zero_t>{}, "a"); });
+    check_result(x, sizeof...(I), [this]() KTE_INLINE_LAMBDA {
+      diagnose<Wiring>("a coordinate", q, same<zero_t>{}, same<zero_t>{}, "a");
+    });
   }
   template <std::size_t... N>
   KTE_INLINE void check_rotations(std::index_sequence<N...>) const {
     const std::array<S, sizeof...(N) + 1> x{rotation[N].x.x...};
-    check_result(x, sizeof...(N),
-                 [this]() KTE_INLINE_LAMBDA { blame<Wiring>("a rotation", q, same<zero_t>{}, same<zero_t>{}, "a"); });
+    check_result(x, sizeof...(N), [this]() KTE_INLINE_LAMBDA {
+      diagnose<Wiring>("a rotation", q, same<zero_t>{}, same<zero_t>{}, "a");
+    });
   }
   template <std::size_t... N>
   KTE_INLINE static auto gather(const each<S, Q>& q, std::index_sequence<N...>) {
@@ -269,17 +271,17 @@ given(const At&, V, A, Base) -> given<At, V, A, Base>;
 template <class Wiring, class X, class Given>
 KTE_INLINE void check_forces(const X& x, const Given& g) {
   check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
-    if constexpr (Wiring::table.signals > 0) blame_signals<Wiring>("a force", g.bases);
-    blame<Wiring>("a force", g.at.q, g.v, g.a, "a");
+    if constexpr (Wiring::table.signals > 0) diagnose_signals<Wiring>("a force", g.bases);
+    diagnose<Wiring>("a force", g.at.q, g.v, g.a, "a");
   });
 }
 template <class Wiring, class X, class Given, class Tau>
 KTE_INLINE void check_accelerations(const X& x, const Given& g, const Tau& tau) {
   using forces = each<typename Tau::Scalar, Tau>;
   check_result(x, std::size_t{Wiring::dofs}, [&]() KTE_INLINE_LAMBDA {
-    if constexpr (Wiring::table.signals > 0) blame_signals<Wiring>("an acceleration", g.bases);
+    if constexpr (Wiring::table.signals > 0) diagnose_signals<Wiring>("an acceleration", g.bases);
     const Tau copy = tau;  // so that nothing holds tau itself in memory
-    blame<Wiring>("an acceleration", g.at.q, g.v, forces{copy}, "tau");
+    diagnose<Wiring>("an acceleration", g.at.q, g.v, forces{copy}, "tau");
   });
 }
 

@@ -64,8 +64,8 @@ KTE_INLINE auto potential_energy_at(const Chain& c, const At& at) {
   });
   return elastic - dot(c.gravity(), weight_of<S>(c, at).moment);  // (2)
 }
-template <class S, class X, class Blame = too_large>
-KTE_INLINE S checked_energy(const X& energy, const Blame& why = {"an energy"}) {
+template <class S, class X, class Diagnose = too_large>
+KTE_INLINE S checked_energy(const X& energy, const Diagnose& why = {"an energy"}) {
   const S all[]{as<S>(energy)};
   check_result(all, 1, why);
   return all[0];

@@ -75,14 +75,14 @@ class local_jacobian : columns<S, Chain, Given> {
 
 /// Whether only links and joints are on the way from a base to a frame.
 template <class Chain, kind K, int Slot>
-inline constexpr bool moves_stiffly = [] {
+inline constexpr bool moves_rigidly = [] {
   constexpr int w = Chain::wiring::writer(K, Slot);
   if constexpr (w < 0) {
     return true;
   } else if constexpr (!is_transmission<core_of<Chain, std::size_t{w}>>) {
     return false;
   } else {
-    return moves_stiffly<Chain, K, Chain::wiring::slot(std::size_t{w}, port_count<core_of<Chain, std::size_t{w}>> - 2)>;
+    return moves_rigidly<Chain, K, Chain::wiring::slot(std::size_t{w}, port_count<core_of<Chain, std::size_t{w}>> - 2)>;
   }
 }();
 /// Of a frame that follows others.
@@ -117,7 +117,7 @@ KTE_INLINE auto jacobian_of(const Chain& c, const Q& q) {
   check_configuration<Chain>(q);
   const configuration<S, typename Chain::wiring, Q> at(q);
   at.check();
-  if constexpr (!moves_stiffly<Chain, Frame::what, frame_slot<Frame, Chain>()>) {
+  if constexpr (!moves_rigidly<Chain, Frame::what, frame_slot<Frame, Chain>()>) {
     return jacobian_by_rates<World, S, Frame>(c, at);
   } else {
     return jacobian_along<World, S, Frame>(c, at);

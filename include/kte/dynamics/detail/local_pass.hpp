@@ -138,7 +138,7 @@ class local_pass<Chain, Given, std::index_sequence<E...>>
     if constexpr (writes_signal<core> || !loads<I>::usable) {
       return {};
     } else if constexpr (has_output<core>) {
-      if constexpr (loads<I>::hands_on) {
+      if constexpr (loads<I>::pulls_back) {
         constexpr kind k = types::template output_kind<I>;
         constexpr int slot = types::template output_slot<I>;
         return this->chain_.template core<I>().doForce(

@@ -49,7 +49,7 @@ inline constexpr auto tree_steps = [] {
   for (std::size_t e = 0; e < Chain::size; ++e) {
     auto& x = steps[e];
     steps[e + 1].first = x.first;
-    if (!c.stiff(e)) continue;
+    if (!c.rigid(e)) continue;
     const auto ports = c.ports(e);
     const std::size_t base = ports.size() - 2;
     x.below = c.writer(ports[base].what, c.index(e, base));
@@ -87,7 +87,7 @@ class local_regressor {
     for_each_element<Chain>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template place<I>(); });
     for_each_element<Chain>([this]<std::size_t I>() KTE_INLINE_LAMBDA { this->template add<I>(); });
     for_each_element<Chain>([this]<std::size_t I>()
-                                KTE_INLINE_LAMBDA { this->template hand_on<Chain::size - 1 - I>(); });
+                                KTE_INLINE_LAMBDA { this->template pull_back<Chain::size - 1 - I>(); });
   }
 
  private:
@@ -144,7 +144,7 @@ class local_regressor {
   }
   /// The row of a coordinate that follows another counts for that one too: q_end' = ratio q_base'.
   template <std::size_t I>
-  KTE_INLINE void hand_on() {
+  KTE_INLINE void pull_back() {
     if constexpr (has_output<core_t<I>> && core_t<I>::ports[0].what == kind::gen &&
                   types::template output_kind<I> == kind::gen) {
       constexpr int base = plan.row_of_gen[std::size_t{wiring::slot(I, 0)}];
@@ -170,7 +170,7 @@ auto regressor_of(const Chain& c, const At& at, const V& v, const A& a, const Ba
   typename pass::matrix_type y;
   pass(c, g, y);
   check_result(y.data(), static_cast<std::size_t>(y.size()),
-               [&]() KTE_INLINE_LAMBDA { blame<typename Chain::wiring>("a regressor", at.q, v, a, "a"); });
+               [&]() KTE_INLINE_LAMBDA { diagnose<typename Chain::wiring>("a regressor", at.q, v, a, "a"); });
   if constexpr (pass::rows == Chain::dofs) {
     return y;
   } else {

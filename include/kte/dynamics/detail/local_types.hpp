@@ -2,7 +2,7 @@
 
 #include <kte/contract/joint.hpp>
 #include <kte/detail/numbers_where.hpp>
-#include <kte/dynamics/detail/silent.hpp>
+#include <kte/dynamics/detail/no_load.hpp>
 #include <kte/static_chain/connections.hpp>
 #include <kte/static_chain/static_chain.hpp>
 
@@ -225,9 +225,9 @@ struct local_types {
   requires(has_output<core<I>> && !writes_signal<core<I>>) struct loads<I, std::index_sequence<P...>> {
     using load = typename total<output_kind<I>, output_slot<I>>::type;
     /// One that writes a frame freely and carries nothing hands nothing on, where positions are left out.
-    static constexpr bool usable = true, hands_on = !writes_freely<core<I>> ||
-                                                    !std::is_same_v<load, std::remove_cvref_t<decltype(no_wrench)>> ||
-                                                    (is_known<false, seen<I, P>> && ...);
+    static constexpr bool usable = true, pulls_back = !writes_freely<core<I>> ||
+                                                      !std::is_same_v<load, std::remove_cvref_t<decltype(no_wrench)>> ||
+                                                      (is_known<false, seen<I, P>> && ...);
     template <bool Known>
     struct put {
       using type = typename no_loads<core<I>>::type;
@@ -237,7 +237,7 @@ struct local_types {
       using type = decltype(std::declval<const core<I>&>().doForce(std::declval<const seen<I, P>&>()...,
                                                                    std::declval<const load&>()));
     };
-    using type = typename put<hands_on>::type;
+    using type = typename put<pulls_back>::type;
     type value;
   };
   /// The rule that element I, the first whose forces depend on what is left out, has broken; none is where I is `size`.

@@ -26,7 +26,7 @@ class base_without_gravity {
 /// `move` of a frame, with bases i, i + 1, ... of kind K and all of kinds after it without gravity. One call a base, so
 /// that nothing is allocated.
 template <kind K, class S>
-void move_without_gravity(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+void move_without_gravity(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                           std::size_t i = 0) {
   const auto& writers = c.wiring().writers[static_cast<std::size_t>(K)];
   while (i < writers.size() && writers[i] >= 0) ++i;
@@ -48,10 +48,10 @@ void move_without_gravity(const kte_map_chain& c, basic_runtime_state<S>& s, con
 ///
 /// one that follows others may have a part: its way is gone once without.
 template <class S, class F>
-auto with_motion_in_world(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
+auto with_motion_in_world(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, const F& f) {
   static_assert(goes_through_passes<S>);
   const vec3<> all = c.gravity(), g = x.what == kind::frame_2D ? vec3<>{all.x, all.y, 0.0} : all;
-  if (s.tree().forest.frame(x.what, x.index).slot >= 0) [[likely]] {
+  if (s.tree().body_tree.frame(x.what, x.index).slot >= 0) [[likely]] {
     move(c.wiring(), s, x);
     return with_motion(s, x, [&](const auto& m) {
       return f(motion{m.position, m.rotation, m.velocity, m.ang_velocity,

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_loops.hpp>
+#include <kte/dynamics/detail/tree_loops.hpp>
 
-/// What few chains have, in the loops over records: masses between several things. `Elements` and states as in
-/// dynamics/detail/record_loops.hpp.
+/// What few chains have, in the loops over body nodes: masses between several things. `Elements` and states as in
+/// dynamics/detail/tree_loops.hpp.
 namespace kte::detail {
 
 /// Rates and accelerations of all degrees of freedom, put aside; they are zero until this goes.
@@ -31,19 +31,19 @@ class motion_aside {
 
 /// The forces of masses between several things on the degrees of freedom, at rest under the accelerations of the state.
 template <class Elements, class State>
-void forces_of_spread_masses(const Elements& c, State& s) {
+void forces_of_distributed_masses(const Elements& c, State& s) {
   const auto& t = s.tree();
   auto& w = s.work;
   bring_up_to_date(c, s);
   take_rates(s);
-  for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b) w.bodies[b] = {};
-  tree::move_bodies<true>(t.forest, w);
+  for (std::size_t b = 0; b < static_cast<std::size_t>(t.body_tree.bases); ++b) w.bodies[b] = {};
+  tree::move_bodies<true>(t.body_tree, w);
   place_touched_frames(s, true);
   clear_coordinates(s);
-  for (const int e : t.spread) c.mass_loads(e, s);
+  for (const int e : t.distributed) c.mass_loads(e, s);
   take_frame_loads(s);
-  tree::transmit_loads(t.forest, w);
-  for (const auto& r : t.forest.records)
+  tree::transmit_loads(t.body_tree, w);
+  for (const auto& r : t.body_tree.nodes)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
   push_on_coordinates(c, s, acting::bodies);
 }
@@ -53,7 +53,7 @@ void forces_of_spread_masses(const Elements& c, State& s) {
 ///
 /// with M_e of an element over its ports. After `place_bodies`.
 template <class Elements, class State, class Matrix>
-void add_spread_masses(const Elements& c, State& s, Matrix& m) {
+void add_distributed_masses(const Elements& c, State& s, Matrix& m) {
   using S = typename State::scalar;
   const motion_aside<State> aside(s);
   place_in_world(s);
@@ -61,7 +61,7 @@ void add_spread_masses(const Elements& c, State& s, Matrix& m) {
                                       f(s.dofs());
   const auto forces_at = [&](auto& forces) {
     for_each_listed_freedom(s, [&](auto& x, const freedom& at) { put<vector_of::a>(x, at, a); });
-    forces_of_spread_masses(c, s);
+    forces_of_distributed_masses(c, s);
     read_listed_numbers<vector_of::f>(s, forces);
   };
   forces_at(none);  // not zero where a motion is given

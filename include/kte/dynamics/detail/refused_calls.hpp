@@ -11,7 +11,7 @@
 /// fits one of these.
 namespace kte {
 
-class kte_map_chain;
+class runtime_chain;
 
 // The last argument is the type of the result, which only keeps compilers from saying more.
 #define KTE_ASKED_BY_NAME(algorithm, arguments, ...)                                                             \
@@ -22,20 +22,20 @@ class kte_map_chain;
     return __VA_ARGS__();                                                                                        \
   }                                                                                                              \
   template <class... A>                                                                                          \
-  requires(key_type<A> || ...) auto algorithm(const kte_map_chain&, const A&...) {                               \
+  requires(key_type<A> || ...) auto algorithm(const runtime_chain&, const A&...) {                               \
     static_assert(detail::fit<A...>, "kte: a runtime chain is asked by texts, " #algorithm "(arm, s, " arguments \
                                      ", \"hand\"); keys are for static chains");                                 \
     return __VA_ARGS__();                                                                                        \
   }
 #define KTE_STATE_OF_STATIC_CHAIN(algorithm, ...)                                                             \
   template <class S, class Wiring, class... A>                                                                \
-  auto algorithm(const kte_map_chain&, const chain_state<S, Wiring>&, const A&...) {                          \
+  auto algorithm(const runtime_chain&, const chain_state<S, Wiring>&, const A&...) {                          \
     static_assert(detail::fit<Wiring>,                                                                        \
-                  "kte: this is the state of a static chain; a runtime chain makes its own: c.make_state()"); \
+                  "kte: this is the state of a static chain; a runtime chain makes its own: make_state(c)"); \
     return __VA_ARGS__();                                                                                     \
   }
 #define KTE_STATE_FORGOTTEN \
-  "kte: algorithms on runtime chains work in a state, the second argument: auto s = c.make_state();"
+  "kte: algorithms on runtime chains work in a state, the second argument: auto s = make_state(c);"
 
 KTE_ASKED_BY_NAME(forward_kinematics, "q", pose<mat3<vec3<>>, vec3<>>)
 KTE_ASKED_BY_NAME(jacobian, "q", Eigen::Matrix<double, 6, Eigen::Dynamic>)
@@ -47,27 +47,27 @@ KTE_STATE_OF_STATIC_CHAIN(inverse_dynamics, Eigen::VectorXd)
 KTE_STATE_OF_STATIC_CHAIN(mass_matrix, Eigen::MatrixXd)
 
 template <indexable Q, indexable V, indexable T>
-Eigen::VectorXd forward_dynamics(const kte_map_chain&, const Q&, const V&, const T&) {
+Eigen::VectorXd forward_dynamics(const runtime_chain&, const Q&, const V&, const T&) {
   static_assert(detail::fit<Q, V, T>, KTE_STATE_FORGOTTEN " forward_dynamics(c, s, q, v, tau)");
   return {};
 }
 template <indexable Q, indexable V, indexable A>
-Eigen::VectorXd inverse_dynamics(const kte_map_chain&, const Q&, const V&, const A&) {
+Eigen::VectorXd inverse_dynamics(const runtime_chain&, const Q&, const V&, const A&) {
   static_assert(detail::fit<Q, V, A>, KTE_STATE_FORGOTTEN " inverse_dynamics(c, s, q, v, a)");
   return {};
 }
 template <indexable Q>
-Eigen::MatrixXd mass_matrix(const kte_map_chain&, const Q&) {
+Eigen::MatrixXd mass_matrix(const runtime_chain&, const Q&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " mass_matrix(c, s, q)");
   return {};
 }
 template <indexable Q, text_type Text>
-pose<mat3<vec3<>>, vec3<>> forward_kinematics(const kte_map_chain&, const Q&, const Text&) {
+pose<mat3<vec3<>>, vec3<>> forward_kinematics(const runtime_chain&, const Q&, const Text&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " forward_kinematics(c, s, q, \"hand\")");
   return {};
 }
 template <indexable Q, text_type Text>
-Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const kte_map_chain&, const Q&, const Text&) {
+Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const runtime_chain&, const Q&, const Text&) {
   static_assert(detail::fit<Q>, KTE_STATE_FORGOTTEN " jacobian(c, s, q, \"hand\")");
   return {};
 }

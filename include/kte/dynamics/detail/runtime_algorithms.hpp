@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-/// The algorithms on runtime chains, as loops over records.
+/// The algorithms on runtime chains, as loops over body nodes.
 namespace kte {
 
 namespace detail {
@@ -14,24 +14,24 @@ namespace detail {
 template <class S>
 void check_masses(const basic_runtime_state<S>& s, const runtime_matrix<S>& m) {
   if (!tree::all_finite_in_row(m.data(), static_cast<std::size_t>(m.size()))) [[unlikely]]
-    blame_mass(s, first_endless(m), false);
+    diagnose_mass(s, first_non_finite(m), false);
 }
 /// At positions that are good, under the forces that are `kept`.
 template <class S>
-const runtime_vector<S>& accelerations_under_kept(const kte_map_chain& c, basic_runtime_state<S>& s,
+const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_runtime_state<S>& s,
                                                   std::span<const char> prescribed) {
   const auto& kept = s.work.kept;
-  accelerate_by_records(
+  accelerate_by_tree(
       runtime_elements{c}, s, [&kept](int i) { return kept[static_cast<std::size_t>(i)]; }, prescribed);
   check_result(s, [&] {
-    blame("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
+    diagnose("an acceleration", s, runtime_vector<S>(Eigen::Map<const runtime_vector<S>>(kept.data(), s.dofs())));
   });
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
 /// The same under applied(i). Some accelerations may be given, in the state: those of rows that are `prescribed`.
 template <class S, class Tau>
-const runtime_vector<S>& accelerations_under(const kte_map_chain& c, basic_runtime_state<S>& s, const Tau& applied,
+const runtime_vector<S>& accelerations_under(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied,
                                              std::span<const char> prescribed = {}) {
   for (int i = 0; i < s.dofs(); ++i)  // what is applied may be a result that the state holds
     s.work.kept[static_cast<std::size_t>(i)] = applied(i);
@@ -42,7 +42,7 @@ struct runtime_frame {
   kind what;
   int index;
 };
-inline runtime_frame find_frame(const kte_map_chain& c, const name_or_handle& frame) {
+inline runtime_frame find_frame(const runtime_chain& c, const name_or_handle& frame) {
   const auto [k, index] = frame.frame_of(c.wiring());
   return {k, index};
 }
@@ -74,8 +74,8 @@ void move(const topology& t, basic_runtime_state<S>& s, const runtime_frame& x) 
 
 /// Throws `bad_argument` for a frame that follows others.
 template <class S>
-void refuse_following(const kte_map_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
-  if (s.tree().forest.frame(x.what, x.index).slot >= 0) [[likely]]
+void refuse_following(const runtime_chain& c, const basic_runtime_state<S>& s, const runtime_frame& x) {
+  if (s.tree().body_tree.frame(x.what, x.index).slot >= 0) [[likely]]
     return;
   throw bad_argument("kte: this algorithm takes frames that joints and links move, and '" +
                      c.wiring().names[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)] +
@@ -99,7 +99,7 @@ inline constexpr bool goes_through_passes = passes_in<S>::known;
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_masses(const runtime_state&, const runtime_matrix<double>&);
-KTE_EXTERN template const runtime_vector<double>& accelerations_under_kept(const kte_map_chain&, runtime_state&,
+KTE_EXTERN template const runtime_vector<double>& accelerations_under_kept(const runtime_chain&, runtime_state&,
                                                                            std::span<const char>);
 KTE_EXTERN template void move_element(const topology&, runtime_state&, int);
 #endif

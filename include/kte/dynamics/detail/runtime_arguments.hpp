@@ -47,9 +47,9 @@ class position_check {
 
 /// Throws `bad_argument` that names the number at fault, of one vector of arguments for a state.
 template <class S, class X>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_argument(const char* what, const basic_runtime_state<S>& s,
-                                                           const X& x, const char* name, int n,
-                                                           bool configuration = false) {
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_argument(const char* what, const basic_runtime_state<S>& s,
+                                                              const X& x, const char* name, int n,
+                                                              bool configuration = false) {
   runtime_vector<S> numbers(n);
   for (int i = 0; i < n; ++i) numbers[i] = static_cast<S>(x[static_cast<std::size_t>(i)]);
   const auto all = plain_numbers(numbers);
@@ -65,7 +65,7 @@ void check_positions(const basic_runtime_state<S>& s) {
   for_each_listed_freedom(s, [&all](const auto& c, const freedom&) { all.coordinate(c); });
   for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
-    blame("a coordinate", s);
+    diagnose("a coordinate", s);
 }
 template <class S, class X>
 void check_state(const basic_runtime_state<S>& s, const X& visit, const char* what) {
@@ -102,8 +102,8 @@ KTE_INLINE bool all_moderate_as(const X& x, std::size_t n) {
     return false;
 }
 /// Throws by `why` unless the forces or accelerations that a state gives back are finite.
-template <class S, class Blame>
-KTE_INLINE void check_result(const basic_runtime_state<S>& s, const Blame& why) {
+template <class S, class Diagnose>
+KTE_INLINE void check_result(const basic_runtime_state<S>& s, const Diagnose& why) {
   if (!tree::all_finite_in_row(s.work.forces.data(), static_cast<std::size_t>(s.dofs()))) [[unlikely]]
     why();
 }
@@ -119,7 +119,7 @@ KTE_INLINE bool check_positions(const basic_runtime_state<S>& s, const Q& q) {
     all.rotation(static_cast<S>(q[i]), static_cast<S>(q[i + 1]), static_cast<S>(q[i + 2]), static_cast<S>(q[i + 3]));
   for_each_given_coordinate(s, [&all](const auto& c) { all.number(c.q); });
   if (!all.good()) [[unlikely]]
-    blame_argument("a coordinate", s, q, "q", s.nq(), true);
+    diagnose_argument("a coordinate", s, q, "q", s.nq(), true);
   return moderate;
 }
 
@@ -140,7 +140,7 @@ KTE_INLINE bool check_numbers(const basic_runtime_state<S>& s, const X& x, const
     if (all_moderate_as<S>(x, n)) [[likely]]
       return true;
     if (!all_finite_as<S>(x, n)) [[unlikely]]
-      blame_argument(what, s, x, name, s.dofs());
+      diagnose_argument(what, s, x, name, s.dofs());
     return false;
   } else {
     return true;
@@ -195,7 +195,7 @@ using replaced_by = replaced_numbers<S, true, is_put<V>, !std::is_same_v<A, not_
 /// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
 template <keeping When = keeping::always, class S, class Q, class V = not_given, class A = not_given,
           class Tau = not_given>
-replaced_by<S, V, A> take(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {},
+replaced_by<S, V, A> take(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {},
                           const A& a = {}, const Tau& tau = {}) {
   c.check(s);
   const bool of_q = check_positions(s, q), of_v = check_numbers(s, v, "v", "a velocity"),
@@ -237,7 +237,7 @@ KTE_EXTERN template struct replaced_numbers<double, true, true, false>;
 KTE_EXTERN template struct replaced_numbers<double, true, true, true>;
 KTE_EXTERN template struct replaced_numbers<double, false, false, true>;
 #  define KTE_TAKE(When, V, A, Tau)                                                                \
-    KTE_EXTERN template replaced_by<double, V, A> take<When>(const kte_map_chain&, runtime_state&, \
+    KTE_EXTERN template replaced_by<double, V, A> take<When>(const runtime_chain&, runtime_state&, \
                                                              const Eigen::VectorXd&, const V&, const A&, const Tau&)
 KTE_TAKE(keeping::always, not_given, not_given, not_given);
 KTE_TAKE(keeping::always, Eigen::VectorXd, not_given, not_given);

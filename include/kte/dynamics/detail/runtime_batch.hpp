@@ -4,7 +4,7 @@
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <vector>
 
@@ -24,7 +24,7 @@ class runtime_job {
     std::size_t a_state;
   };
 
-  runtime_job(const kte_map_chain& chain, std::size_t count, T* out, std::size_t a_result,
+  runtime_job(const runtime_chain& chain, std::size_t count, T* out, std::size_t a_result,
               const std::array<input, Inputs>& in)
       : chain_(chain), count_(count), out_(out), a_result_(a_result), in_(in), made_(chain.make_state<P>()) {}
 
@@ -80,7 +80,7 @@ class runtime_job {
     }
   }
 
-  const kte_map_chain& chain_;
+  const runtime_chain& chain_;
   std::size_t count_;
   T* out_;
   std::size_t a_result_;
@@ -91,19 +91,19 @@ class runtime_job {
 
 struct runtime_inverse_dynamics {
   template <class P, class X>
-  static const auto& of(const kte_map_chain& c, basic_runtime_state<P>& s, const X& x) {
+  static const auto& of(const runtime_chain& c, basic_runtime_state<P>& s, const X& x) {
     return kte::inverse_dynamics(c, s, x[0], x[1], x[2]);
   }
 };
 struct runtime_forward_dynamics {
   template <class P, class X>
-  static const auto& of(const kte_map_chain& c, basic_runtime_state<P>& s, const X& x) {
+  static const auto& of(const runtime_chain& c, basic_runtime_state<P>& s, const X& x) {
     return kte::forward_dynamics(c, s, x[0], x[1], x[2]);
   }
 };
 struct runtime_mass_matrix {
   template <class P, class X>
-  static const auto& of(const kte_map_chain& c, basic_runtime_state<P>& s, const X& x) {
+  static const auto& of(const runtime_chain& c, basic_runtime_state<P>& s, const X& x) {
     return kte::mass_matrix(c, s, x[0]);
   }
 };

@@ -36,52 +36,52 @@ class rates_aside {
 
 template <class S>
 const runtime_vector<S>& applied_forces(basic_runtime_state<S>& s) {
-  take_needed_forces(s);
-  check_result(s, [&s] { blame("a force", s); });
+  take_generalized_forces(s);
+  check_result(s, [&s] { diagnose("a force", s); });
   return s.work.forces;
 }
 
 /// Throws `bad_argument` for masses between several things.
 template <class S>
-void refuse_spread_masses(const kte_map_chain& c, const basic_runtime_state<S>& s) {
-  if (!s.tree().spread.empty()) [[unlikely]]
+void refuse_distributed_masses(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  if (!s.tree().distributed.empty()) [[unlikely]]
     throw bad_argument("kte: this algorithm counts the masses of single frames and coordinates, and " +
-                       describe_element(runtime_elements{c}.element(s.tree().spread.front())) +
+                       describe_element(runtime_elements{c}.element(s.tree().distributed.front())) +
                        " has a mass between several");
 }
 
 /// Inverse dynamics of the bodies alone, without accelerations of coordinates.
 template <class S>
-void forces_of_bodies(const kte_map_chain& c, basic_runtime_state<S>& s, bool accelerated_bases) {
-  refuse_spread_masses(c, s);
+void forces_of_bodies(const runtime_chain& c, basic_runtime_state<S>& s, bool accelerated_bases) {
+  refuse_distributed_masses(c, s);
   forces_on_coordinates(runtime_elements{c}, s, acting::bodies, accelerated_bases);
 }
 
 /// The inertias of bodies with all they carry, and axes, in the world.
 template <class S>
-void carry_bodies(const kte_map_chain& c, basic_runtime_state<S>& s) {
+void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_bodies(runtime_elements{c}, s);
   place_in_world(s);
-  tree::carry_bodies<true>(s.tree().forest, s.work);
+  tree::carry_bodies<true>(s.tree().body_tree, s.work);
 }
 /// The same where bodies are all there is.
 template <class S>
-void carry(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  refuse_spread_masses(c, s);
+void carry(const runtime_chain& c, basic_runtime_state<S>& s) {
+  refuse_distributed_masses(c, s);
   carry_bodies(c, s);
 }
 /// visit(row of an axis among all coordinates, momentum of its unit rate about a point of the world).
 template <class S, class F>
 void for_each_momentum(basic_runtime_state<S>& s, const vec3<S>& about, const F& visit) {
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   tree::momenta(f, s.work, about,
                 [&](int k, const tree::dense_wrench<S>& h) { visit(f.row[static_cast<std::size_t>(k)], h); });
 }
 /// Coordinates that are given rest.
 template <class S>
 void rest_given_coordinates(basic_runtime_state<S>& s) {
-  for (const auto& r : s.tree().forest.records)
-    if (r.what == kind::gen && !r.yields && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
+  for (const auto& r : s.tree().body_tree.nodes)
+    if (r.what == kind::gen && !r.is_free && s.made_for()->writers[0][static_cast<std::size_t>(r.slot)] < 0)
       s.work.rate[static_cast<std::size_t>(r.first)] = s.work.acceleration[static_cast<std::size_t>(r.first)] = S(0);
 }
 /// visit(motion, slot) of bases that elements move as signals say. Those that are given from outside rest.
@@ -98,7 +98,7 @@ void for_each_moved_base(basic_runtime_state<S>& s, const Visit& visit) {
 /// Momentum about a point of the world, after `carry`; coordinates that are given rest.
 template <class S>
 tree::dense_wrench<S> momentum_of_coordinates(basic_runtime_state<S>& s, const vec3<S>& about) {
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   take_rates(s), rest_given_coordinates(s);
   tree::dense_wrench<S> sum{};
   tree::momenta(f, s.work, about, [&](int k, const tree::dense_wrench<S>& h) {

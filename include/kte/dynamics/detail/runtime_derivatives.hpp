@@ -8,16 +8,16 @@ namespace kte::detail {
 
 /// Whether the derivatives of the forces of a chain are known element by element.
 template <class S>
-bool is_known_by_elements(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+bool is_known_by_elements(const runtime_chain& c, const basic_runtime_state<S>& s) {
   const auto& t = s.tree();
   return t.on_frames.empty() && t.followers.empty() && t.late.empty() && t.readers.empty() &&
          c.wiring().has_derivatives;
 }
 template <class S>
-const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_chain& c, basic_runtime_state<S>& s,
+const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const runtime_chain& c, basic_runtime_state<S>& s,
                                                                  bool moved = false) {
   coordinate_forces(c, s, moved);
-  take_needed_forces(s);
+  take_generalized_forces(s);
   auto& r = s.work.of_forces;
   if constexpr (std::is_same_v<S, double>) {
     if (is_known_by_elements(c, s)) [[likely]]
@@ -28,12 +28,12 @@ const inverse_dynamics_result<S, Eigen::Dynamic>& forces_derived(const kte_map_c
     derive_forces(runtime_elements{c}, s);
   }
   r.tau = s.work.forces;
-  check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { blame("a force", s); });
+  check_result(r.tau, static_cast<std::size_t>(s.dofs()), [&s] { diagnose("a force", s); });
   return r;
 }
 /// After forward dynamics: (1) of detail/static_derivatives.hpp.
 template <class S>
-const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kte_map_chain& c,
+const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const runtime_chain& c,
                                                                         basic_runtime_state<S>& s) {
   auto& r = s.work.of_accelerations;
   const Eigen::Index n = s.dofs();
@@ -42,18 +42,18 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
   if constexpr (std::is_same_v<S, double>)
     if (!s.tree().readers.empty()) [[unlikely]] {
       const auto& forces = forces_derived(c, s);
-      invert_unheld_rubbing(runtime_elements{c}, s, forces.by_a, r.by_tau);
+      invert_free_rows_with_friction(runtime_elements{c}, s, forces.by_a, r.by_tau);
       solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
       return r;
     }
-  if (s.tree().plan.tree && s.tree().holders.empty()) [[likely]]
+  if (s.tree().plan.tree && s.tree().locks.empty()) [[likely]]
     invert_articulated(s, r.by_tau);
   else
-    invert_unheld(runtime_elements{c}, s, r.by_tau);
+    invert_free_rows(runtime_elements{c}, s, r.by_tau);
   const auto& forces = forces_derived(c, s, true);
   const auto& t = s.tree();
-  if (t.holders.empty() && t.forest.in_order && static_cast<Eigen::Index>(t.forest.axes()) == n)
-    tree::solve_limbs(t.forest, !t.only_bodies, s.work.rows, r.by_tau.data(), forces.by_q.data(), forces.by_v.data(),
+  if (t.locks.empty() && t.body_tree.in_order && static_cast<Eigen::Index>(t.body_tree.axes()) == n)
+    tree::solve_limbs(t.body_tree, !t.only_bodies, s.work.rows, r.by_tau.data(), forces.by_q.data(), forces.by_v.data(),
                       r.by_q.data(), r.by_v.data());
   else
     solve_by_inverse(r.by_tau, forces.by_q, r.by_q), solve_by_inverse(r.by_tau, forces.by_v, r.by_v);
@@ -61,9 +61,9 @@ const forward_dynamics_result<S, Eigen::Dynamic>& accelerations_derived(const kt
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const kte_map_chain&,
+KTE_EXTERN template const inverse_dynamics_result<double, Eigen::Dynamic>& forces_derived(const runtime_chain&,
                                                                                           runtime_state&, bool);
-KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const kte_map_chain&,
+KTE_EXTERN template const forward_dynamics_result<double, Eigen::Dynamic>& accelerations_derived(const runtime_chain&,
                                                                                                  runtime_state&);
 #endif
 

@@ -10,7 +10,7 @@ namespace kte::detail {
 
 /// A state with derivatives of the same chain.
 template <std::same_as<double> S, class State = basic_derivative_state<dual<S, derivative_number::variables>>>
-State& state_with_derivatives(const kte_map_chain& c, basic_runtime_state<S>& s) {
+State& state_with_derivatives(const runtime_chain& c, basic_runtime_state<S>& s) {
   const topology& t = c.wiring();
   const auto make = [&] { return State(t, s.shared_tree()); };
   auto& d = s.with_derivatives.template get<State>(make);
@@ -54,8 +54,8 @@ void take_given(basic_runtime_state<S>& s, basic_derivative_state<D>& d) {
 template <class D>
 void take_shifts(basic_derivative_state<D>& d, const directions& moving) {
   auto& w = d.work;
-  const auto& f = d.tree().forest;
-  for (const auto& r : f.records) {
+  const auto& f = d.tree().body_tree;
+  for (const auto& r : f.nodes) {
     const auto first = static_cast<std::size_t>(r.first);
     if (r.what == kind::gen)
       w.shift[first] = {0.0, d.template get<kind::gen>(r.slot).q.derivative};
@@ -79,8 +79,8 @@ void put_coordinates(basic_derivative_state<D>& d) {
 /// Inverse dynamics at q, v, a of the state with derivatives, with bases in place: what must be applied, into its
 /// `forces`.
 template <class Elements, std::same_as<double> S, class D>
-void needed_forces_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
-                            const directions& moving) {
+void inverse_dynamics_in_duals(const Elements& elements, const basic_runtime_state<S>& s, basic_derivative_state<D>& d,
+                               const directions& moving) {
   const auto& t = s.tree();
   put_coordinates(d);
   bring_up_to_date(elements, d);
@@ -90,15 +90,15 @@ void needed_forces_in_duals(const Elements& elements, const basic_runtime_state<
     auto& x = d.template get<kind::gen>(coordinate);
     x.f -= mass * x.q_ddot;
   }
-  tree::move_in_duals(t.forest, s.work, d.work);
+  tree::move_in_duals(t.body_tree, s.work, d.work);
   if (!t.on_frames.empty() || !t.late.empty()) {
     place_touched_frames(d, true);
     move_late(elements, d);
     for (auto e = t.on_frames.rbegin(); e != t.on_frames.rend(); ++e) elements.push(*e, d);
     take_frame_loads(d);
   }
-  tree::transmit_in_duals(t.forest, s.work, d.work);
-  for (const auto& r : t.forest.records)
+  tree::transmit_in_duals(t.body_tree, s.work, d.work);
+  for (const auto& r : t.body_tree.nodes)
     each_axis<vector_of::f>(d, r, [&d](auto& f, std::size_t k) { f -= d.work.force[k]; });
   for_each_friction(elements, d, [&d](const auto& r, const D& friction) {
     auto& x = d.template get<kind::gen>(r.slot);
@@ -112,7 +112,7 @@ void needed_forces_in_duals(const Elements& elements, const basic_runtime_state<
 /// By q and v at what the state has, into `of_forces`; by_a is the mass matrix, where friction depends on what joints
 /// carry it is derived too. After inverse dynamics.
 template <std::same_as<double> S>
-void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
+void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
   auto& r = s.work.of_forces;
   const Eigen::Index n = s.dofs();
   r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
@@ -120,11 +120,11 @@ void derive_forces_by_duals(const kte_map_chain& c, basic_runtime_state<S>& s) {
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
-  tree::place_bases_in_duals(s.tree().forest, s.work, d.work);
+  tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
   derive_by_duals(
       s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), rubs,
       [&](const directions& moving) -> const auto& {
-        needed_forces_in_duals(runtime_elements{c}, s, d, moving);
+        inverse_dynamics_in_duals(runtime_elements{c}, s, d, moving);
         return d.forces;
       },
       r);

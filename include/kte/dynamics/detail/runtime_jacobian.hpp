@@ -20,15 +20,16 @@ namespace detail {
 /// Columns of all coordinates over the degrees of freedom: those of followers count for what they follow, those of
 /// coordinates that are given are left out.
 template <class S>
-Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const kte_map_chain& c, basic_runtime_state<S>& s,
+Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const runtime_chain& c, basic_runtime_state<S>& s,
                                            Eigen::Matrix<S, 6, Eigen::Dynamic> a) {
   if (a.cols() == s.dofs()) return a;
-  hand_on(runtime_elements{c}, s, [&a](int to, int from, const S& ratio) { a.col(to) += ratio * a.col(from); });
+  pull_back_followers(runtime_elements{c}, s,
+                      [&a](int to, int from, const S& ratio) { a.col(to) += ratio * a.col(from); });
   return a.leftCols(s.dofs());
 }
 /// Of a frame that follows others.
 template <class S>
-basic_runtime_jacobian<S> jacobian_by_rates(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+basic_runtime_jacobian<S> jacobian_by_rates(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                             bool world) {
   static_assert(goes_through_passes<S>);
   basic_runtime_jacobian<S> j(6, s.dofs());
@@ -53,9 +54,9 @@ struct columns_of_six {
   S* begin;
   Eigen::Index stride;
 };
-/// Zeros, but in the columns of the axes of records on a way to a base, which stand in order.
+/// Zeros, but in the columns of the axes of body nodes on a way to a base, which stand in order.
 template <class P, class S>
-void clear_beside(const tree::forest<P>& f, std::span<const int> way, const columns_of_six<S>& j, int columns) {
+void clear_beside(const tree::body_tree<P>& f, std::span<const int> way, const columns_of_six<S>& j, int columns) {
   const auto clear = [&j](int first, int end) KTE_INLINE_LAMBDA {
     if (j.stride == 6 && first < end)
       std::fill(j.begin + 6 * first, j.begin + 6 * end, S(0));
@@ -63,7 +64,7 @@ void clear_beside(const tree::forest<P>& f, std::span<const int> way, const colu
       for (int k = first; k < end; ++k) std::fill_n(j.begin + j.stride * k, 6, S(0));
   };
   for (const int i : way) {
-    const auto& r = f.records[static_cast<std::size_t>(i)];
+    const auto& r = f.nodes[static_cast<std::size_t>(i)];
     clear(r.first + r.axes, columns);
     columns = r.first;
   }
@@ -71,10 +72,10 @@ void clear_beside(const tree::forest<P>& f, std::span<const int> way, const colu
 }
 /// At positions that are good; of all degrees of freedom.
 template <class S>
-void write_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world,
+void write_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world,
                     const columns_of_six<S>& to) {
   const auto& t = s.tree();
-  const auto& place = t.forest.frame(x.what, x.index);
+  const auto& place = t.body_tree.frame(x.what, x.index);
   const auto assign = [&](const basic_runtime_jacobian<S>& j) {
     Eigen::Map<basic_runtime_jacobian<S>, 0, Eigen::OuterStride<>>(to.begin, 6, j.cols(), to.stride) = j;
   };
@@ -84,20 +85,20 @@ void write_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const run
   if constexpr (!std::is_same_v<S, double>) refuse_following(c, s, x);
   const auto put = [&](const columns_of_six<S>& j, int columns) {
     const auto way = place_ancestors(runtime_elements{c}, s, place.slot);
-    const bool add = !t.forest.in_order;
-    clear_beside(t.forest, add ? std::span<const int>() : way, j, columns);
-    const auto put_one = [add, j, row = t.forest.row.data()](int k, const auto& v, const auto& w) KTE_INLINE_LAMBDA {
+    const bool add = !t.body_tree.in_order;
+    clear_beside(t.body_tree, add ? std::span<const int>() : way, j, columns);
+    const auto put_one = [add, j, row = t.body_tree.row.data()](int k, const auto& v, const auto& w) KTE_INLINE_LAMBDA {
       if (add) [[unlikely]]
         tree::put_column<true, S>(j.begin + j.stride * row[k], v, w);
       else
         tree::put_column<false, S>(j.begin + j.stride * k, v, w);
     };
     if (world) {
-      const int base = way.empty() ? place.slot : t.forest.records[static_cast<std::size_t>(way.back())].parent;
-      tree::jacobian_columns_in_world(t.forest, s.work, place, way, axes_of_base(s, base), put_one);
+      const int base = way.empty() ? place.slot : t.body_tree.nodes[static_cast<std::size_t>(way.back())].parent;
+      tree::jacobian_columns_in_world(t.body_tree, s.work, place, way, axes_of_base(s, base), put_one);
     } else {
       tree::dense_pose<S> seen;
-      (void)tree::jacobian_columns(t.forest, s.work, place, seen, put_one);
+      (void)tree::jacobian_columns(t.body_tree, s.work, place, seen, put_one);
     }
   };
   if (t.plan.coordinates == s.dofs()) [[likely]]
@@ -127,7 +128,7 @@ void check_room(const J& j, int dofs) {
                          std::to_string(j.rows()) + " x " + std::to_string(j.cols()));
 }
 template <class S, class J>
-void put_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world, J& j) {
+void put_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x, bool world, J& j) {
   static_assert(!std::is_const_v<J> && bool(J::Flags & Eigen::DirectAccessBit) && !J::IsRowMajor &&
                     int(J::InnerStrideAtCompileTime) == 1,
                 "kte: a Jacobian goes into memory by columns that can be written: a matrix, 6 rows of one or a map");
@@ -136,14 +137,14 @@ void put_jacobian(const kte_map_chain& c, basic_runtime_state<S>& s, const runti
   write_jacobian(c, s, x, world, columns_of_six<S>{j.data(), j.outerStride()});
 }
 template <class S>
-basic_runtime_jacobian<S> jacobian_of(const kte_map_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
+basic_runtime_jacobian<S> jacobian_of(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                       bool world) {
   basic_runtime_jacobian<S> j;
   put_jacobian(c, s, x, world, j);
   return j;
 }
 template <class S, class J>
-void put_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, bool world,
+void put_jacobian_at_state(const runtime_chain& c, basic_runtime_state<S>& s, const name_or_handle& frame, bool world,
                            J& j) {
   check_motion(c, s);
   const auto x = find_frame(c, frame);
@@ -152,7 +153,7 @@ void put_jacobian_at_state(const kte_map_chain& c, basic_runtime_state<S>& s, co
   put_jacobian(c, s, x, world, j);
 }
 template <class S, class Q, class J>
-void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q, const name_or_handle& frame,
+void put_jacobian_at(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const name_or_handle& frame,
                      bool world, J& j) {
   check_motion(c, s);
   const auto x = find_frame(c, frame);
@@ -163,7 +164,7 @@ void put_jacobian_at(const kte_map_chain& c, basic_runtime_state<S>& s, const Q&
 
 #ifdef KTE_EXTERN
 namespace detail {
-KTE_EXTERN template void write_jacobian(const kte_map_chain&, runtime_state&, const runtime_frame&, bool,
+KTE_EXTERN template void write_jacobian(const runtime_chain&, runtime_state&, const runtime_frame&, bool,
                                         const columns_of_six<double>&);
 }  // namespace detail
 #endif

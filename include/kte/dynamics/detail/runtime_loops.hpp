@@ -1,16 +1,16 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_derivatives.hpp>
-#include <kte/dynamics/detail/record_inverse.hpp>
 #include <kte/dynamics/detail/runtime_arguments.hpp>
+#include <kte/dynamics/detail/tree_derivatives.hpp>
+#include <kte/dynamics/detail/tree_inverse.hpp>
 #include <kte/runtime_chain/chain.hpp>
 
-/// The elements of a runtime chain in the loops over records.
+/// The elements of a runtime chain in the loops over body nodes.
 namespace kte::detail {
 
 /// Elements are those of the chain at hand: a state may have been made for one of which this is a copy.
 struct runtime_elements {
-  const kte_map_chain& chain;
+  const runtime_chain& chain;
 
   const topology::connection& connection(int e) const { return chain.wiring().elements[static_cast<std::size_t>(e)]; }
   const kte_element& element(int e) const { return *connection(e).element; }
@@ -48,36 +48,36 @@ struct runtime_elements {
     return typename State::scalar(0);
   }
   template <class State>
-  [[noreturn]] void blame_mass(const State& s, int row, bool finite) const {
-    detail::blame_mass(s, row, finite);
+  [[noreturn]] void diagnose_mass(const State& s, int row, bool finite) const {
+    detail::diagnose_mass(s, row, finite);
   }
   template <class State>
-  [[noreturn]] void blame_friction(const State& s, int row) const {
+  [[noreturn]] void diagnose_friction(const State& s, int row) const {
     raise_jammed(name_of_row(layout_of_state(s), row));
   }
 };
 
 /// Throws `bad_argument` unless the state is of this chain, which is no part of another.
 template <class S>
-void check_whole(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+void check_whole(const runtime_chain& c, const basic_runtime_state<S>& s) {
   (void)c.wiring();
   c.check(s);
 }
 template <class Exception>
-[[noreturn, gnu::cold]] void refuse_chain(const kte_map_chain& c, const Exception& x) {
+[[noreturn, gnu::cold]] void refuse_chain(const runtime_chain& c, const Exception& x) {
   throw bad_argument("kte: passes and inverse dynamics alone take this chain: " +
                      describe_element(runtime_elements{c}.element(x.element)) + x.why);
 }
 /// The same where passes alone know the chain.
 template <class S>
-void check_regular(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   if (s.tree().irregular) [[unlikely]]
     refuse_chain(c, s.tree().irregular);
 }
 /// The same of its motion.
 template <class S>
-void check_motion(const kte_map_chain& c, const basic_runtime_state<S>& s) {
+void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   if (s.tree().moves_unknown) [[unlikely]]
     refuse_chain(c, s.tree().moves_unknown);
@@ -85,7 +85,7 @@ void check_motion(const kte_map_chain& c, const basic_runtime_state<S>& s) {
 
 /// Inverse dynamics, into the state. `moved`: as for `forces_on_coordinates`.
 template <class S>
-void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s, bool moved = false) {
+void coordinate_forces(const runtime_chain& c, basic_runtime_state<S>& s, bool moved = false) {
   check_whole(c, s);
   if constexpr (std::is_same_v<S, double>)
     if (s.tree().irregular) [[unlikely]] {
@@ -96,11 +96,11 @@ void coordinate_forces(const kte_map_chain& c, basic_runtime_state<S>& s, bool m
 }
 
 #ifdef KTE_EXTERN
-KTE_EXTERN template void check_whole(const kte_map_chain&, const runtime_state&);
-KTE_EXTERN template void check_regular(const kte_map_chain&, const runtime_state&);
-KTE_EXTERN template void coordinate_forces(const kte_map_chain&, runtime_state&, bool);
+KTE_EXTERN template void check_whole(const runtime_chain&, const runtime_state&);
+KTE_EXTERN template void check_regular(const runtime_chain&, const runtime_state&);
+KTE_EXTERN template void coordinate_forces(const runtime_chain&, runtime_state&, bool);
 KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
-KTE_EXTERN template void take_needed_forces(runtime_state&);
+KTE_EXTERN template void take_generalized_forces(runtime_state&);
 #endif
 
 }  // namespace kte::detail

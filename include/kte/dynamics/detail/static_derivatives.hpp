@@ -36,12 +36,12 @@ KTE_INLINE auto derivatives_at(const Chain& c, const At& at, const Base& base, c
       coordinate_derivatives<S, Chain, given_type>{c, g, r.by_q, r.by_v, r.by_a}.subtract();
       r.tau = forces_of<S>(pass, minus_one);
     } else {
-      derivatives_by_records<S>(c, g, r);
+      derivatives_by_tree<S>(c, g, r);
     }
     check_forces<typename Chain::wiring>(r.tau, g);
   } else {
     dual_derivatives<S>(c, base, q, v, a, r);
-    if constexpr (!reads_reactions<Chain>) r.by_a = local_mass_matrix<S>(c, at, base);
+    if constexpr (!has_load_dependent_friction<Chain>) r.by_a = local_mass_matrix<S>(c, at, base);
   }
   return r;
 }
@@ -56,24 +56,25 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
                                        const joint_vector<S, Chain::dofs>& tau) {
   forward_dynamics_result<S, Chain::dofs> r;
   const each<S, V> rates{v};
-  constexpr bool rubs = reads_reactions<Chain>, inverted = !rubs && (is_tree_of_joints<Chain> || !Chain::common);
+  constexpr bool rubs = has_load_dependent_friction<Chain>,
+                 inverted = !rubs && (is_tree_of_joints<Chain> || !Chain::common);
   if constexpr (inverted) {
     at.check(), base.check();
     const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
     if constexpr (is_unrolled<Chain, S>) {
       inverted_mass<S, Chain, std::remove_const_t<decltype(g)>>(c, g).accelerate_and_invert(tau, r.a, r.by_tau);
     } else {
-      accelerations_and_inverse_by_records<S>(c, g, tau, r.a, r.by_tau);
+      accelerations_and_inverse_by_tree<S>(c, g, tau, r.a, r.by_tau);
     }
   } else {
     r.a = accelerations_under<S>(c, at, rates, base, tau);
   }
   auto of_forces = derivatives_at<S>(c, at, base, q, v, r.a);
   if constexpr (rubs)
-    invert_by_records<S>(c, given{at, rates, same<zero_t>{}, base}, of_forces.by_a, r.by_tau);
+    invert_by_tree<S>(c, given{at, rates, same<zero_t>{}, base}, of_forces.by_a, r.by_tau);
   else if constexpr (!inverted)
     invert_by_factors(of_forces.by_a, r.by_tau,
-                      [&at](int row) { blame_mass<typename Chain::wiring>(row, true, at.q); });
+                      [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
   if constexpr (is_unrolled<Chain, S>)
     solve_by_groups<Chain, is_analytical<Chain>>(r.by_tau, of_forces.by_q, of_forces.by_v, r.by_q, r.by_v);
   else

@@ -1,18 +1,18 @@
 #pragma once
 
 #include <kte/contract/force_derivatives.hpp>
-#include <kte/dynamics/detail/record_derivatives.hpp>
-#include <kte/dynamics/detail/record_inverse.hpp>
 #include <kte/dynamics/detail/static_state.hpp>
 #include <kte/dynamics/detail/tree.hpp>
+#include <kte/dynamics/detail/tree_derivatives.hpp>
+#include <kte/dynamics/detail/tree_inverse.hpp>
 
-/// The algorithms on static chains that are not unrolled: the loops over records that runtime chains have. `Given`:
-/// dynamics/detail/given.hpp. Records and memory are made by the first call and kept by chains too large to unroll;
+/// The algorithms on static chains that are not unrolled: the loops over body nodes that runtime chains have. `Given`:
+/// dynamics/detail/given.hpp. Body nodes and memory are made by the first call and kept by chains too large to unroll;
 /// with scalars that are functions, by each call.
 namespace kte::detail {
 
-/// What elements do in the loops over records: one function for each type of element core, however many elements there
-/// are of it, on chains of any kind.
+/// What elements do in the loops over body nodes: one function for each type of element core, however many elements
+/// there are of it, on chains of any kind.
 template <class Core>
 using inputs_of = std::make_index_sequence<input_count<Core>>;
 template <class Core, class State>
@@ -66,11 +66,11 @@ inline constexpr auto steps_of = []<std::size_t... I>(std::index_sequence<I...>)
 }
 (typename acting_elements<Chain>::type{});
 
-/// The elements of a static chain in the loops over records.
+/// The elements of a static chain in the loops over body nodes.
 template <class Chain, class Given>
 struct static_elements {
   const Chain& chain;
-  const Given& given;  ///< to be blamed
+  const Given& given;  ///< named in messages
   using wiring = typename Chain::wiring;
 
   static std::span<const port> ports(int e) { return static_connections<Chain>{}.ports(static_cast<std::size_t>(e)); }
@@ -113,11 +113,11 @@ struct static_elements {
     return f;
   }
   template <class State>
-  [[noreturn]] void blame_mass(const State&, int row, bool finite) const {
-    detail::blame_mass<wiring>(row, finite, given.at.q);
+  [[noreturn]] void diagnose_mass(const State&, int row, bool finite) const {
+    detail::diagnose_mass<wiring>(row, finite, given.at.q);
   }
   template <class State>
-  [[noreturn]] void blame_friction(const State&, int row) const {
+  [[noreturn]] void diagnose_friction(const State&, int row) const {
     raise_jammed(name_of_row(layout_of_wiring<wiring>::table, row));
   }
 
@@ -143,7 +143,7 @@ static_elements(const Chain&, const Given&) -> static_elements<Chain, Given>;
 template <class Chain>
 inline constexpr bool may_need_passes = !Chain::common || !std::is_void_v<first_element<Chain, has_own_loads>>;
 
-/// Throws `bad_argument` where an element turns out to be more than records say.
+/// Throws `bad_argument` where an element turns out to be more than body nodes hold.
 template <class Chain, class State>
 void check_regular(const Chain&, const State& s) {
   if (!s.tree().irregular) [[likely]]
@@ -165,7 +165,7 @@ auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
     if (by_passes) c.doMotion(s), c.clearForce(s), c.doForce(s);
   if (!by_passes) {
     check_regular(c, s);
-    // Which has nothing to blame: so that it is the same for whatever is given.
+    // Without names for messages, so that it is the same for whatever is given.
     forces_on_coordinates(static_elements<Chain, nothing>{c, {}}, s, acting::all);
   }
   joint_vector<typename State::scalar, Chain::dofs> f;
@@ -174,14 +174,14 @@ auto take_forces(const Chain& c, const Given& g, State& s, Sign sign) {
   return f;
 }
 template <class S, class Chain, class Given, class Sign>
-auto forces_by_records(const Chain& c, const Given& g, Sign sign) {
+auto forces_by_tree(const Chain& c, const Given& g, Sign sign) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   return take_forces(c, g, s, sign);
 }
 
 template <class S, class Chain, class Given>
-joint_matrix<S, Chain::dofs> mass_by_records(const Chain& c, const Given& g) {
+joint_matrix<S, Chain::dofs> mass_by_tree(const Chain& c, const Given& g) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   s.take(g), check_regular(c, s);
@@ -199,13 +199,13 @@ void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau)
   }
   (std::make_integer_sequence<int, Chain::dofs>{});
   s.take(g), check_regular(c, s);
-  accelerate_by_records(
+  accelerate_by_tree(
       static_elements{c, g}, s, [&tau](int i) { return tau[i]; }, prescribed);
   check_accelerations<typename Chain::wiring>(s.work.forces, g, tau);
 }
 template <class S, class Chain, class Given>
-joint_vector<S, Chain::dofs> accelerations_by_records(const Chain& c, const Given& g,
-                                                      const joint_vector<S, Chain::dofs>& tau) {
+joint_vector<S, Chain::dofs> accelerations_by_tree(const Chain& c, const Given& g,
+                                                   const joint_vector<S, Chain::dofs>& tau) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);
@@ -213,29 +213,29 @@ joint_vector<S, Chain::dofs> accelerations_by_records(const Chain& c, const Give
 }
 /// The same, and the inverse of the mass matrix.
 template <class S, class Chain, class Given>
-void accelerations_and_inverse_by_records(const Chain& c, const Given& g, const joint_vector<S, Chain::dofs>& tau,
-                                          joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {
+void accelerations_and_inverse_by_tree(const Chain& c, const Given& g, const joint_vector<S, Chain::dofs>& tau,
+                                       joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   accelerate_static(c, g, s, tau);
   a = s.work.forces;
-  if (s.tree().plan.tree && s.tree().holders.empty())
+  if (s.tree().plan.tree && s.tree().locks.empty())
     invert_articulated(s, s.work.inverse);
   else
-    invert_unheld(static_elements{c, g}, s, s.work.inverse);
+    invert_free_rows(static_elements{c, g}, s, s.work.inverse);
   inverse = s.work.inverse;
 }
 /// How accelerations answer forces, from dtau/da.
 template <class S, class Chain, class Given>
-void invert_by_records(const Chain& c, const Given& g, const joint_matrix<S, Chain::dofs>& by_a,
-                       joint_matrix<S, Chain::dofs>& inverse) {
+void invert_by_tree(const Chain& c, const Given& g, const joint_matrix<S, Chain::dofs>& by_a,
+                    joint_matrix<S, Chain::dofs>& inverse) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   s.take(g);
-  invert_unheld_rubbing(static_elements{c, g}, s, by_a, inverse);
+  invert_free_rows_with_friction(static_elements{c, g}, s, by_a, inverse);
 }
 template <class S, class Chain, class Given>
-joint_matrix<S, Chain::dofs> inverse_mass_by_records(const Chain& c, const Given& g) {
+joint_matrix<S, Chain::dofs> inverse_mass_by_tree(const Chain& c, const Given& g) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   s.take(g), check_regular(c, s);
@@ -244,7 +244,7 @@ joint_matrix<S, Chain::dofs> inverse_mass_by_records(const Chain& c, const Given
 }
 
 template <class S, class Chain, class Given, class Result>
-void derivatives_by_records(const Chain& c, const Given& g, Result& r) {
+void derivatives_by_tree(const Chain& c, const Given& g, Result& r) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   r.tau = take_forces(c, g, s, minus_one);
@@ -252,10 +252,10 @@ void derivatives_by_records(const Chain& c, const Given& g, Result& r) {
   r.by_q = s.work.of_forces.by_q, r.by_v = s.work.of_forces.by_v, r.by_a = s.work.of_forces.by_a;
 }
 
-/// f(elements, state) of an algorithm that is a loop over records for chains of all sizes: what comes from outside is
-/// in the state.
+/// f(elements, state) of an algorithm that is a loop over body nodes for chains of all sizes: what comes from outside
+/// is in the state.
 template <class S, class Chain, class Given, class F>
-auto by_records(const Chain& c, const Given& g, const F& f) {
+auto by_tree(const Chain& c, const Given& g, const F& f) {
   auto lent = c.kept.template borrow<static_state<S, Chain>>(c);
   static_state<S, Chain>& s = lent;
   s.take(g), check_regular(c, s);

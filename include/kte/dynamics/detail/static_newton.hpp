@@ -16,10 +16,10 @@ inline Eigen::VectorXd weights_of_steps(static_problem& f, const Eigen::VectorXd
   f.forces(q, p);
   const double length = f.extent();
   Eigen::VectorXd w = Eigen::VectorXd::Ones(f.size());
-  const auto& forest = f.state().tree().forest;
-  for (const auto& r : forest.records)
+  const auto& body_tree = f.state().tree().body_tree;
+  for (const auto& r : body_tree.nodes)
     for (int k = 0; k < r.axes; ++k) {
-      const int row = forest.row[static_cast<std::size_t>(r.first + k)];
+      const int row = body_tree.row[static_cast<std::size_t>(r.first + k)];
       const bool slides =
           r.moves == tree::joint::several ? r.axis[static_cast<std::size_t>(k)] < 3 : r.moves == tree::joint::prismatic;
       if (slides && row < f.size()) w[row] = 1 / length;

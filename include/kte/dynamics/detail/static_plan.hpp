@@ -14,11 +14,11 @@ template <class Chain>
 inline constexpr auto static_plan =
     arrange<static_lists<typename Chain::wiring>::template list>(static_connections<Chain>{});
 
-/// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over records
+/// Whether algorithms are unrolled: not for scalars whose operations are functions, where loops over body nodes
 /// (dynamics/detail/static_loops.hpp) are as fast and compile in a tenth of the time
 /// (docs/decisions/02-compile-time.md). Of dual numbers of those that are a few instructions: a small chain in dual
-/// numbers, as variational integrators evaluate it, would else spend nine tenths of its time on making records. Nor of
-/// chains that have what only those loops know (static_chain/connections.hpp).
+/// numbers, as variational integrators evaluate it, would else spend nine tenths of its time on building its tree. Nor
+/// of chains that have what only those loops know (static_chain/connections.hpp).
 template <class S>
 inline constexpr bool is_a_few_instructions = std::is_floating_point_v<S> || requires {
   S::lanes;

@@ -8,7 +8,7 @@
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/elements/constant_force.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -32,7 +32,7 @@ inline double largest_number(const sparse_matrix& m) {
 /// request some forces are left to hold the chain, (1 - p) times. In a state of its own, at rest.
 class static_problem {
  public:
-  static_problem(const kte_map_chain& c, const runtime_state& s, const std::vector<external_wrench>& loads,
+  static_problem(const runtime_chain& c, const runtime_state& s, const std::vector<external_wrench>& loads,
                  std::string_view parameter)
       : chain_(with_loads(c, s, loads)), state_(chain_.make_state()) {
     const auto copy = [&]<std::size_t... K>(std::index_sequence<K...>) { (copy_things<static_cast<kind>(K)>(s), ...); };
@@ -52,7 +52,7 @@ class static_problem {
   }
 
   int size() const { return state_.dofs(); }
-  const kte_map_chain& chain() const { return chain_; }
+  const runtime_chain& chain() const { return chain_; }
   const runtime_state& state() const { return state_; }
   const force_pattern& pattern() const { return pattern_; }
   bool by_load() const { return parameter_.first == kind::frame_3D; }
@@ -60,8 +60,8 @@ class static_problem {
   double extent() {
     place_in_world(state_);
     Eigen::Array3d low = Eigen::Array3d::Constant((std::numeric_limits<double>::max)()), high = -low;
-    const auto& forest = state_.tree().forest;
-    for (const auto& frames : forest.frames)
+    const auto& body_tree = state_.tree().body_tree;
+    for (const auto& frames : body_tree.frames)
       for (const auto& frame : frames) {
         if (frame.slot < 0) continue;
         const auto& body = state_.work.world[static_cast<std::size_t>(frame.slot)];
@@ -105,7 +105,7 @@ class static_problem {
       derive(elements(p));
     for (const freedom& x : state_.freedoms()) add_turning(x, tau);
     if (!tree::all_finite_in_row(tangent_.valuePtr(), static_cast<std::size_t>(tangent_.nonZeros())))
-      blame("a derivative", state_);
+      diagnose("a derivative", state_);
     return tangent_;
   }
 
@@ -115,7 +115,7 @@ class static_problem {
     vec3<> linear, angular;
   };
 
-  static kte_map_chain with_loads(const kte_map_chain& c, const runtime_state& s,
+  static runtime_chain with_loads(const runtime_chain& c, const runtime_state& s,
                                   const std::vector<external_wrench>& loads);
   template <kind K>
   void copy_things(const runtime_state& s) {
@@ -187,7 +187,7 @@ class static_problem {
   /// By dual numbers, all columns of a colour at once.
   void derive(const loaded_elements& elements);
 
-  kte_map_chain chain_;
+  runtime_chain chain_;
   runtime_state state_;
   std::vector<base_acceleration> bases_;
   std::pair<kind, int> parameter_{kind::frame_3D, -1};  ///< a frame: the load factor
@@ -200,16 +200,16 @@ class static_problem {
 KTE_FUNCTION const Eigen::VectorXd& static_problem::forces(const Eigen::VectorXd& q, double p) {
   put(q, p);
   forces_on_coordinates(elements(p), state_, acting::all);
-  take_needed_forces(state_);
+  take_generalized_forces(state_);
   auto& tau = state_.work.forces;
-  check_result(state_, [this] { blame("a force", state_); });
+  check_result(state_, [this] { diagnose("a force", state_); });
   if (held_.size() > 0) tau -= (1 - p) * held_;
   return tau;
 }
-KTE_FUNCTION kte_map_chain static_problem::with_loads(const kte_map_chain& c, const runtime_state& s,
+KTE_FUNCTION runtime_chain static_problem::with_loads(const runtime_chain& c, const runtime_state& s,
                                                       const std::vector<external_wrench>& loads) {
   check_regular(c, s);
-  kte_map_chain all = c;
+  runtime_chain all = c;
   for (const auto& w : loads) {
     const auto at = find_frame(c, w.frame);
     const auto& name = c.wiring().names[static_cast<std::size_t>(at.what)][static_cast<std::size_t>(at.index)];
@@ -231,7 +231,7 @@ KTE_FUNCTION void static_problem::derive(const loaded_elements& elements) {
   auto& d = state_with_derivatives(chain_, state_);
   take_given(state_, d);
   place_in_world(state_);
-  tree::place_bases_in_duals(state_.tree().forest, state_.work, d.work);
+  tree::place_bases_in_duals(state_.tree().body_tree, state_.work, d.work);
   const int* const colour = pattern_.colour.data();
   for (int first = 0; first < pattern_.colours; first += number::variables) {
     const directions moving{vector_of::q, first, colour};
@@ -241,7 +241,7 @@ KTE_FUNCTION void static_problem::derive(const loaded_elements& elements) {
       for (int k = 0; k < nv_of(f.what); ++k)
         if (const int lane = moving.lane(f.v + k); lane >= 0 && lane < number::variables)
           displace(f, k, static_cast<std::size_t>(lane), std::span(d.q));
-    needed_forces_in_duals(elements, state_, d, moving);
+    inverse_dynamics_in_duals(elements, state_, d, moving);
     each_entry([&](int i, int j, double& to) {
       if (const int lane = moving.lane(j); lane >= 0 && lane < number::variables)
         to = d.forces[static_cast<std::size_t>(i)].derivative[static_cast<std::size_t>(lane)];

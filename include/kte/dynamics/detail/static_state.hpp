@@ -7,7 +7,7 @@
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
 
-/// The state of a static chain for the algorithms that are loops over records.
+/// The state of a static chain for the algorithms that are loops over body nodes.
 namespace kte::detail {
 
 /// What the numbers of a core add up to, by type.
@@ -43,9 +43,9 @@ inline constexpr bool has_plain_parameters = []<std::size_t... I>(std::index_seq
   return true;
 }
 (std::make_index_sequence<Chain::size>{});
-/// P of the records of a chain in calculations with S: derivatives by parameters are kept.
+/// P of the body nodes of a chain in calculations with S: derivatives by parameters are kept.
 template <class S, class Chain, class Plain = plain_scalar<S>>
-using record_number = std::conditional_t<has_plain_parameters<Plain, Chain>, Plain, S>;
+using tree_number = std::conditional_t<has_plain_parameters<Plain, Chain>, Plain, S>;
 
 /// Coordinates, signals, and the frames that elements act on.
 template <class S, class Chain>
@@ -53,7 +53,7 @@ class static_state {
  public:
   using wiring = typename Chain::wiring;
   using scalar = S;
-  using parameter = record_number<S, Chain>;
+  using parameter = tree_number<S, Chain>;
   using tree_type = chain_tree<parameter, const std::remove_cvref_t<decltype(static_plan<Chain>)>&>;
   static constexpr bool has_sines = true;
 

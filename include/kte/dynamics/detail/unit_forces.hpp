@@ -3,7 +3,7 @@
 #include <kte/dynamics/detail/tree.hpp>
 #include <kte/frames/motion.hpp>
 #include <kte/kernels/joint_vector.hpp>
-#include <kte/tree/lanes.hpp>
+#include <kte/tree/simd.hpp>
 
 #include <algorithm>
 
@@ -41,9 +41,9 @@ struct unit_forces {
     return n;
   }
   /// The forces of group G on the axes in rows from Row on.
-  template <class Lanes, class S, std::size_t G, int Row, int Axes>
-  KTE_INLINE constexpr std::array<Lanes, std::size_t{Axes}> units() const {
-    std::array<Lanes, std::size_t{Axes}> force{};
+  template <class Simd, class S, std::size_t G, int Row, int Axes>
+  KTE_INLINE constexpr std::array<Simd, std::size_t{Axes}> units() const {
+    std::array<Simd, std::size_t{Axes}> force{};
     for (std::size_t k = 0; k < group[G].count; ++k)
       if (const int n = group[G].row[k] - Row; n >= 0 && n < Axes) {
         if constexpr (Width == 1)
@@ -91,12 +91,12 @@ KTE_INLINE void sum_answers_between(const Rows& left, const Rows& rate, Matrix& 
   using S = typename Matrix::Scalar;
   constexpr std::size_t width = Forces.width;
   constexpr auto &g = Forces.group[G], &h = Forces.group[H];
-  using lanes = std::conditional_t<width == 1, S, tree::lanes<S>>;
+  using simd = std::conditional_t<width == 1, S, tree::simd<S>>;
   constexpr std::size_t shared = Forces.shared(G, H);
-  std::array<lanes, g.count> sum{};
+  std::array<simd, g.count> sum{};
   for (std::size_t i = 0; i < shared; ++i) {
     const auto row = static_cast<std::size_t>(g.way[i]);
-    lanes e;
+    simd e;
     tree::load<S>(e, left[row].data() + width * H);
     for (std::size_t k = 0; k < g.count; ++k) sum[k] += rate[row][width * G + k] * e;
   }

@@ -15,7 +15,7 @@ template <class Chain, class Given>
 struct axes_free_under : axes_of_dofs<Chain> {
   template <std::size_t I>
   static constexpr bool is_free = [] {
-    if constexpr (gives_way<Chain, I>) {
+    if constexpr (is_free_joint<Chain, I>) {
       constexpr int row = axes_of_dofs<Chain>::template row<I>;
       return std::is_same_v<decltype(std::declval<const Given&>().a.template at<row>()), zero_t>;
     } else {
@@ -30,13 +30,13 @@ struct axes_free_under : axes_of_dofs<Chain> {
 /// longer.)
 struct unmoved_axes {
   std::uint64_t all = 0;
-  std::uint64_t endless = 0;  ///< what they move is not finite; of those behind one that moves nothing, neither
+  std::uint64_t non_finite = 0;  ///< what they move is not finite; of those behind one that moves nothing, neither
 };
 template <class S>
 KTE_INLINE constexpr void note(unmoved_axes& x, int axis, bool moves, const S& moved) {
   const std::uint64_t here = std::uint64_t{1} << (std::min)(axis, 63);
   x.all |= moves ? 0 : here;
-  x.endless |= all(moved * S(0) == S(0)) ? 0 : here;
+  x.non_finite |= all(moved * S(0) == S(0)) ? 0 : here;
 }
 
 /// What an element puts that has several ports; that of one with a single port is made when it is wanted.
@@ -124,7 +124,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   }
   KTE_INLINE void check_moved() const {
     if (unmoved_.all != 0) [[unlikely]]
-      blame_axes<wiring>(unmoved_.all, unmoved_.endless, this->given_.at.q);
+      diagnose_axes<wiring>(unmoved_.all, unmoved_.non_finite, this->given_.at.q);
   }
 
   // ---- what elements put on frames and coordinates
@@ -171,7 +171,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   /// The accelerations of joint I that are given.
   template <std::size_t I>
   KTE_INLINE constexpr void put_given(vector& a) const {
-    if constexpr (gives_way<Chain, I> && !axes::template is_free<I>)
+    if constexpr (is_free_joint<Chain, I> && !axes::template is_free<I>)
       for_each_number<joint_dofs<core_t<I>>>([&]<int N>() KTE_INLINE_LAMBDA {
         constexpr int row = axes::template row<I> + N;
         a[row] = this->given_.a.template at<row>();

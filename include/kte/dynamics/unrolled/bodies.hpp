@@ -20,7 +20,7 @@ struct frame_place {
 template <class Chain>
 struct axes_of_dofs {
   template <std::size_t I>
-  static constexpr int axes = gives_way<Chain, I> ? joint_dofs<core_of<Chain, I>> : 0;
+  static constexpr int axes = is_free_joint<Chain, I> ? joint_dofs<core_of<Chain, I>> : 0;
   template <std::size_t I>
   static constexpr int row =
       Chain::wiring::template at<coordinate_kind<core_of<Chain, I>>, Chain::wiring::slot(I, 0)>.v;

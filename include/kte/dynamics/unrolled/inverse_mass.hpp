@@ -32,8 +32,8 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
     else
       return true;
   }
-  static constexpr std::size_t width = (keeps_numbers<E>() && ...) ? tree::lanes_of<S>::count : 1;
-  using lanes = std::conditional_t<width == 1, S, tree::lanes<S>>;
+  static constexpr std::size_t width = (keeps_numbers<E>() && ...) ? tree::simd_of<S>::count : 1;
+  using simd = std::conditional_t<width == 1, S, tree::simd<S>>;
   static constexpr auto forces = side_by_side<width, Chain::dofs>(
       std::array{joint_place_of<Chain, E, axes::template is_free<E>>()..., joint_place{}});
 
@@ -74,14 +74,14 @@ class inverted_mass<S, Chain, Given, std::index_sequence<E...>> : articulated_ch
   KTE_INLINE void load_group(const Driver& d) {
     d.to_base(d.bodies.template body_at<std::size_t{forces.group[G].tip}>(), no_wrench,
               [this]<class B>(const B& b, const auto& load) KTE_INLINE_LAMBDA {
-                const auto unit = forces.template units<lanes, S, G, B::first(), B::axes>();
+                const auto unit = forces.template units<simd, S, G, B::first(), B::axes>();
                 const auto left = engine::load_beyond_axes<B::axes - 1>(
                     b, load, [&unit](auto k) KTE_INLINE_LAMBDA { return unit[std::size_t{k}]; },
                     this->factors_.data() + B::first(),
-                    [this](auto k, const lanes& e) KTE_INLINE_LAMBDA {
+                    [this](auto k, const simd& e) KTE_INLINE_LAMBDA {
                       const auto row = std::size_t{B::first() + k};
                       tree::store<S>(e, left_[row].data() + width * G);
-                      tree::store<S>(lanes(this->factors_[row].inverse * e), rate_[row].data() + width * G);
+                      tree::store<S>(simd(this->factors_[row].inverse * e), rate_[row].data() + width * G);
                     });
                 return engine::pulled_back(b, left);
               });

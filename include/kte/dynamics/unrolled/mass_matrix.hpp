@@ -136,13 +136,13 @@ KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Bas
     if constexpr (is_unrolled<Chain, S>) {
       return unrolled_mass_matrix<S>(c, g, zero_or_nan);
     } else {
-      const auto stored = mass_by_records<S>(c, g);
+      const auto stored = mass_by_tree<S>(c, g);
       zero_or_nan = detail::zero_or_nan(stored.data(), static_cast<std::size_t>(stored.size()));
       return stored;
     }
   }();
   if (!all(zero_or_nan == S(0))) [[unlikely]]  // it may be NaN though all is well
-    blame_if_endless<typename Chain::wiring>(m, at.q);
+    diagnose_non_finite<typename Chain::wiring>(m, at.q);
   return m;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/detail/blame.hpp>
+#include <kte/dynamics/detail/diagnose.hpp>
 #include <kte/manipulators/manipulator.hpp>
 
 /// What numerical inverse kinematics asks of static and of runtime manipulators by one name.

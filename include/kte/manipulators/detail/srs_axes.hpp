@@ -75,9 +75,9 @@ std::array<elbow_side<S>, 2> elbow_sides(const arm_structure& s, const vec3<S>& 
 template <class S>
 raw_answers<S> shoulder_and_wrist(const arm_structure& s, const rotation_matrix<S>& R07, const vec3<S>& position,
                                   const solved_angle<S>& psi, const joint_turns<S>& seed) {
-  using L = typename answer_lanes<S>::type;
+  using L = typename answer_pack<S>::type;
   const auto R = as<L>(R07);
-  const auto start = in_lanes<L>(seed);
+  const auto start = as_packs<L>(seed);
   const solved_angle<L> angle{L(psi.cos), L(psi.sin)};
   struct begun {
     std::array<raw_answer<L>, 2> both;

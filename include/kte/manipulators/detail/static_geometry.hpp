@@ -54,7 +54,7 @@ constexpr void add_element(const Chain& c, pose<mat3<vec3<>>, vec3<>>& x, arm_ge
     constexpr kind what = core_t::ports[0].what;
     if (arm.moves != arm_geometry::freely::not_at_all) arm.refused = "has a joint of several degrees of freedom";
     step(c.template core<I>().relative(motion{zero3{}, no_rotation{}, zero3{}, zero3{}, zero3{}, zero3{}}));
-    arm.seat = x, x = arm_geometry{}.seat;
+    arm.placement = x, x = arm_geometry{}.placement;
     arm.moves = what == kind::pose_2D ? arm_geometry::freely::in_plane : arm_geometry::freely::in_space;
     arm.in_q[0] = wiring::template at<what, wiring::slot(I, 0)>.q;
     arm.in_v[0] = wiring::template at<what, wiring::slot(I, 0)>.v;

@@ -5,7 +5,7 @@
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/momenta.hpp>
 #include <kte/models/unchanging_chain.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <utility>
 
@@ -34,7 +34,7 @@ class momenta_of<unchanging_chain, S> {
   }
   void solve(const unchanging_chain& c, const S* q, vector& p) {
     auto m = mass_matrix(c, s_, numbers(q, s_.nq()));
-    solve_in_place(m, p, [this](int row) { blame_mass(s_, row, true); });
+    solve_in_place(m, p, [this](int row) { diagnose_mass(s_, row, true); });
   }
 
  private:

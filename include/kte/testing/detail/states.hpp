@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/testing/detail/numeric.hpp>
 #include <kte/testing/detail/trial.hpp>
 
@@ -87,7 +87,7 @@ void add_gap(gap& g, State& s, runtime_state& r) {
 }
 /// Of the three passes of two chains on states in which all is the same.
 template <class Chain, class State, class Draw>
-gap gap_of_passes(const Chain& c, State& s, const kte_map_chain& d, runtime_state& r, Draw& draw) {
+gap gap_of_passes(const Chain& c, State& s, const runtime_chain& d, runtime_state& r, Draw& draw) {
   gap g;
   c.doMotion(s), d.doMotion(r), add_gap(g, s, r);
   draw_loads(s, r, draw);

@@ -6,17 +6,17 @@ namespace kte {
 
 namespace core {
 
-/// A joint whose seat stands at position r and rotation R in the base, by constants: a link and the joint in one.
+/// A joint whose placement stands at position r and rotation R in the base, by constants: a link and the joint in one.
 ///
 ///   X_end = (r, R) X_joint,  which leaves all rates, in axes of the end, those of the joint          (1)
 template <class Joint, class Rotation, class Position>
-struct seated : Joint, transmission<seated<Joint, Rotation, Position>> {  // with whatever else a joint has
-  using transmission<seated>::doMotion, transmission<seated>::doForce;
+struct placed_joint : Joint, transmission<placed_joint<Joint, Rotation, Position>> {  // with whatever else a joint has
+  using transmission<placed_joint>::doMotion, transmission<placed_joint>::doForce;
 
   Position position;
   Rotation rotation;
 
-  constexpr seated(const Joint& x, const Position& r, const Rotation& R) : Joint(x), position(r), rotation(R) {}
+  constexpr placed_joint(const Joint& x, const Position& r, const Rotation& R) : Joint(x), position(r), rotation(R) {}
 
   template <class C>
   KTE_INLINE constexpr auto relative(const C& c) const {
@@ -46,9 +46,9 @@ struct seated : Joint, transmission<seated<Joint, Rotation, Position>> {  // wit
 namespace detail {
 
 template <class Core>
-inline constexpr bool is_seated = false;
+inline constexpr bool is_placed_joint = false;
 template <class Joint, class Rotation, class Position>
-inline constexpr bool is_seated<core::seated<Joint, Rotation, Position>> = true;
+inline constexpr bool is_placed_joint<core::placed_joint<Joint, Rotation, Position>> = true;
 
 /// What a position and a rotation are in the plane and in space.
 template <kind Dim, class Position>
@@ -66,7 +66,7 @@ inline constexpr bool turns = std::is_same_v<Rotation, no_rotation> || (requires
 
 /// Joints, of this library and others.
 template <class Core>
-requires(is_transmission<Core> && (port_count<Core> > 2) && !is_seated<Core>) struct seat<Core> {
+requires(is_transmission<Core> && (port_count<Core> > 2) && !is_placed_joint<Core>) struct placement<Core> {
   static constexpr kind dim = Core::ports.back().what;
 
   template <class Position, class Rotation = no_rotation>
@@ -83,14 +83,14 @@ requires(is_transmission<Core> && (port_count<Core> > 2) && !is_seated<Core>) st
       return refused{};
     } else if constexpr (dim == kind::frame_2D) {
       const auto r = planar(position);
-      return core::seated<Core, Rotation, std::remove_const_t<decltype(r)>>(joint, r, rotation);
+      return core::placed_joint<Core, Rotation, std::remove_const_t<decltype(r)>>(joint, r, rotation);
     } else {
-      return core::seated<Core, Rotation, Position>(joint, position, rotation);
+      return core::placed_joint<Core, Rotation, Position>(joint, position, rotation);
     }
   }
 };
 template <class Joint, class Rotation, class Position>
-struct seat<core::seated<Joint, Rotation, Position>> {
+struct placement<core::placed_joint<Joint, Rotation, Position>> {
   template <class Core, class... Place>
   static constexpr auto of(const Core&, const Place&...) {
     static_assert(rule<Core, void, fit<Core>>, "kte: this joint has a place in its base already: .at() comes once");

@@ -5,18 +5,18 @@
 #include <kte/tree/chain_tree.hpp>
 #include <kte/tree/loop_memory.hpp>
 
-/// Coordinates of a state to the bodies of its records, and bases. State and `Elements`: as in
-/// dynamics/detail/record_loops.hpp.
+/// Coordinates of a state to the bodies of its body nodes, and bases. State and `Elements`: as in
+/// dynamics/detail/tree_loops.hpp.
 namespace kte::detail {
 
-/// visit(coordinate of a record).
+/// visit(coordinate of a body node).
 template <class State, class P, class Visit>
-KTE_INLINE void with_coordinate(State& s, const tree::record<P>& r, const Visit& visit) {
+KTE_INLINE void with_coordinate(State& s, const tree::body_node<P>& r, const Visit& visit) {
   with_coordinate(s, r.what, r.slot, visit);
 }
-/// The numbers that come with the axes of a record.
+/// The numbers that come with the axes of a body node.
 template <vector_of Which, class State, class P, class Number>
-KTE_INLINE void each_axis(State& s, const tree::record<P>& r, const Number& number) {
+KTE_INLINE void each_axis(State& s, const tree::body_node<P>& r, const Number& number) {
   with_coordinate(s, r, [&](auto& c) {
     auto k = static_cast<std::size_t>(r.first);
     visit_numbers<Which>(c, [&](auto& x) { number(x, k++); });
@@ -41,7 +41,7 @@ KTE_INLINE void bring_up_to_date(const Elements& c, State& s) {
 
 /// Puts a joint of several axes where its coordinate is.
 template <class State, class P, class S>
-void place_several(State& s, const tree::record<P>& r, tree::spot<S>& at) {
+void place_several(State& s, const tree::body_node<P>& r, tree::joint_transform<S>& at) {
   with_coordinate(s, r, [&](auto& c) {
     if constexpr (!requires { c.q; }) {
       if constexpr (!State::has_sines) update_angle(c);
@@ -50,9 +50,9 @@ void place_several(State& s, const tree::record<P>& r, tree::spot<S>& at) {
     }
   });
 }
-/// The sine and cosine by which a record turns, where angles are not gathered.
+/// The sine and cosine by which a body node turns, where angles are not gathered.
 template <class State, class P>
-auto turn_of(State& s, const tree::record<P>& r) {
+auto turn_of(State& s, const tree::body_node<P>& r) {
   using S = typename State::scalar;
   using std::cos;
   using std::sin;
@@ -61,27 +61,27 @@ auto turn_of(State& s, const tree::record<P>& r) {
   const S angle = r.turns * c.q;
   return tree::turn<S>{cos(angle), sin(angle)};
 }
-/// Puts joints that turn about z, by number of their record, where their coordinates are.
+/// Puts joints that turn about z, by number of their body node, where their coordinates are.
 template <class State>
 void place_turning(State& s, std::span<const int> joints) {
   using S = typename State::scalar;
-  const auto& records = s.tree().forest.records;
-  const auto record_of = [&](std::size_t i) -> auto& { return records[static_cast<std::size_t>(joints[i])]; };
+  const auto& nodes = s.tree().body_tree.nodes;
+  const auto node_of = [&](std::size_t i) -> auto& { return nodes[static_cast<std::size_t>(joints[i])]; };
   const auto place = [&](std::size_t i, const tree::turn<S>& turn) KTE_INLINE_LAMBDA {
-    const auto& r = record_of(i);
-    auto& at = s.work.spots[static_cast<std::size_t>(joints[i])];
+    const auto& r = node_of(i);
+    auto& at = s.work.joint_transforms[static_cast<std::size_t>(joints[i])];
     if (r.moves == tree::joint::revolute) [[likely]]
       at.angle = r.after * turn;
     else
       tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, turn, at);
   };
   if constexpr (State::has_sines)
-    for (std::size_t i = 0; i < joints.size(); ++i) place(i, turn_of(s, record_of(i)));
+    for (std::size_t i = 0; i < joints.size(); ++i) place(i, turn_of(s, node_of(i)));
   else
     sincos_each<S>(
         joints.size(),
         [&](std::size_t i) {
-          const auto& r = record_of(i);
+          const auto& r = node_of(i);
           return S(r.turns * s.template get<kind::gen>(r.slot).q);
         },
         [&](std::size_t i, const S& sine, const S& cosine) {
@@ -90,25 +90,25 @@ void place_turning(State& s, std::span<const int> joints) {
 }
 /// The same of one that does not turn, or about several axes.
 template <class State, class P, class S>
-void place_other(State& s, const tree::record<P>& r, tree::spot<S>& at) {
+void place_other(State& s, const tree::body_node<P>& r, tree::joint_transform<S>& at) {
   if (r.moves == tree::joint::several)
     place_several(s, r, at);
   else
     tree::place_on_z(r, s.template get<kind::gen>(r.slot).q, tree::turn<S>{}, at);
 }
 template <class P>
-bool is_turning(const tree::record<P>& r) {
+bool is_turning(const tree::body_node<P>& r) {
   return r.moves == tree::joint::revolute || r.moves == tree::joint::screw;
 }
 /// Bodies to where the coordinates of the state are.
 template <class Elements, class State>
 void place_bodies(const Elements& c, State& s) {
   bring_up_to_date(c, s);
-  const auto& records = s.tree().forest.records;
+  const auto& nodes = s.tree().body_tree.nodes;
   place_turning(s, s.tree().angles);
-  if (s.tree().angles.size() == records.size()) return;
-  for (std::size_t n = 0; n < records.size(); ++n)
-    if (!is_turning(records[n])) place_other(s, records[n], s.work.spots[n]);
+  if (s.tree().angles.size() == nodes.size()) return;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (!is_turning(nodes[n])) place_other(s, nodes[n], s.work.joint_transforms[n]);
 }
 
 /// The same of a slot and all that it stands on: its way to the base, which is returned. Followers: of all.
@@ -116,16 +116,16 @@ template <class Elements, class State>
 std::span<const int> place_ancestors(const Elements& c, State& s, int slot) {
   bring_up_to_date(c, s);
   auto& w = s.work;
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   std::size_t length = 0, count = 0;
   while (slot >= f.bases) {
     const int n = slot - f.bases;
-    const auto& r = f.records[static_cast<std::size_t>(n)];
+    const auto& r = f.nodes[static_cast<std::size_t>(n)];
     w.way[length++] = n;
     if (is_turning(r)) [[likely]]
       w.turning[count++] = n;
     else
-      place_other(s, r, w.spots[static_cast<std::size_t>(n)]);
+      place_other(s, r, w.joint_transforms[static_cast<std::size_t>(n)]);
     slot = r.parent;
   }
   place_turning(s, {w.turning.data(), count});
@@ -134,7 +134,7 @@ std::span<const int> place_ancestors(const Elements& c, State& s, int slot) {
 
 template <class State>
 void take_rates(State& s) {
-  for (const auto& r : s.tree().forest.records) {
+  for (const auto& r : s.tree().body_tree.nodes) {
     const auto k = static_cast<std::size_t>(r.first);
     if (r.what == kind::gen) [[likely]] {
       const auto& c = s.template get<kind::gen>(r.slot);
@@ -182,7 +182,7 @@ void place_in_world(State& s) {
     auto& b = s.work.world[slot];
     b.rotation = as<S>(matrix(m.rotation)), b.position = as<S>(m.position), b.step = {};
   });
-  tree::place_in_world(s.tree().forest, s.work);
+  tree::place_in_world(s.tree().body_tree, s.work);
 }
 
 }  // namespace kte::detail

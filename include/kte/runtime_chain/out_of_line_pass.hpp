@@ -2,23 +2,23 @@
 
 #include <kte/contract/passes.hpp>
 #include <kte/contract/thing.hpp>
-#include <kte/math/lean.hpp>
+#include <kte/math/out_of_line.hpp>
 
 #include <bit>
 #include <tuple>
 #include <utility>
 
 /// The passes of one element of a runtime chain in dual numbers, on copies of what it is connected to whose arithmetic
-/// is not inlined (math/lean.hpp).
+/// is not inlined (math/out_of_line.hpp).
 namespace kte::detail {
 
 template <class State>
-using lean_of = lean<typename State::scalar>;
+using out_of_line_of = out_of_line<typename State::scalar>;
 
 /// Thing i of kind K, without a load unless that is `kept`.
 template <kind K, class State>
-[[gnu::noinline]] thing_of<K, lean_of<State>> lean_copy(const State& s, int i, bool kept) {
-  auto copy = std::bit_cast<thing_of<K, lean_of<State>>>(s.template get<K>(i));
+[[gnu::noinline]] thing_of<K, out_of_line_of<State>> out_of_line_copy(const State& s, int i, bool kept) {
+  auto copy = std::bit_cast<thing_of<K, out_of_line_of<State>>>(s.template get<K>(i));
   if (kept) return copy;
   if constexpr (K == kind::gen) {
     copy.f = 0.0;
@@ -29,7 +29,7 @@ template <kind K, class State>
 }
 /// Gives back what a copy has for load.
 template <kind K, class State>
-[[gnu::noinline]] void add_lean_load(State& s, int i, const thing_of<K, lean_of<State>>& copy) {
+[[gnu::noinline]] void add_out_of_line_load(State& s, int i, const thing_of<K, out_of_line_of<State>>& copy) {
   auto& x = s.template get<K>(i);
   const auto plain = std::bit_cast<thing_of<K, typename State::scalar>>(copy);
   if constexpr (K == kind::gen) {
@@ -42,17 +42,20 @@ template <kind K, class State>
 }
 
 template <class Core, class State, class Ports = std::make_index_sequence<port_count<Core>>>
-class lean_pass;
+class out_of_line_pass;
 template <class Core, class State, std::size_t... P>
-class lean_pass<Core, State, std::index_sequence<P...>> {
+class out_of_line_pass<Core, State, std::index_sequence<P...>> {
   static constexpr bool has_output = Core::ports.back().how == access::out;
   static constexpr std::size_t last = sizeof...(P) - 1;
 
  public:
-  using scalar = lean_of<State>;
+  using scalar = out_of_line_of<State>;
 
-  lean_pass(const Core& core, State& s, const int* index)
-      : core_(core), state_(s), index_(index), things_{lean_copy<Core::ports[P].what>(s, index[P], is_output(P))...} {}
+  out_of_line_pass(const Core& core, State& s, const int* index)
+      : core_(core),
+        state_(s),
+        index_(index),
+        things_{out_of_line_copy<Core::ports[P].what>(s, index[P], is_output(P))...} {}
 
   void motion() {
     pass().motion(inputs{});
@@ -61,8 +64,8 @@ class lean_pass<Core, State, std::index_sequence<P...>> {
   }
   void force() {
     pass().force(inputs{});
-    const int done[]{
-        (is_output(P) ? 0 : (add_lean_load<Core::ports[P].what>(state_, index_[P], std::get<P>(things_)), 0))...};
+    const int done[]{(
+        is_output(P) ? 0 : (add_out_of_line_load<Core::ports[P].what>(state_, index_[P], std::get<P>(things_)), 0))...};
     (void)done;
   }
   /// Of a joint that carries a wrench.
@@ -84,7 +87,7 @@ class lean_pass<Core, State, std::index_sequence<P...>> {
     }
   };
   static constexpr bool is_output(std::size_t p) { return has_output && p == last; }
-  auto pass() { return stored_element<Core, lean_pass, itself>{core_, *this, {}}; }
+  auto pass() { return stored_element<Core, out_of_line_pass, itself>{core_, *this, {}}; }
   template <std::size_t Port>
   void give_back() {
     constexpr kind k = Core::ports[Port].what;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_places.hpp>
-#include <kte/dynamics/detail/record_touched.hpp>
+#include <kte/dynamics/detail/tree_places.hpp>
+#include <kte/dynamics/detail/tree_touched.hpp>
 #include <kte/tree/composite.hpp>
 #include <kte/tree/newton_euler.hpp>
 
-/// Between the state of a chain and the loops over records: the forces of elements, and inverse dynamics. State: as
+/// Between the state of a chain and the loops over body nodes: the forces of elements, and inverse dynamics. State: as
 /// `runtime_state`, of a runtime chain or of a static one that is not unrolled. `Elements` says of element e
 ///   move(e, s), push(e, s)          its doMotion and doForce
 ///   ports(e), index(e, p)           what it is connected to; written(e): what its last port is connected to
@@ -13,8 +13,8 @@
 ///   mass_loads(e, s)                loads of a mass between several ports, for accelerations alone
 ///   holds(e, s)                     whether it holds its coordinate
 ///   friction(e, s, wrench)          of a joint that carries a wrench at its end
-///   blame_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
-///   blame_friction(s, row)          throws: friction of coordinate `row` that jams
+///   diagnose_mass(s, row, finite)      throws: a mass of coordinate `row` that cannot be used
+///   diagnose_friction(s, row)          throws: friction of coordinate `row` that jams
 namespace kte::detail {
 
 /// No forces on coordinates.
@@ -52,12 +52,12 @@ void push_on_coordinates(const Elements& c, State& s, acting who) {
 template <class Elements, class State, class F>
 void for_each_friction(const Elements& c, State& s, const F& f) {
   using S = typename State::scalar;
-  const auto& forest = s.tree().forest;
+  const auto& body_tree = s.tree().body_tree;
   for (const int e : s.tree().readers) {
-    const auto& place = forest.frame(c.ports(e).back().what, c.written(e));
-    const auto& needs = s.work.wrenches[static_cast<std::size_t>(place.slot)];
-    const auto carried = transmit(inverse(place.at), tree::dense_wrench<S>{-needs.force, -needs.torque});
-    const auto& r = forest.records[static_cast<std::size_t>(place.slot - forest.bases)];
+    const auto& place = body_tree.frame(c.ports(e).back().what, c.written(e));
+    const auto& body_wrench = s.work.wrenches[static_cast<std::size_t>(place.slot)];
+    const auto carried = transmit(inverse(place.at), tree::dense_wrench<S>{-body_wrench.force, -body_wrench.torque});
+    const auto& r = body_tree.nodes[static_cast<std::size_t>(place.slot - body_tree.bases)];
     f(r, c.friction(e, s, tree::dense_wrench<S>{as<S>(carried.force), as<S>(carried.torque)}));
   }
 }
@@ -68,10 +68,10 @@ template <class State>
 void forces_of_moved_bodies(State& s) {
   const auto& t = s.tree();
   auto& w = s.work;
-  tree::transmit_wrenches(t.forest, w, engine::no_load{});
+  tree::transmit_wrenches(t.body_tree, w, engine::no_load{});
   if (t.has_own_mass)
     for (std::size_t k = 0; k < w.force.size(); ++k) w.force[k] += w.own_mass[k] * w.acceleration[k];
-  for (const auto& r : t.forest.records) {
+  for (const auto& r : t.body_tree.nodes) {
     const auto k = static_cast<std::size_t>(r.first);
     if (r.what == kind::gen) [[likely]]
       s.template get<kind::gen>(r.slot).f = -w.force[k];
@@ -85,7 +85,7 @@ void bias_forces_of_bodies(const Elements& c, State& s) {
   auto& w = s.work;
   place_bodies(c, s), take_rates(s), take_bases(s);
   std::fill(w.acceleration.begin(), w.acceleration.end(), typename State::scalar(0));
-  tree::move_bodies<false>(s.tree().forest, w);
+  tree::move_bodies<false>(s.tree().body_tree, w);
   forces_of_moved_bodies(s);
 }
 
@@ -100,10 +100,10 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   moved &= t.only_bodies;
   if (!moved) place_bodies(c, s), take_rates(s), take_bases(s);
   if (!accelerated_bases)
-    for (std::size_t b = 0; b < static_cast<std::size_t>(t.forest.bases); ++b)
+    for (std::size_t b = 0; b < static_cast<std::size_t>(t.body_tree.bases); ++b)
       w.bodies[b].acceleration = w.bodies[b].ang_acceleration = vec3<S>{};
   if (t.only_bodies) {
-    if (!moved) tree::move_bodies<false>(t.forest, w);
+    if (!moved) tree::move_bodies<false>(t.body_tree, w);
     return forces_of_moved_bodies(s);
   }
   clear_coordinates(s);
@@ -113,18 +113,18 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
   }
   const auto& others = who != acting::bodies ? t.on_frames : t.weights;
   if (others.empty() && (who == acting::bodies || t.late.empty())) {
-    tree::move_bodies<false>(t.forest, w);
-    tree::transmit_wrenches(t.forest, w, engine::no_load{});
+    tree::move_bodies<false>(t.body_tree, w);
+    tree::transmit_wrenches(t.body_tree, w, engine::no_load{});
   } else {
-    tree::move_bodies<true>(t.forest, w);
+    tree::move_bodies<true>(t.body_tree, w);
     place_in_world(s);
     place_touched_frames(s, true);
     if (who != acting::bodies) move_late(c, s);
     for (auto e = others.rbegin(); e != others.rend(); ++e) c.push(*e, s);
     take_frame_loads(s);
-    tree::transmit_wrenches(t.forest, w, tree::load_of_slot<S>{w.loads.data()});
+    tree::transmit_wrenches(t.body_tree, w, tree::load_of_slot<S>{w.loads.data()});
   }
-  for (const auto& r : t.forest.records)
+  for (const auto& r : t.body_tree.nodes)
     each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t k) { f -= w.force[k]; });
   if (who != acting::bodies) {
     auto given = w.friction.begin();
@@ -137,11 +137,11 @@ void forces_on_coordinates(const Elements& c, State& s, acting who, bool acceler
 
 /// After that, what must be applied for the motion to happen, into `forces` of the working memory.
 template <class State>
-void take_needed_forces(State& s) {
+void take_generalized_forces(State& s) {
   const auto& t = s.tree();
   auto& f = s.work.forces;
   if (t.only_bodies) {
-    for (std::size_t k = 0; k < t.forest.row.size(); ++k) f[t.forest.row[k]] = s.work.force[k];
+    for (std::size_t k = 0; k < t.body_tree.row.size(); ++k) f[t.body_tree.row[k]] = s.work.force[k];
   } else {
     read_listed_numbers<vector_of::f>(s, f);
     f = -f;

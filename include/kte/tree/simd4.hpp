@@ -36,22 +36,22 @@ struct four_numbers {
   KTE_INLINE friend four_numbers operator*(const four_numbers& a, const S& b) { return b * a; }
 };
 template <class S>
-struct fours_of {
+struct simd4_of {
   using type = four_numbers<S>;
 };
 #if defined(__GNUC__) || defined(__clang__)
 template <>
-struct fours_of<double> {
+struct simd4_of<double> {
   typedef double type __attribute__((vector_size(32)));
 };
 template <>
-struct fours_of<float> {
+struct simd4_of<float> {
   typedef float type __attribute__((vector_size(16)));
 };
 #endif
 /// It has +, - and * with itself, * with S, and []. Handed on by reference: not all processors pass it in a register.
 template <class S>
-using fours = typename fours_of<S>::type;
+using simd4 = typename simd4_of<S>::type;
 
 /// Four vectors side by side, in memory.
 template <class S>
@@ -62,15 +62,15 @@ struct four_vectors {
   KTE_INLINE vec3<S> get(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 template <class S>
-KTE_INLINE void load_fours(fours<S>& to, const std::array<S, 4>& from) {
-  if constexpr (std::is_same_v<fours<S>, four_numbers<S>>)
+KTE_INLINE void load_simd4(simd4<S>& to, const std::array<S, 4>& from) {
+  if constexpr (std::is_same_v<simd4<S>, four_numbers<S>>)
     to.n = from;
   else
     std::memcpy(&to, from.data(), sizeof to);
 }
 template <class S>
-KTE_INLINE void load_fours(vec3<fours<S>>& to, const four_vectors<S>& from) {
-  load_fours<S>(to.x, from.x), load_fours<S>(to.y, from.y), load_fours<S>(to.z, from.z);
+KTE_INLINE void load_simd4(vec3<simd4<S>>& to, const four_vectors<S>& from) {
+  load_simd4<S>(to.x, from.x), load_simd4<S>(to.y, from.y), load_simd4<S>(to.z, from.z);
 }
 /// to += a x b
 template <class To, class A, class B>
@@ -79,8 +79,8 @@ KTE_INLINE void add_cross(To& to, const A& a, const B& b) {
 }
 /// (x_2, x_2, x_2, x_3)
 template <class S>
-KTE_INLINE void repeat_third(const fours<S>& x, fours<S>& y) {
-  if constexpr (std::is_same_v<fours<S>, four_numbers<S>>)
+KTE_INLINE void repeat_third(const simd4<S>& x, simd4<S>& y) {
+  if constexpr (std::is_same_v<simd4<S>, four_numbers<S>>)
     y.n = {x[2], x[2], x[2], x[3]};
   else
     y = __builtin_shufflevector(x, x, 2, 2, 2, 3);

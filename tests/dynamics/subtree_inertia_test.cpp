@@ -1,4 +1,4 @@
-#include <kte/dynamics/carried_inertia.hpp>
+#include <kte/dynamics/subtree_inertia.hpp>
 
 #include <limits>
 
@@ -27,9 +27,9 @@ void check_runtime(const Chain& c, const Frame& frame, unsigned seed) {
   auto s = model.make_state();
   random_numbers random(seed);
   const auto q = random_configuration<double>(c, random);
-  const auto b = eigen(carried_inertia(c, q, frame));
-  CHECK(gap(eigen(carried_inertia(model, s, q, frame.name)), b) < rounding);
-  CHECK(gap(eigen(carried_inertia(model, s, frame.name)), b) < rounding);
+  const auto b = eigen(subtree_inertia(c, q, frame));
+  CHECK(gap(eigen(subtree_inertia(model, s, q, frame.name)), b) < rounding);
+  CHECK(gap(eigen(subtree_inertia(model, s, frame.name)), b) < rounding);
   const auto centre = carried_mass_centre(c, q, frame), r = carried_mass_centre(model, s, q, frame.name);
   CHECK(r.mass == within_relative(centre.mass, rounding));
   CHECK(gap(kte::test::small_chains::eigen(r.position), kte::test::small_chains::eigen(centre.position)) < rounding);
@@ -43,7 +43,7 @@ TEST_CASE("what a frame carries, by its formula", "[laws]") {
                            rigid_link_2D(cart, rail, along_x(1.0), quarter_turn),
                            inertia_2D(rail, point_mass(3.0, vec3{0.25, 0.0, zero})));
   const std::array q{0.7};
-  const auto b = carried_inertia(c, q, cart);
+  const auto b = subtree_inertia(c, q, cart);
   CHECK(b.mass == 5);
   CHECK(b.moment == vec3{4.0, 0.75, 0.0});
   CHECK(b.inertia.zz == within(2 * 0.25 + 3 * (1 + 0.0625), 4 * eps));
@@ -57,9 +57,9 @@ TEST_CASE("what a joint carries is the block of the mass matrix, and what the ba
   random_numbers random(1);
   const auto q = random_configuration<double>(floating, random);
   const auto m = mass_matrix(floating, q);
-  const auto at_hand = carried_inertia(floating, q, hand).inertia;
+  const auto at_hand = subtree_inertia(floating, q, hand).inertia;
   CHECK(gap(to_eigen<double>(full(at_hand)), m.block<3, 3>(6, 6)) < rounding);
-  CHECK(carried_inertia(floating, q, body).mass == within(m(0, 0), 4 * eps));
+  CHECK(subtree_inertia(floating, q, body).mass == within(m(0, 0), 4 * eps));
   const auto all = carried_mass_centre(floating, q, ground), centre = centre_of_mass(floating, q);
   CHECK(all.mass == within(centre.mass, 4 * eps));
   CHECK(gap(kte::test::small_chains::eigen(all.position), kte::test::small_chains::eigen(centre.position)) < rounding);
@@ -77,12 +77,12 @@ TEST_CASE("what frames carry, of bad arguments") {
   const auto model = models::element_by_element(geared);
   auto s = model.make_state();
   const std::array q{0.1, 0.2};
-  CHECK_THROWS_AS(carried_inertia(model, s, q, "tpi"), unknown_name);
+  CHECK_THROWS_AS(subtree_inertia(model, s, q, "tpi"), unknown_name);
   CHECK_THROWS_AS(carried_mass_centre(model, s, q, "q1"), unknown_name);
-  CHECK_THROWS_AS(carried_inertia(model, s, std::array{0.0, std::nan("")}, "tip"), bad_argument);
-  kte_map_chain none;
+  CHECK_THROWS_AS(subtree_inertia(model, s, std::array{0.0, std::nan("")}, "tip"), bad_argument);
+  runtime_chain none;
   none << revolute_joint_2D("q", "base", "end");
   auto t = none.make_state();
-  CHECK(carried_inertia(none, t, "end").mass == 0);
+  CHECK(subtree_inertia(none, t, "end").mass == 0);
   CHECK_THROWS_AS(carried_mass_centre(none, t, "end"), bad_argument);
 }

@@ -4,7 +4,7 @@
 #include <kte/elements/inertia.hpp>
 #include <kte/elements/revolute_joint.hpp>
 #include <kte/elements/rigid_link.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <ctime>
 
@@ -15,8 +15,8 @@ using kte::test::contains_text;
 
 namespace {
 
-kte_map_chain pendulum() {
-  kte_map_chain c;
+runtime_chain pendulum() {
+  runtime_chain c;
   c << revolute_joint_2D("q", "base", "joint") << rigid_link_2D("joint", "tip", along_x(0.5))
     << inertia_2D("tip", point_mass(1.0));
   return c;
@@ -27,7 +27,7 @@ auto link(int i) { return rigid_link_2D(frame(i), frame(i + 1), along_x(0.25)); 
 /// An element of a user that holds a chain, or nothing that could be copied.
 class holder : public kte_map {
  public:
-  explicit holder(kte_map_chain c, bool copies = true) : inner(std::move(c)), copies_(copies) {}
+  explicit holder(runtime_chain c, bool copies = true) : inner(std::move(c)), copies_(copies) {}
   void doMotion(runtime_state& s) const override { inner.doMotion(s); }
   void clearForce(runtime_state& s) const override { inner.clearForce(s); }
   void doForce(runtime_state& s) const override { inner.doForce(s); }
@@ -36,7 +36,7 @@ class holder : public kte_map {
     inner.for_each_element(visit);
   }
   void connect(topology& t) override { inner.connect(t); }
-  kte_map_chain inner;
+  runtime_chain inner;
 
  private:
   bool copies_;
@@ -66,7 +66,7 @@ TEST_CASE("a chain that is moved from is empty and usable", "[both]") {
   CHECK(forward_dynamics(a, s).size() == 0);
   CHECK_THROWS_AS(forward_kinematics(a, s, "tip"), unknown_name);
   CHECK(layout(a).empty());
-  const kte_map_chain copy = a;
+  const runtime_chain copy = a;
   CHECK(copy.dofs() == 0);
   a << link(0);
   CHECK(record_of(a).elements.size() == 1);
@@ -91,7 +91,7 @@ TEST_CASE("a state that is moved from is one of a chain without elements") {
     CHECK_THROWS_AS(x.coordinate(0), bad_argument);
     CHECK_THROWS_AS(c.doMotion(x), bad_argument);
     CHECK_THROWS_AS(mass_matrix(c, x), bad_argument);
-    const kte_map_chain none;
+    const runtime_chain none;
     none.doMotion(x);
     CHECK(mass_matrix(none, x).size() == 0);
   };
@@ -121,7 +121,7 @@ TEST_CASE("what cannot be appended is refused, and changes nothing") {
   CHECK_THROWS_WITH(c.append(nullptr), contains_text("kte:") && contains_text("null pointer"));
   CHECK_THROWS_AS(c << c, bad_wiring);  // every name would be written twice
   CHECK_THROWS_AS(c.append(std::make_unique<holder>(pendulum())), bad_wiring);
-  kte_map_chain half;
+  runtime_chain half;
   half << rigid_link_2D("tip", "tool", along_x(0.1)) << rigid_link_2D("tool", "joint", along_x(0.1));
   CHECK_THROWS_AS(c << half, bad_wiring);
   CHECK_THROWS_AS(c.append(half.clone()), bad_wiring);
@@ -131,26 +131,26 @@ TEST_CASE("what cannot be appended is refused, and changes nothing") {
   c << rigid_link_2D("tip", "tool", along_x(0.1));
   CHECK(record_of(c).elements.size() == 4);
 
-  c.append(std::make_unique<kte_map_chain>(std::move(c)));  // gives itself back
+  c.append(std::make_unique<runtime_chain>(std::move(c)));  // gives itself back
   CHECK(record_of(c).elements.size() == 4);
   CHECK(mass_matrix(c, s = c.make_state())(0, 0) == 0.25);
 
-  kte_map_chain no_copies;
+  runtime_chain no_copies;
   no_copies.append(std::make_unique<holder>(pendulum(), false));
-  CHECK_THROWS_WITH(kte_map_chain(no_copies), contains_text("clone()"));
+  CHECK_THROWS_WITH(runtime_chain(no_copies), contains_text("clone()"));
   CHECK_THROWS_AS(c << no_copies, bad_argument);
 }
 
 TEST_CASE("a chain that has become part of another has no states of its own") {
-  const auto throws = [](const kte_map_chain& part, runtime_state& s) {
+  const auto throws = [](const runtime_chain& part, runtime_state& s) {
     CHECK_THROWS_WITH(part.make_state(), contains_text("part of another"));
     CHECK_THROWS_AS(part.dofs(), bad_argument);
     CHECK_THROWS_AS(part.wiring(), bad_argument);
     CHECK_THROWS_AS(mass_matrix(part, s), bad_argument);
   };
-  auto given = std::make_unique<kte_map_chain>(pendulum());
-  kte_map_chain& inner = *given;
-  kte_map_chain outer;
+  auto given = std::make_unique<runtime_chain>(pendulum());
+  runtime_chain& inner = *given;
+  runtime_chain outer;
   outer << inertia_2D("base", point_mass(2.0));
   outer.append(std::move(given));
   auto s = outer.make_state();
@@ -160,10 +160,10 @@ TEST_CASE("a chain that has become part of another has no states of its own") {
   CHECK_THROWS_AS(inner << link(0), bad_argument);
 
   auto held = std::make_unique<holder>(pendulum());
-  kte_map_chain& deep = held->inner;
-  kte_map_chain user;
+  runtime_chain& deep = held->inner;
+  runtime_chain user;
   user.append(std::move(held));
-  const kte_map_chain copy = user;
+  const runtime_chain copy = user;
   auto t = copy.make_state();
   CHECK(mass_matrix(user, t)(0, 0) == 0.25);
   user.doMotion(t);
@@ -172,11 +172,11 @@ TEST_CASE("a chain that has become part of another has no states of its own") {
 }
 
 TEST_CASE("1e5 elements take linear time and no stack") {
-  kte_map_chain c;
+  runtime_chain c;
   const auto fill = [&c](int n, bool as_chains) {
     c = {};
     c << revolute_joint_2D("q", "base", frame(0));
-    for (int i = 0; i < n; ++i) as_chains ? c << (kte_map_chain() << link(i)) : c << link(i);
+    for (int i = 0; i < n; ++i) as_chains ? c << (runtime_chain() << link(i)) : c << link(i);
   };
   // Ten times the elements in less than forty times the time: a hundred times would be quadratic.
   for (const bool as_chains : {true, false}) {
@@ -195,20 +195,20 @@ TEST_CASE("1e5 elements take linear time and no stack") {
 }
 
 TEST_CASE("chains nest 30000 deep, in linear time and memory") {  // the square would be gigabytes
-  auto inner = std::make_unique<kte_map_chain>();
-  kte_map_chain copied;
+  auto inner = std::make_unique<runtime_chain>();
+  runtime_chain copied;
   for (int i = 0; i < 30000; ++i) {
-    auto outer = std::make_unique<kte_map_chain>();
+    auto outer = std::make_unique<runtime_chain>();
     outer->append(std::move(inner));
     *outer << link(i);
     inner = std::move(outer);
     if (i >= 200) continue;
-    kte_map_chain next;
+    runtime_chain next;
     next << copied << link(i);
     copied = std::move(next);
   }
   auto s = inner->make_state();
   CHECK(forward_kinematics(*inner, s, frame(30000)).position.x == 7500);
-  CHECK(copied.wiring().names == (kte_map_chain() << copied).wiring().names);
+  CHECK(copied.wiring().names == (runtime_chain() << copied).wiring().names);
   CHECK(copied.wiring().elements.size() == 200);
 }

@@ -6,7 +6,7 @@
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/dynamics/regressor.hpp>
-#include <kte/runtime_chain/kte_map_chain.hpp>
+#include <kte/runtime_chain/runtime_chain.hpp>
 
 #include "catch.hpp"
 #include "chain/models.hpp"
@@ -141,8 +141,8 @@ constexpr double rounding_of_regressor = 2.2e-15, rounding_of_derivatives = 4e-1
 
 }  // namespace
 
-TEST_CASE("joints of users' own move along and about z of their records") {
-  const kte_map_chain run = models::by_own_elements(own_joints);
+TEST_CASE("joints of users' own move along and about z of their nodes") {
+  const runtime_chain run = models::by_own_elements(own_joints);
   auto s = run.make_state();
   random_numbers random(1);
   for (int round = 0; round < 100; ++round) {
@@ -178,7 +178,7 @@ TEST_CASE("joints of users' own move along and about z of their records") {
 }
 
 TEST_CASE("a joint without constant axes is known to the passes alone") {
-  kte_map_chain run;
+  runtime_chain run;
   run << connect(uneven{}, "q1", "base", "a") << inertia_3D("a", body);
   run.gravity(along_z(-9.81));
   auto s = run.make_state();
@@ -197,7 +197,7 @@ TEST_CASE("a joint without constant axes is known to the passes alone") {
 }
 
 TEST_CASE("a mass that is no rigid body has the law it says") {
-  kte_map_chain run;
+  runtime_chain run;
   run << revolute_joint_3D("q1", "base", "a", axis::x) << rigid_link_3D("a", "b", along_y(0.5))
       << connect(dragged{}, "b");
   run.gravity(along_z(-9.81));
@@ -218,7 +218,7 @@ TEST_CASE("a mass that is no rigid body has the law it says") {
 }
 
 TEST_CASE("forces in runtime chains see positions without a word") {
-  kte_map_chain run;
+  runtime_chain run;
   run << prismatic_joint_3D("q1", "base", "a", axis::z) << inertia_3D("a", point_mass(1.5)) << connect(buoyancy{}, "a");
   auto s = run.make_state();
   const std::array q{0.5}, v{0.0}, x{2.0};
@@ -228,14 +228,14 @@ TEST_CASE("forces in runtime chains see positions without a word") {
 }
 
 TEST_CASE("a coordinate that moves nothing, or too much, is named") {
-  kte_map_chain run;
+  runtime_chain run;
   run << revolute_joint_3D("q1", "base", "a", axis::x) << inertia_3D("a", body)
       << revolute_joint_3D("q2", "a", "b", axis::y);
   auto s = run.make_state();
   const std::array x{0.5, 0.25};
   CHECK_THROWS_WITH(forward_dynamics(run, s, x, x, x), contains_text("singular: 'q2'"));
   CHECK_THROWS_WITH(mass_matrix_inverse(run, s, x), contains_text("singular: 'q2'"));
-  kte_map_chain far;
+  runtime_chain far;
   far << revolute_joint_3D("q1", "base", "a", axis::x) << rigid_link_3D("a", "b", along_y(1e155))
       << inertia_3D("b", body);
   auto f = far.make_state();
@@ -245,7 +245,7 @@ TEST_CASE("a coordinate that moves nothing, or too much, is named") {
 }
 
 TEST_CASE("a result of a state may be an argument of the next call with it") {
-  kte_map_chain run;
+  runtime_chain run;
   run << revolute_joint_3D("q1", "base", "a", axis::x) << inertia_3D("a", body)
       << revolute_joint_3D("q2", "a", "b", axis::y) << inertia_3D("b", body) << damper_gen("q1", "q2", 2.0);
   auto s = run.make_state();

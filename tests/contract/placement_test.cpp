@@ -1,11 +1,11 @@
-#include <kte/contract/seat.hpp>
+#include <kte/contract/placement.hpp>
 #include <kte/io/model_file.hpp>
 #include <kte/runtime_chain/from_record.hpp>
 
 #include "elements/laws.hpp"
 #include "elements/mechanism_results.hpp"
 
-// Joints whose seat is placed in the base, by .at(position, rotation): a link and a joint in one.
+// Joints placed in their base by .at(position, rotation): a link and a joint in one.
 
 using namespace kte;
 using namespace kte::test;
@@ -60,13 +60,13 @@ TEST_CASE("joints with a place obey the laws", "[laws]") {
 }
 
 TEST_CASE("a joint with a place is a link and the joint") {
-  const auto beyond = [](kte_map_chain& c) -> kte_map_chain& {
+  const auto beyond = [](runtime_chain& c) -> runtime_chain& {
     return c.gravity(weight) << inertia_3D("arm", brick) << revolute_joint_3D("p", "arm", "hand", axis::y)
                              << inertia_3D("hand", brick);
   };
   unsigned seed = 0;
   const auto check = [&](const auto& joint, const auto&... place) {
-    kte_map_chain placed, linked;
+    runtime_chain placed, linked;
     placed << joint("ground").at(place...);
     linked << fixed_joint_3D("ground", "seat", place...) << joint("seat");
     INFO(record_of(placed).elements[0].type);
@@ -180,7 +180,7 @@ struct rubbing_joint : transmission<rubbing_joint> {
   static constexpr std::array<port, 3> ports{{{kind::gen, access::in, "coordinate"},
                                               {kind::frame_3D, access::in, "base"},
                                               {kind::frame_3D, access::out, "end"}}};
-  static constexpr bool reads_reaction = true;
+  static constexpr bool load_dependent_friction = true;
   double coefficient;
   constexpr explicit rubbing_joint(double c) : coefficient(c) {}
 

@@ -43,7 +43,7 @@ constexpr std::size_t vector_lanes(std::size_t padded) {
 
 #if defined(__GNUC__) || defined(__clang__)
 template <class T, std::size_t Lanes>
-struct lanes {
+struct simd {
   using type [[gnu::vector_size(sizeof(T) * Lanes)]] = T;
   KTE_INLINE static type load(const T* p) {
     type v;
@@ -94,7 +94,7 @@ class derivatives {
   }
   template <std::size_t At, class F, class... X>
   KTE_INLINE static void one_vector(derivatives& r, const F& f, const X&... x) {
-    using v = detail::lanes<T, at_a_time>;
+    using v = detail::simd<T, at_a_time>;
     v::store(r.d_.data() + At, f(v::load(x.d_.data() + At)...));
   }
 

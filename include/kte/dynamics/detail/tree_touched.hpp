@@ -1,13 +1,13 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_places.hpp>
+#include <kte/dynamics/detail/tree_places.hpp>
 #include <kte/tree/frame_motion.hpp>
 
 #include <algorithm>
 #include <utility>
 
 /// Frames that elements touch: their motion from that of bodies, and loads back. State and `Elements`: as in
-/// dynamics/detail/record_loops.hpp.
+/// dynamics/detail/tree_loops.hpp.
 namespace kte::detail {
 
 template <class State>
@@ -19,10 +19,10 @@ template <class State>
 void place_frame(State& s, kind k, int index, bool accelerated) {
   using S = typename State::scalar;
   const auto& t = s.tree();
-  const auto& at = t.forest.frame(k, index);
+  const auto& at = t.body_tree.frame(k, index);
   const auto& b = s.work.bodies[static_cast<std::size_t>(at.slot)];
   const auto& place = s.work.world[static_cast<std::size_t>(at.slot)];
-  if (at.slot < t.forest.bases) {  // its own motion is in the state, unless it is fixed to the base by links
+  if (at.slot < t.body_tree.bases) {  // its own motion is in the state, unless it is fixed to the base by links
     if (std::find(t.plan.bases.begin(), t.plan.bases.end(), std::pair{k, index}) != t.plan.bases.end()) {
       clear_frame(s, k, index);
       return;
@@ -62,8 +62,8 @@ void take_frame_loads(State& s) {
   auto& loads = s.work.loads;
   std::fill(loads.begin(), loads.end(), tree::dense_wrench<S>{});
   for (const auto& [k, index] : t.touched) {
-    const auto& at = t.forest.frame(k, index);
-    if (at.slot < t.forest.bases) continue;
+    const auto& at = t.body_tree.frame(k, index);
+    if (at.slot < t.body_tree.bases) continue;
     tree::dense_wrench<S> w;
     with_frame(s, k, index, [&w](const auto& x) {
       const auto load = load_of(x);

@@ -12,7 +12,7 @@ namespace kte::detail {
 ///   X(q) = X(0) exp(s q)          of one coordinate          (1)
 ///   X(q) = X(0) B^-1 q B          of a rotation or a pose    (2)
 template <class P>
-struct stiff_numbers {
+struct rigid_numbers {
   pose<mat3<vec3<P>>, vec3<P>> at_zero{}, tried{};  ///< tried: of a joint at the coordinate below
   std::array<vec3<P>, 6> linear{}, angular{};       ///< of the axes
 };

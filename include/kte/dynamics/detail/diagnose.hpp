@@ -106,14 +106,14 @@ std::vector<double> plain_numbers(const X& x) {
 }
 /// Throws `bad_argument` for a time that is not finite.
 template <class T>
-[[gnu::cold]] void raise_if_time_is_endless(const char* what, const T& dt) {
+[[gnu::cold]] void raise_if_time_is_non_finite(const char* what, const T& dt) {
   const double x = plain_number(dt);
   if (!std::isfinite(x)) raise<bad_argument>("kte: " + std::string(what) + " is not finite: dt is " + number(x));
 }
 
 /// A signal from outside, one number or three.
 template <class X>
-[[gnu::cold]] void raise_if_signal_is_endless(const char* what, std::string_view name, const X& x) {
+[[gnu::cold]] void raise_if_signal_is_non_finite(const char* what, std::string_view name, const X& x) {
   const auto check = [&](const char* part, const auto& number_of_it) {
     const double y = plain_number(number_of_it);
     if (!std::isfinite(y))
@@ -141,7 +141,7 @@ std::string_view name_of_row(const Layout& layout, int i) {
   return {};
 }
 /// Of a coordinate whose mass overflows, though no argument is too large.
-[[noreturn, gnu::cold]] inline void raise_endless_mass(std::string_view coordinate) {
+[[noreturn, gnu::cold]] inline void raise_non_finite_mass(std::string_view coordinate) {
   raise<bad_argument>(
       std::string("kte: a mass is not finite: what '")
           .append(coordinate)
@@ -163,7 +163,7 @@ struct too_large {
 };
 /// The first row of a matrix in which a number is not finite, a column at a time; else -1.
 template <class Matrix>
-int first_endless(const Matrix& m) {
+int first_non_finite(const Matrix& m) {
   const auto n = static_cast<int>(m.rows());
   for (int j = 0; j < n; ++j)
     if (!all_finite(&m(j, j), 1)) return j;
@@ -219,13 +219,13 @@ struct signals_of_wiring<wiring<E...>> {
 };
 /// Throws `bad_argument` that names a signal that is not finite, if one of those that are given is.
 template <class Wiring, class Given>
-[[gnu::cold, gnu::noinline]] void blame_signals(const char* what, const Given& g) {
+[[gnu::cold, gnu::noinline]] void diagnose_signals(const char* what, const Given& g) {
   const auto one = [&]<std::size_t I>() {
     constexpr auto signal = Wiring::table.signal[I];
     if constexpr (signal.what == kind::vector) {
-      raise_if_signal_is_endless(what, signals_of_wiring<Wiring>::names[I], g.template vector<signal.slot>());
+      raise_if_signal_is_non_finite(what, signals_of_wiring<Wiring>::names[I], g.template vector<signal.slot>());
     } else {
-      raise_if_signal_is_endless(what, signals_of_wiring<Wiring>::names[I], g.template input<signal.slot>());
+      raise_if_signal_is_non_finite(what, signals_of_wiring<Wiring>::names[I], g.template input<signal.slot>());
     }
   };
   [&]<std::size_t... I>(std::index_sequence<I...>) { (one.template operator()<I>(), ...); }
@@ -242,7 +242,7 @@ std::array<double, std::size_t{N} + 1> plain_numbers(const V& v) {
 }
 /// Arguments by number: at<I>() as in dynamics/detail/given.hpp.
 template <class Wiring, class Q, class V, class A>
-[[noreturn, gnu::cold, gnu::noinline]] void blame(const char* what, Q q, V v, A a, const char* a_name) {
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose(const char* what, Q q, V v, A a, const char* a_name) {
   const auto x = plain_numbers<Wiring::nq>(q);
   const auto y = plain_numbers<Wiring::dofs>(v), z = plain_numbers<Wiring::dofs>(a);
   const auto& layout = layout_of_wiring<Wiring>::table;
@@ -253,33 +253,33 @@ template <class Wiring, class Q, class V, class A>
 }
 /// Of a mass matrix that cannot be used, for coordinate `row`: there is no mass, or it is not finite.
 template <class Wiring, class Q>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_mass(int row, bool finite, Q q) {
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_mass(int row, bool finite, Q q) {
   const auto& layout = layout_of_wiring<Wiring>::table;
   if (finite) raise_singular_mass_matrix(name_of_row(layout, row));
   const auto x = plain_numbers<Wiring::nq>(q);
   const argument positions{"q", {x.data(), std::size_t{Wiring::nq}}, true};
   if (!culprit(layout, {positions}).empty()) raise_not_finite("a mass", layout, {positions});
-  raise_endless_mass(name_of_row(layout, row));
+  raise_non_finite_mass(name_of_row(layout, row));
 }
 template <class Wiring, class Matrix, class Q>
-[[gnu::cold, gnu::noinline]] void blame_if_endless(const Matrix& m, Q q) {
-  if (const int row = first_endless(m); row >= 0) blame_mass<Wiring>(row, false, q);
+[[gnu::cold, gnu::noinline]] void diagnose_non_finite(const Matrix& m, Q q) {
+  if (const int row = first_non_finite(m); row >= 0) diagnose_mass<Wiring>(row, false, q);
 }
 /// The same by bits (dynamics/unrolled/articulated.hpp): of the last row, whose joint carries none of the others.
 template <class Wiring, class Q>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_axes(std::uint64_t nothing, std::uint64_t endless, Q q) {
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_axes(std::uint64_t nothing, std::uint64_t non_finite, Q q) {
   const int last = static_cast<int>(std::bit_width(nothing)) - 1;
   if (Wiring::dofs > 64 && last == 63) raise_singular_mass_matrix();
-  blame_mass<Wiring>(last, (endless >> last & 1) == 0, q);
+  diagnose_mass<Wiring>(last, (non_finite >> last & 1) == 0, q);
 }
 /// Of one vector of arguments, or of two configurations.
 template <class Wiring, class X>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_rates(const char* what, const char* name, X x) {
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_rates(const char* what, const char* name, X x) {
   const auto numbers = plain_numbers<Wiring::dofs>(x);
   raise_not_finite(what, layout_of_wiring<Wiring>::table, {{name, {numbers.data(), std::size_t{Wiring::dofs}}}});
 }
 template <class Wiring, class Q>
-[[noreturn, gnu::cold, gnu::noinline]] void blame_configurations(const char* what, Q from, Q to) {
+[[noreturn, gnu::cold, gnu::noinline]] void diagnose_configurations(const char* what, Q from, Q to) {
   constexpr auto n = std::size_t{Wiring::nq};
   const auto x = plain_numbers<Wiring::nq>(from), y = plain_numbers<Wiring::nq>(to);
   const auto& layout = layout_of_wiring<Wiring>::table;
@@ -288,15 +288,15 @@ template <class Wiring, class Q>
 }
 
 /// No algorithm gives NaN back in silence: throws `bad_argument` that says why, unless x[0] ... x[n-1] are finite.
-template <class X, class Blame>
-KTE_INLINE constexpr void check_result(const X& x, std::size_t n, const Blame& why) {
+template <class X, class Diagnose>
+KTE_INLINE constexpr void check_result(const X& x, std::size_t n, const Diagnose& why) {
   if (!all_finite(x, n)) [[unlikely]]
     why();
 }
 /// Calls `why` unless an inverse is finite: none of its numbers is larger than the largest of its diagonal. (Nor is one
 /// of a mass matrix, but on the way to it.)
-template <class Matrix, class Blame>
-KTE_INLINE void check_inverse(const Matrix& m, const Blame& why) {
+template <class Matrix, class Diagnose>
+KTE_INLINE void check_inverse(const Matrix& m, const Diagnose& why) {
   using S = typename Matrix::Scalar;
   S zero_or_nan(0);
   for (Eigen::Index i = 0; i < m.rows(); ++i) zero_or_nan += m(i, i) * S(0);

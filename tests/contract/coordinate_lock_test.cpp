@@ -1,4 +1,4 @@
-#include <kte/contract/coordinate_holder.hpp>
+#include <kte/contract/coordinate_lock.hpp>
 
 #include <cmath>
 #include <limits>
@@ -11,14 +11,14 @@ using namespace kte;
 
 namespace {
 
-struct brake : coordinate_holder {
-  using coordinate_holder::direction, coordinate_holder::unless_held;
+struct brake : coordinate_lock {
+  using coordinate_lock::direction, coordinate_lock::unless_held;
 };
 
 }  // namespace
 
 TEST_CASE("a coordinate is held in one mode of four") {
-  STATIC_REQUIRE(brake::holds_coordinate);
+  STATIC_REQUIRE(brake::locks_coordinate);
   STATIC_REQUIRE(brake::holds(0, double(mode::held)));
   STATIC_REQUIRE_FALSE(brake::holds(0, double(mode::sliding)));
   STATIC_REQUIRE_FALSE(brake::holds(0, double(mode::forward)));

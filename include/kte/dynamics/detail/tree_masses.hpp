@@ -3,8 +3,8 @@
 #include <kte/dynamics/detail/rare_shapes.hpp>
 #include <kte/tree/fill_symmetric.hpp>
 
-/// What coordinates that follow others count for, and the mass matrix, as loops over records. For all `Elements` and
-/// states of dynamics/detail/record_loops.hpp.
+/// What coordinates that follow others count for, and the mass matrix, as loops over body nodes. For all `Elements` and
+/// states of dynamics/detail/tree_loops.hpp.
 namespace kte::detail {
 
 /// The change of what a follower writes by a coordinate that it follows: of q_dot, when that has a rate of one.
@@ -41,7 +41,7 @@ void for_each_followed(const Elements& c, const State& s, const Visit& visit) {
 }
 /// Rows and columns of followers count for what they follow too, from the last: x_b += ratio x_e.
 template <class Elements, class State, class Add>
-void hand_on(const Elements& c, State& s, const Add& add) {
+void pull_back_followers(const Elements& c, State& s, const Add& add) {
   for_each_followed(c, s, [&](int follower, std::size_t port, int to, int from) {
     add(to, from, ratio_of(c, s, follower, s.template get<kind::gen>(c.index(follower, port))));
   });
@@ -55,28 +55,28 @@ void mass_of_coordinates(const Elements& c, State& s) {
   auto& w = s.work;
   auto& m = w.mass;
   place_bodies(c, s);
-  tree::carry_bodies<false>(t.forest, w);
+  tree::carry_bodies<false>(t.body_tree, w);
   auto& j = w.followed.j;
   const bool follow = t.plan.coordinates > s.dofs() && [&] {
     j.clear();
-    hand_on(c, s, [&j](int to, int from, const S& ratio) { j.add(to, from, ratio); });
+    pull_back_followers(c, s, [&j](int to, int from, const S& ratio) { j.add(to, from, ratio); });
     return !j.empty();
   }();
   if (!follow) [[likely]] {
-    tree::masses(t.forest, w, w.masses.wrenches, w.masses.rows);
-    tree::fill_symmetric(t.forest, s.dofs(), w.masses.rows, false, m);
+    tree::masses(t.body_tree, w, w.masses.wrenches, w.masses.rows);
+    tree::fill_symmetric(t.body_tree, s.dofs(), w.masses.rows, false, m);
     if (t.has_own_mass)
       for (int i = 0; i < s.dofs(); ++i) m(i, i) += t.own_mass[static_cast<std::size_t>(i)];
   } else {
     j.finish(s.dofs(), t.plan.coordinates);
-    tree::followed_masses(t.forest, w, s.dofs(), w.followed, w.masses, m);
+    tree::followed_masses(t.body_tree, w, s.dofs(), w.followed, w.masses, m);
     for (int i = 0; t.has_own_mass && i < t.plan.coordinates; ++i) {
       const S mass(t.own_mass[static_cast<std::size_t>(i)]);
       for (const auto& [a, ratio] : j.of(i))
         for (const auto& [b, factor] : j.of(i)) m(a, b) += ratio * factor * mass;
     }
   }
-  if (!t.spread.empty()) add_spread_masses(c, s, m);
+  if (!t.distributed.empty()) add_distributed_masses(c, s, m);
 }
 
 }  // namespace kte::detail

@@ -22,7 +22,7 @@ struct no_loads;
 
 /// An element that puts no loads.
 template <class Core>
-struct silent {
+struct no_load_core {
   static constexpr auto& type = Core::type;
   static constexpr auto& ports = Core::ports;
 
@@ -49,7 +49,7 @@ struct silent {
 /// The type of what it puts.
 template <class Core>
 struct no_loads {
-  using type = decltype(silent<Core>::none(typename silent<Core>::loaded{}));
+  using type = decltype(no_load_core<Core>::none(typename no_load_core<Core>::loaded{}));
 };
 
 }  // namespace kte::detail

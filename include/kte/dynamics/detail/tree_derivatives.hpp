@@ -1,17 +1,17 @@
 #pragma once
 
-#include <kte/dynamics/detail/record_masses.hpp>
+#include <kte/dynamics/detail/tree_masses.hpp>
 #include <kte/tree/derivatives.hpp>
 
-/// Derivatives of inverse dynamics as loops over records. For all `Elements` and states of
-/// dynamics/detail/record_loops.hpp.
+/// Derivatives of inverse dynamics as loops over body nodes. For all `Elements` and states of
+/// dynamics/detail/tree_loops.hpp.
 namespace kte::detail {
 
 /// Derivatives of what must be applied, after `forces_on_coordinates`: into `of_forces`, but for tau.
 template <class Elements, class State>
 void derive_forces(const Elements& c, State& s) {
   using S = typename State::scalar;
-  const auto& f = s.tree().forest;
+  const auto& f = s.tree().body_tree;
   auto& w = s.work;
   auto& r = w.of_forces;
   const Eigen::Index n = s.dofs();
