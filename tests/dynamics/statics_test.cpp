@@ -1,4 +1,4 @@
-#include <kte/dynamics/detail/static_problem.hpp>
+#include <kte/dynamics/statics/problem.hpp>
 #include <kte/statics.hpp>
 
 #include <numbers>

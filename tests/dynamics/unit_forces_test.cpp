@@ -1,4 +1,4 @@
-#include <kte/dynamics/detail/unit_forces.hpp>
+#include <kte/dynamics/unrolled/unit_forces.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
 #include <kte/math/pack.hpp>
 

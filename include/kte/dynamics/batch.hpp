@@ -149,7 +149,7 @@ void mass_matrix(const Chain& chain, const Q& q, M&& m, Executor&& executor = {}
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BATCH_OF_RUNTIME_CHAINS)
 #define KTE_BATCH_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_batch.hpp>
+#include <kte/dynamics/runtime/batch.hpp>
 
 namespace kte::batch {
 

@@ -1,8 +1,8 @@
 #ifndef KTE_BIAS_FORCES_HPP
 #define KTE_BIAS_FORCES_HPP
 
-#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/unrolled/given_bases.hpp>
 
 /// The parts of inverse dynamics, tau = M a + C v + g - Q, each without the work for the others: rates, accelerations
 /// and gravity that do not count are left out (Luh, Walker, Paul 1980; Featherstone 2008, section 5.3). dofs numbers,
@@ -83,8 +83,8 @@ auto coriolis_forces(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_BIAS_FORCES_OF_RUNTIME_CHAINS)
 #define KTE_BIAS_FORCES_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 
 namespace kte {
 

@@ -63,7 +63,7 @@ auto centre_of_mass_velocity(const static_chain<Gravity, E...>& c, const Q& q, c
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CENTRE_OF_MASS_OF_RUNTIME_CHAINS)
 #define KTE_CENTRE_OF_MASS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 
 namespace kte {
 

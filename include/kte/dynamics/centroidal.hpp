@@ -53,7 +53,7 @@ auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q
              divided_by_mass<S>(w.mass, w.moment,
                                 [&]() KTE_INLINE_LAMBDA {
                                   diagnose<typename chain_type::wiring>("a centre of mass", at.q, same<zero_t>{},
-                                                                     same<zero_t>{}, "a");
+                                                                        same<zero_t>{}, "a");
                                 }),
              a)
       .fill();
@@ -70,8 +70,8 @@ auto centroidal_momentum_matrix(const static_chain<Gravity, E...>& c, const Q& q
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_CENTROIDAL_OF_RUNTIME_CHAINS)
 #define KTE_CENTROIDAL_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
-#include <kte/dynamics/detail/runtime_jacobian.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
+#include <kte/dynamics/runtime/jacobian.hpp>
 
 namespace kte {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kte/dynamics/detail/follower_rates.hpp>
-#include <kte/dynamics/detail/local_coriolis.hpp>
-#include <kte/dynamics/detail/runtime_bodies.hpp>
-#include <kte/dynamics/detail/static_loops.hpp>
+#include <kte/dynamics/looped/follower_rates.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
+#include <kte/dynamics/unrolled/coriolis.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/coriolis.hpp>
 
@@ -67,7 +67,7 @@ auto coriolis_matrix(const static_chain<Gravity, E...>& c, const Q& q, const V& 
   const joint_matrix<S, chain_type::dofs> m = [&]() -> joint_matrix<S, chain_type::dofs> {
     if constexpr (is_unrolled<chain_type, S> && is_tree_of_joints<chain_type>) {
       const given g{at, each<S, V>{v}, same<skip>{}, base_with_velocity_and_axes};
-      return local_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
+      return unrolled_coriolis<S, chain_type, std::remove_const_t<decltype(g)>>(c, g).result();
     } else {
       return by_tree<S>(c, given{at, each<S, V>{v}, same<zero_t>{}, base_at_rest},
                         [](const auto& elements, auto& s) { return coriolis_of_coordinates(elements, s); });

@@ -1,10 +1,10 @@
 #ifndef KTE_DERIVATIVES_HPP
 #define KTE_DERIVATIVES_HPP
 
-#include <kte/dynamics/detail/static_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
 #include <kte/dynamics/mass_matrix_inverse.hpp>
+#include <kte/dynamics/unrolled/derivatives.hpp>
 
 namespace kte {
 
@@ -72,8 +72,8 @@ auto forward_dynamics_derivatives(const static_chain<Gravity, E...>& c, const ch
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_DERIVATIVES_OF_RUNTIME_CHAINS)
 #define KTE_DERIVATIVES_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_derivatives.hpp>
 #include <kte/dynamics/forward_dynamics.hpp>
+#include <kte/dynamics/runtime/derivatives.hpp>
 
 namespace kte {
 

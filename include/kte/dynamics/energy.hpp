@@ -2,7 +2,7 @@
 #define KTE_ENERGY_HPP
 
 #include <kte/dynamics/centre_of_mass.hpp>
-#include <kte/dynamics/detail/local_energy.hpp>
+#include <kte/dynamics/unrolled/energy.hpp>
 
 namespace kte {
 
@@ -78,7 +78,7 @@ auto energy(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_ENERGY_OF_RUNTIME_CHAINS)
 #define KTE_ENERGY_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 
 namespace kte {
 

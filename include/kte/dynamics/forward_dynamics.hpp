@@ -34,7 +34,7 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
     articulated_accelerations(c, g, tau, a);
   } else {
     a = tau + generalized_forces<S>(c, given{at, v, same<zero_t>{}, base}, one);
-    auto m = local_mass_matrix<S>(c, at, base);
+    auto m = mass_matrix_at<S>(c, at, base);
     solve_in_place(m, a, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
     check_accelerations<typename Chain::wiring>(a, given{at, v, same<zero_t>{}, base}, tau);
   }
@@ -88,8 +88,8 @@ auto forward_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
 

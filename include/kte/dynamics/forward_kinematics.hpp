@@ -1,8 +1,8 @@
 #ifndef KTE_FORWARD_KINEMATICS_HPP
 #define KTE_FORWARD_KINEMATICS_HPP
 
-#include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 
 namespace kte {
 
@@ -36,7 +36,7 @@ KTE_INLINE constexpr auto motion_of(const Chain& c, const Given& g) {
 /// Joint or link I where its coordinate is, without rates.
 template <std::size_t I, class Chain, class Given>
 KTE_INLINE constexpr auto element_pose(const Chain& c, const Given& g) {
-  using types = local_types<Chain, Given>;
+  using types = flow_types<Chain, Given>;
   using core_t = typename types::template core<I>;
   const auto m = [&]() KTE_INLINE_LAMBDA {
     if constexpr (coordinates_of<core_t> == 0)
@@ -61,7 +61,7 @@ KTE_INLINE auto pose_at(const Chain& c, const Positions& at, const Base& base) {
   static_assert(slot >= 0, "kte: this chain has no frame of this name");
   at.check();
   const auto g = given{at, same<skip>{}, same<skip>{}, base};
-  using types = local_types<Chain, std::remove_const_t<decltype(g)>>;
+  using types = flow_types<Chain, std::remove_const_t<decltype(g)>>;
   const auto p = pose_of<S, Key::what>(motion_of < types, Key::what, slot < 0 ? 0 : slot > (c, g));
   const auto why = [&]() KTE_INLINE_LAMBDA {
     diagnose_signals<typename Chain::wiring>("where a frame stands", base);
@@ -126,8 +126,8 @@ auto forward_kinematics(const static_chain<Gravity, E...>& c, const chain_state<
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_KINEMATICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 #include <kte/tree/jacobian.hpp>
 
 namespace kte {

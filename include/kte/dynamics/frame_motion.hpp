@@ -65,7 +65,7 @@ constexpr int frame_slot() {
 /// The motion of a frame, of bases and rates of which only what is wanted is no `skip`.
 template <class Frame, class Chain, class Given>
 KTE_INLINE auto motion_at(const Chain& c, const Given& g) {
-  return motion_of<local_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);
+  return motion_of<flow_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);
 }
 
 inline constexpr same_base base_with_pose{motion{zero3{}, no_rotation{}, skip{}, skip{}, skip{}, skip{}}};
@@ -89,7 +89,7 @@ template <class S, class Chain, class At>
 KTE_INLINE auto all_poses(const Chain& c, const At& at) {
   using wiring = typename Chain::wiring;
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
-  const local_motion<Chain, std::remove_const_t<decltype(g)>> m(c, g);
+  const unrolled_motion<Chain, std::remove_const_t<decltype(g)>> m(c, g);
   return [&m]<std::size_t... P, std::size_t... Q>(std::index_sequence<P...>, std::index_sequence<Q...>)
       KTE_INLINE_LAMBDA {
     return frame_poses<S, wiring>{{pose_of<S, kind::frame_2D>(m.template get<kind::frame_2D, int{P}>())...},
@@ -145,7 +145,7 @@ auto frame_velocity(const static_chain<Gravity, E...>& c, const Q& q, const V& v
 /// acceleration (rad/s^2), in its own axes, bases at rest, without gravity: (2), (3), (4) of `compose`. With the world
 /// Jacobian J (`in_world_axes`) and the rotation R of the frame it is R^T (J a + dJ/dt v). Of a runtime chain
 /// `frame_acceleration(c, s, q, v, a, "hand")` or `(c, s, "hand")`: without the gravity that bases have in the state
-/// (dynamics/detail/moved_in_world.hpp).
+/// (dynamics/runtime/motion_in_world.hpp).
 template <class Gravity, class... E, indexable Q, indexable V, indexable A, key_type Frame>
 auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a, const Frame&) {
   using namespace detail;
@@ -170,8 +170,8 @@ auto frame_acceleration(const static_chain<Gravity, E...>& c, const Q& q, const 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FRAME_MOTION_OF_RUNTIME_CHAINS)
 #define KTE_FRAME_MOTION_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/moved_in_world.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
+#include <kte/dynamics/runtime/motion_in_world.hpp>
 
 namespace kte {
 

@@ -90,7 +90,7 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
         force - detail::generalized_forces<S>(c, detail::given{at, detail::each<S, V>{v}, at_rest{}, base}, minus_one);
     for (int i = 0; i < chain_type::dofs; ++i)
       if (accelerations::is_known[static_cast<std::size_t>(i)]) r.a[i] = S(known[static_cast<std::size_t>(i)]);
-    auto m = detail::local_mass_matrix<S>(c, at, base);
+    auto m = detail::mass_matrix_at<S>(c, at, base);
     detail::solve_partly_known(m, r.a, accelerations::is_known,
                                [&at](int row) { detail::diagnose_mass<wiring>(row, true, at.q); });
     detail::check_accelerations<wiring>(r.a, g, force);
@@ -111,8 +111,8 @@ auto hybrid_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& 
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_HYBRID_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
 
 #include <string_view>
 #include <vector>

@@ -2,9 +2,9 @@
 #define KTE_INVERSE_DYNAMICS_HPP
 
 #include <kte/contract/transmission.hpp>
-#include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/detail/static_loops.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/state_vectors.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 
 namespace kte {
 
@@ -40,7 +40,7 @@ template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
   const auto f = [&]() KTE_INLINE_LAMBDA {
     if constexpr (has_unrolled_passes<Chain, S>) {
-      using pass = local_pass<Chain, Given>;
+      using pass = unrolled_passes<Chain, Given>;
       static_assert(sizeof(typename pass::need) > 0);
       return forces_of<S>(pass(c, g), sign);
     } else {
@@ -103,8 +103,8 @@ auto inverse_dynamics(const static_chain<Gravity, E...>& c, const chain_state<S,
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_loops.hpp>
+#include <kte/dynamics/runtime/loops.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
 

@@ -1,8 +1,8 @@
 #ifndef KTE_JACOBIAN_HPP
 #define KTE_JACOBIAN_HPP
 
-#include <kte/dynamics/detail/local_jacobian.hpp>
-#include <kte/dynamics/detail/refused_calls.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
+#include <kte/dynamics/unrolled/jacobian.hpp>
 
 namespace kte {
 
@@ -49,7 +49,7 @@ auto jacobian(const static_chain<Gravity, E...>& c, const Q& q, const Frame&, in
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_JACOBIAN_OF_RUNTIME_CHAINS)
 #define KTE_JACOBIAN_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_jacobian.hpp>
+#include <kte/dynamics/runtime/jacobian.hpp>
 
 namespace kte {
 

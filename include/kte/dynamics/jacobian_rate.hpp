@@ -2,12 +2,12 @@
 
 #include <kte/dynamics/axes_of_rates.hpp>
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/detail/follower_rates.hpp>
-#include <kte/dynamics/detail/moved_in_world.hpp>
-#include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/forward_kinematics.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/jacobian.hpp>
+#include <kte/dynamics/looped/follower_rates.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
+#include <kte/dynamics/runtime/motion_in_world.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 #include <kte/tree/jacobian_rate.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
 #include <kte/dynamics/frame_motion.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <string>
@@ -48,7 +48,7 @@ auto joint_reaction(const static_chain<Gravity, E...>& c, const Q& q, const V& v
   const configuration<S, wiring, Q> at(q);
   at.check();
   const given g{at, each<S, V>{v}, each<S, A>{a}, base_under_gravity(c)};
-  using pass = local_pass<chain_type, std::remove_const_t<decltype(g)>>;
+  using pass = unrolled_passes<chain_type, std::remove_const_t<decltype(g)>>;
   static_assert(sizeof(typename pass::need) > 0);
   return reaction_to<S>(pass(c, g).template load<Frame::what, slot>(),
                         [&]() { diagnose<wiring>("a force", at.q, each<S, V>{v}, each<S, A>{a}, "a"); });

@@ -25,7 +25,7 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const Q& q) {
   using S = value_of<Q>;
   detail::check_configuration<chain_type>(q);
   const detail::configuration<S, typename chain_type::wiring, Q> at(q);
-  return detail::local_mass_matrix<S>(c, at, detail::base_under_gravity(c));
+  return detail::mass_matrix_at<S>(c, at, detail::base_under_gravity(c));
 }
 
 template <class Gravity, class... E, class S>
@@ -33,7 +33,7 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, deta
   using namespace detail;
   const auto q = positions(s);
   const configuration<S, wiring<E...>, std::remove_const_t<decltype(q)>> at(q);
-  return local_mass_matrix<S>(c, at, base_of_state<chain_state<S, wiring<E...>>>{s});
+  return mass_matrix_at<S>(c, at, base_of_state<chain_state<S, wiring<E...>>>{s});
 }
 
 }  // namespace kte
@@ -45,8 +45,8 @@ auto mass_matrix(const static_chain<Gravity, E...>& c, const chain_state<S, deta
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/refused_calls.hpp>
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
 

@@ -1,7 +1,7 @@
 #ifndef KTE_MASS_MATRIX_INVERSE_HPP
 #define KTE_MASS_MATRIX_INVERSE_HPP
 
-#include <kte/dynamics/detail/static_loops.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/dynamics/unrolled/inverse_mass.hpp>
 
@@ -28,7 +28,7 @@ KTE_INLINE auto inverse_mass(const Chain& c, const At& at, const Base& base) {
       m = inverse_mass_by_tree<S>(c, g);
     }
   } else {
-    auto factors = local_mass_matrix<S>(c, at, base);
+    auto factors = mass_matrix_at<S>(c, at, base);
     invert_by_factors(factors, m, [&at](int row) { diagnose_mass<typename Chain::wiring>(row, true, at.q); });
   }
   check_inverse(m, [&]() KTE_INLINE_LAMBDA { diagnose_non_finite<typename Chain::wiring>(m, at.q); });
@@ -64,7 +64,7 @@ auto mass_matrix_inverse(const static_chain<Gravity, E...>& c, const chain_state
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS)
 #define KTE_MASS_MATRIX_INVERSE_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
 
 namespace kte {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/dynamics/inverse_dynamics.hpp>
+#include <kte/dynamics/unrolled/given_bases.hpp>
 #include <kte/math/dual.hpp>
 
 namespace kte {

@@ -2,7 +2,7 @@
 
 #include <kte/dynamics/centre_of_mass.hpp>
 #include <kte/dynamics/centroidal.hpp>
-#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
@@ -16,7 +16,7 @@ KTE_INLINE auto momentum_rate_at_base(const Chain& c, const At& at, const V& v, 
   using bodies = with_loads<Chain, bodies_alone>;
   const given g{at, v, a, base_at_rest};
   const bodies b{c};
-  const auto w = load_on_bases(local_pass<bodies, std::remove_const_t<decltype(g)>>(b, g));
+  const auto w = load_on_bases(unrolled_passes<bodies, std::remove_const_t<decltype(g)>>(b, g));
   return wrench{-w.force, -w.torque};
 }
 }  // namespace detail

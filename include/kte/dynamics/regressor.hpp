@@ -1,7 +1,7 @@
 #ifndef KTE_REGRESSOR_HPP
 #define KTE_REGRESSOR_HPP
 
-#include <kte/dynamics/detail/local_regressor.hpp>
+#include <kte/dynamics/unrolled/regressor.hpp>
 
 /// Inverse dynamics as a linear function of the inertial parameters of the bodies, for their identification.
 namespace kte {
@@ -84,7 +84,7 @@ auto torque_regressor(const static_chain<Gravity, E...>& c, const chain_state<S,
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_REGRESSOR_OF_RUNTIME_CHAINS)
 #define KTE_REGRESSOR_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_bodies.hpp>
+#include <kte/dynamics/runtime/bodies.hpp>
 #include <kte/tree/regressor.hpp>
 
 namespace kte {

@@ -54,7 +54,7 @@ constexpr void set_accelerations(chain_state<S, W>& s, const X& a) {
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_STATE_VECTORS_OF_RUNTIME_CHAINS)
 #define KTE_STATE_VECTORS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/detail/runtime_vectors.hpp>
+#include <kte/dynamics/runtime/vectors.hpp>
 
 namespace kte {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <kte/dynamics/detail/tangent_stability.hpp>
 #include <kte/dynamics/external_wrenches.hpp>
+#include <kte/dynamics/statics/tangent_stability.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
 #ifdef KTE_FUNCTION
-#  include <kte/dynamics/detail/static_newton.hpp>
+#  include <kte/dynamics/statics/newton.hpp>
 #endif
 
 #include <vector>

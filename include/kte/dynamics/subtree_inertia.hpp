@@ -40,7 +40,7 @@ auto subtree_inertia(const static_chain<Gravity, E...>& c, const Q& q, const Fra
   const configuration<S, typename chain_type::wiring, Q> at(q);
   at.check();
   const given g{at, same<skip>{}, same<skip>{}, base_of_nothing};
-  using motion_type = local_motion<chain_type, std::remove_const_t<decltype(g)>>;
+  using motion_type = unrolled_motion<chain_type, std::remove_const_t<decltype(g)>>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<chain_type>>;
   const motion_type m(c, g);
   const bodies_type bodies{m};

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/detail/runtime_algorithms.hpp>
-#include <kte/dynamics/detail/static_plan.hpp>
 #include <kte/dynamics/frame_motion.hpp>
+#include <kte/dynamics/runtime/algorithms.hpp>
+#include <kte/dynamics/unrolled/plan.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
 #include <algorithm>

@@ -38,7 +38,7 @@ auto coordinate_row(const Chain& c, const Q& q) {
     v[i] = D(1);
     const given g{at, each<D, decltype(v)>{v}, same<zero_t>{}, base_at_rest};
     row[static_cast<Eigen::Index>(i)] =
-        as<D>(motion_of<local_types<Chain, std::remove_const_t<decltype(g)>>, kind::gen, Slot>(c, g).q_dot);
+        as<D>(motion_of<flow_types<Chain, std::remove_const_t<decltype(g)>>, kind::gen, Slot>(c, g).q_dot);
     v[i] = D(0);
   }
   return row;

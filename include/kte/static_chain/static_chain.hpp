@@ -13,7 +13,7 @@
 
 /// Up to how many elements algorithms whose code grows faster than their number are unrolled: mass matrix, articulated
 /// bodies, derivatives. Passes and inverse dynamics are up to three times as many. Beyond that passes have a function
-/// for each type of element core, and algorithms are loops (dynamics/detail/static_loops.hpp). Like other options, the
+/// for each type of element core, and algorithms are loops (dynamics/looped/static_chains.hpp). Like other options, the
 /// same in all units of a program.
 #if !defined(KTE_UNROLLED_ELEMENTS)
 #  define KTE_UNROLLED_ELEMENTS 48

@@ -240,7 +240,7 @@ std::array<double, std::size_t{N} + 1> plain_numbers(const V& v) {
   }
   (std::make_integer_sequence<int, N>{});
 }
-/// Arguments by number: at<I>() as in dynamics/detail/given.hpp.
+/// Arguments by number: at<I>() as in dynamics/unrolled/given.hpp.
 template <class Wiring, class Q, class V, class A>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose(const char* what, Q q, V v, A a, const char* a_name) {
   const auto x = plain_numbers<Wiring::nq>(q);

@@ -141,7 +141,7 @@ inline constexpr bool is_freedom = [] {
 }();
 template <class Chain, class Given, class... Locked>
 struct static_reduction {
-  using types = local_types<Chain, Given>;
+  using types = flow_types<Chain, Given>;
   using wiring = typename Chain::wiring;
   const Chain& chain;
   const Given& given;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/unrolled/bodies.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 #include <kte/recursions/articulated_body.hpp>
 
 #include <algorithm>
@@ -59,8 +59,8 @@ class articulated_chain;
 
 template <class S, class Chain, class Given, std::size_t... E>
 class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
-    : public local_motion<Chain, Given>, protected early_loads<local_types<Chain, Given>, E>... {
-  using motion_type = local_motion<Chain, Given>;
+    : public unrolled_motion<Chain, Given>, protected early_loads<flow_types<Chain, Given>, E>... {
+  using motion_type = unrolled_motion<Chain, Given>;
 
  public:
   using typename motion_type::types;
@@ -208,7 +208,7 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   unmoved_axes unmoved_;
 
  public:
-  using need = typename types::template need<first_false({early<E>::usable..., false})>::type;  // local_pass
+  using need = typename types::template need<first_false({early<E>::usable..., false})>::type;  // unrolled_passes
 };
 
 }  // namespace kte::detail

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/local_pass.hpp>
-#include <kte/dynamics/detail/tree.hpp>
+#include <kte/dynamics/unrolled/passes.hpp>
+#include <kte/dynamics/unrolled/tree.hpp>
 #include <kte/engine/unrolled.hpp>
 #include <kte/math/plane_rotation.hpp>
 
@@ -37,7 +37,7 @@ struct axes_of_joints {
   static constexpr int row = row_of_coordinate<coordinate_kind<core_of<Chain, I>>, wiring::slot(I, 0)>;
 };
 
-/// Joint or link I of a chain that moves as `Motion` (local_motion) says. Of a joint without axes here the motion is
+/// Joint or link I of a chain that moves as `Motion` (unrolled_motion) says. Of a joint without axes here the motion is
 /// given.
 template <class S, class Motion, std::size_t I, class Axes>
 struct typed_body {

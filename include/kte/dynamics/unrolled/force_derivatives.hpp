@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/given.hpp>
 #include <kte/dynamics/unrolled/bodies.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 #include <kte/recursions/force_variations.hpp>
 
 /// Derivatives of inverse dynamics of static chains (recursions/force_variations.hpp).
@@ -28,8 +28,8 @@ struct typed_moving_body : typed_body<S, Pass, I, Axes> {
 
 /// Motion, forces, and the derivatives of the forces on joints, of a tree of joints.
 template <class S, class Chain, class Given>
-class unrolled_force_derivatives : public local_pass<Chain, Given> {
-  using pass = local_pass<Chain, Given>;
+class unrolled_force_derivatives : public unrolled_passes<Chain, Given> {
+  using pass = unrolled_passes<Chain, Given>;
 
  public:
   using matrix = joint_matrix<S, Chain::dofs>;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/unit_forces.hpp>
 #include <kte/dynamics/unrolled/articulated.hpp>
+#include <kte/dynamics/unrolled/unit_forces.hpp>
 #include <kte/recursions/inverse_mass.hpp>
 
 namespace kte::detail {

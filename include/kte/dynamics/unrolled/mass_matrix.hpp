@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kte/dynamics/detail/given.hpp>
-#include <kte/dynamics/detail/static_loops.hpp>
+#include <kte/dynamics/looped/static_chains.hpp>
 #include <kte/dynamics/unrolled/bodies.hpp>
+#include <kte/dynamics/unrolled/given.hpp>
 #include <kte/kernels/joint_vector.hpp>
 #include <kte/recursions/composite_body.hpp>
 
@@ -13,9 +13,9 @@ namespace kte::detail {
 /// and bases of `skip`.
 template <class S, class Chain, class Given>
 class unrolled_mass {
-  using types = local_types<Chain, Given>;
+  using types = flow_types<Chain, Given>;
   using wiring = typename Chain::wiring;
-  using motion_type = local_motion<Chain, Given>;
+  using motion_type = unrolled_motion<Chain, Given>;
   using axes = axes_of_joints<Chain>;
   template <std::size_t I>
   using core_t = typename types::template core<I>;
@@ -109,7 +109,7 @@ class unrolled_mass {
   matrix_type& M;
   S column_{0}, sum_{0};  ///< of a column, and of all
   const Chain& chain_;
-  const local_motion<Chain, Given> motion_;
+  const unrolled_motion<Chain, Given> motion_;
 };
 
 /// A function of its own: only a variable of its outermost block is made where the caller wants it.
@@ -126,7 +126,7 @@ KTE_INLINE auto unrolled_mass_matrix(const Chain& c, const Given& g, S& zero_or_
 }
 /// The mass matrix over the degrees of freedom. Of the bases only coordinates that are given matter.
 template <class S, class Chain, class Positions, class Base>
-KTE_INLINE auto local_mass_matrix(const Chain& c, const Positions& at, const Base& base) {
+KTE_INLINE auto mass_matrix_at(const Chain& c, const Positions& at, const Base& base) {
   static_assert(sizeof(check_loads_of<Chain>) > 0);
   at.check(), base.check();
   const auto bases = only_positions{base, motion{skip{}, skip{}, skip{}, skip{}, skip{}, skip{}}};

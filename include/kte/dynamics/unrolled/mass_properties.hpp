@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/detail/moved_freely.hpp>
 #include <kte/dynamics/unrolled/bodies.hpp>
+#include <kte/dynamics/unrolled/given_bases.hpp>
 #include <kte/recursions/composite_body.hpp>
 
 /// Masses of static chains, their centre and their momentum.
@@ -44,7 +44,7 @@ template <class S, class Chain, class At>
 KTE_INLINE auto weight_of(const Chain& c, const At& at) {
   const given g{at, same<skip>{}, same<skip>{}, base_with_pose};
   static_assert(sizeof(passed_over<Chain>) > 0);
-  using motion_type = local_motion<Chain, std::remove_const_t<decltype(g)>>;
+  using motion_type = unrolled_motion<Chain, std::remove_const_t<decltype(g)>>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
   const motion_type m(c, g);
   const bodies_type bodies{m};
@@ -90,7 +90,7 @@ template <class S, class Chain, class At, class V>
 KTE_INLINE auto momentum_at_base(const Chain& c, const At& at, const V& v) {
   const given g{at, v, same<skip>{}, rest_base_of<Chain>(base_with_velocity)};
   const with_loads<Chain, momenta<S>> bodies{c};
-  return load_on_bases(local_pass<with_loads<Chain, momenta<S>>, std::remove_const_t<decltype(g)>>(bodies, g));
+  return load_on_bases(unrolled_passes<with_loads<Chain, momenta<S>>, std::remove_const_t<decltype(g)>>(bodies, g));
 }
 
 }  // namespace kte::detail

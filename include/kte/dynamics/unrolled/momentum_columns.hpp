@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/centre_of_mass.hpp>
-#include <kte/dynamics/detail/columns.hpp>
+#include <kte/dynamics/unrolled/columns.hpp>
 
 namespace kte::detail {
 
@@ -10,7 +10,7 @@ namespace kte::detail {
 template <class S, class Chain, class Given, int Rows = 6>
 class momentum_columns : columns<S, Chain, Given, Rows> {
   using base = columns<S, Chain, Given, Rows>;
-  using motion_type = local_motion<Chain, Given>;
+  using motion_type = unrolled_motion<Chain, Given>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
   static_assert(sizeof(passed_over<Chain>) > 0);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/derivatives.hpp>
-#include <kte/dynamics/detail/runtime_duals.hpp>
+#include <kte/dynamics/runtime/duals.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 #include <kte/models/detail/rate_derivatives.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>

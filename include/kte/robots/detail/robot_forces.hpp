@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kte/dynamics/configuration_space.hpp>
-#include <kte/dynamics/detail/tree_inverse.hpp>
+#include <kte/dynamics/looped/mass_matrix_inverse.hpp>
 #include <kte/dynamics/mass_matrix.hpp>
 #include <kte/robots/detail/robot_elements.hpp>
 #include <kte/robots/detail/robot_tree.hpp>
