@@ -7,11 +7,11 @@
 /// masses.
 namespace kte::detail {
 
-/// Whether an element sees coordinates and signals only.
+/// Whether an element sees coordinates and signals only, and closes no loop.
 template <class Core>
 inline constexpr bool is_on_coordinates = [] {
   for (const auto& p : Core::ports)
-    if (p.what != kind::gen && !is_signal(p.what)) return false;
+    if (p.what == kind::loop || (p.what != kind::gen && !is_signal(p.what))) return false;
   return true;
 }();
 

@@ -24,13 +24,16 @@ enum class kind : unsigned char {
   pose_2D,      ///< a coordinate that is a pose in the plane
   pose_3D,      ///< a coordinate that is a pose in space
   internal,     ///< a number that one element keeps, with a rate of its own: the deflection of bristles in friction
-  vector        ///< a signal of three numbers
+  vector,       ///< a signal of three numbers
+  loop          ///< what closes a kinematic loop: forces and residuals of one closure
 };
-inline constexpr std::size_t kinds = 9;
+inline constexpr std::size_t kinds = 10;
 
 constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
-/// Whether it is mere numbers, which carry no force.
-constexpr bool is_signal(kind k) { return k == kind::input || k == kind::internal || k == kind::vector; }
+/// Whether it is mere numbers, on which no load acts.
+constexpr bool is_signal(kind k) {
+  return k == kind::input || k == kind::internal || k == kind::vector || k == kind::loop;
+}
 /// How many numbers of the input u of a chain it has, where no element writes it.
 constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
 /// Whether joints move by it: a number, a rotation or a pose.
@@ -64,6 +67,8 @@ constexpr std::string_view to_string(kind k) {
       return "internal state";
     case kind::vector:
       return "vector";
+    case kind::loop:
+      return "closure";
   }
   return "";
 }
@@ -104,6 +109,8 @@ template <fixed_string Text>
 struct pose_3D_key : key<kind::pose_3D, Text> {};
 template <fixed_string Text>
 struct internal_key : key<kind::internal, Text> {};
+template <fixed_string Text>
+struct loop_key : key<kind::loop, Text> {};
 
 /// The time, s: an input of this name is that in models of systems (models/), and no part of u.
 inline constexpr struct chain_time_ final : input_key<"time"> {

@@ -91,6 +91,8 @@ class basic_runtime_state {
   const vec3<S>& vector(const name_or_handle& name) const { return at<kind::vector>(*this, name); }
   internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
   const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  loop_state<S>& loop(const name_or_handle& name) { return at<kind::loop>(*this, name); }
+  const loop_state<S>& loop(const name_or_handle& name) const { return at<kind::loop>(*this, name); }
   rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
   const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
     return at<kind::rotation_3D>(*this, name);
@@ -140,6 +142,7 @@ class basic_runtime_state {
   /// Working memory of the algorithms; nothing in it needs to be read or kept.
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
+  detail::own_memory loops;
   std::vector<S> before;  ///< q, v, a that a call has replaced, until it is known that it refuses nothing
 };
 
