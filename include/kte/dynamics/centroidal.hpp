@@ -76,7 +76,7 @@ namespace kte {
 
 template <class S>
 linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::check_regular_tree(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().forest, s.work);
   const detail::blame_state why{"a momentum", s};
@@ -103,7 +103,7 @@ basic_runtime_jacobian<S> centroidal_map_of(const kte_map_chain& c, basic_runtim
 }  // namespace detail
 template <class S>
 basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_positions(s);
+  detail::check_regular_tree(c, s), detail::check_positions(s);
   return detail::centroidal_map_of(c, s);
 }
 template <class S, indexable Q, indexable V>
@@ -112,7 +112,7 @@ linear_angular<S> centroidal_momentum(const kte_map_chain& c, basic_runtime_stat
 }
 template <class S, indexable Q>
 basic_runtime_jacobian<S> centroidal_map(const kte_map_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  detail::check_regular(c, s);
+  detail::check_regular_tree(c, s);
   return detail::take(c, s, q).call([&] { return detail::centroidal_map_of(c, s); });
 }
 

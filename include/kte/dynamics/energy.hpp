@@ -93,7 +93,7 @@ S kinetic_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
 }
 template <class S>
 S potential_energy(const kte_map_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_positions(s);
+  detail::check_regular_tree(c, s), detail::check_positions(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;

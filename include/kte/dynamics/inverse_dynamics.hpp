@@ -110,6 +110,7 @@ namespace kte {
 
 template <class S>
 const runtime_vector<S>& inverse_dynamics(const kte_map_chain& c, basic_runtime_state<S>& s) {
+  detail::refuse_loops(c, ": inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) of kte/loops.hpp does");
   detail::coordinate_forces(c, s);
   detail::take_needed_forces(s);
   detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::blame("a force", s); });
