@@ -28,6 +28,11 @@ class own_memory {
     if (!made_) made_ = std::make_shared<T>(make());
     return *static_cast<T*>(made_.get());
   }
+  /// What was made, or nullptr.
+  template <class T>
+  T* find() {
+    return static_cast<T*>(made_.get());
+  }
 
  private:
   std::shared_ptr<void> made_;

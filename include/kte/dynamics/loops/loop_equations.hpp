@@ -63,22 +63,14 @@ class loop_equations {
       for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
     }
   }
-  /// J x of all rows, of x by degrees of freedom.
+  /// J x of all rows, of x by degrees of freedom; the same of the sizes of all numbers.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd out(places.rows);
-    for (std::size_t i = 0; i < places.blocks.size(); ++i) {
-      const auto& b = places.blocks[i];
-      Eigen::VectorXd part(static_cast<Eigen::Index>(b.places.size()));
-      for (std::size_t k = 0; k < b.places.size(); ++k)
-        part[static_cast<Eigen::Index>(k)] = x[places.row_of_place[static_cast<std::size_t>(b.places[k])]];
-      const Eigen::VectorXd y = jacobian[i] * part;
-      Eigen::Index row = 0;
-      for (const int k : b.closures) {
-        const auto& closure = places.closures[static_cast<std::size_t>(k)];
-        for (int r = 0; r < closure.rows.count(); ++r) out[closure.first + r] = y[row++];
-      }
-    }
-    return out;
+    return product(x, [](const Eigen::MatrixXd& j, const Eigen::VectorXd& part) { return (j * part).eval(); });
+  }
+  Eigen::VectorXd times_sizes(const Eigen::VectorXd& x) const {
+    return product(x, [](const Eigen::MatrixXd& j, const Eigen::VectorXd& part) {
+      return (j.cwiseAbs() * part.cwiseAbs()).eval();
+    });
   }
   /// J in m and rad, its rows by degrees of freedom.
   Eigen::MatrixXd dense_jacobian() const {
@@ -125,6 +117,23 @@ class loop_equations {
       q[n] = at.q, v[n] = at.q_dot;
     }
     visit(element(c, x).close_coordinates(q, v, by), by);
+  }
+  template <class Product>
+  Eigen::VectorXd product(const Eigen::VectorXd& x, const Product& of) const {
+    Eigen::VectorXd out(places.rows);
+    for (std::size_t i = 0; i < places.blocks.size(); ++i) {
+      const auto& b = places.blocks[i];
+      Eigen::VectorXd part(static_cast<Eigen::Index>(b.places.size()));
+      for (std::size_t k = 0; k < b.places.size(); ++k)
+        part[static_cast<Eigen::Index>(k)] = x[places.row_of_place[static_cast<std::size_t>(b.places[k])]];
+      const Eigen::VectorXd y = of(jacobian[i], part);
+      Eigen::Index row = 0;
+      for (const int k : b.closures) {
+        const auto& closure = places.closures[static_cast<std::size_t>(k)];
+        for (int r = 0; r < closure.rows.count(); ++r) out[closure.first + r] = y[row++];
+      }
+    }
+    return out;
   }
   /// Rows of J of a closure of frames, from row `first` of its block on.
   void fill(const kte_map_chain& c, runtime_state& s, const closure_place& x, closing_motion<double> m,
