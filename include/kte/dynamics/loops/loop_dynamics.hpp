@@ -33,11 +33,11 @@ inline void check_loops(const kte_map_chain& c, const runtime_state& s) {
   if (!s.tree().readers.empty()) [[unlikely]]
     refuse(s.tree().readers.front(), " has friction by what it carries, which chains with closures do not know");
 }
-/// The pivot that counts as zero where residuals are as they are: rows that depend on others on the loops do not, away
-/// from them.
+/// The pivot that counts as zero where residuals are as they are: rows that depend on others on the loops do not, as far
+/// as the state is away from them.
 inline double least_pivot_at(const Eigen::VectorXd& residual) {
   const double gap = residual.size() > 0 ? residual.cwiseAbs().maxCoeff() : 0;
-  return (std::max)(least_pivot, 100 * gap);
+  return gap < 1e-8 ? (std::max)(least_pivot, 100 * gap) : least_pivot;
 }
 inline void put_loop_forces(const closure_places& at, const Eigen::VectorXd& multipliers, runtime_state& s) {
   for (const auto& x : at.closures) {

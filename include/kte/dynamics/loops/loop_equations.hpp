@@ -46,7 +46,17 @@ class loop_equations {
   /// J_dot v, after `at_positions`, at the rates of the state.
   void at_rates(const kte_map_chain& c, runtime_state& s) {
     const auto& f = s.tree().forest;
-    take_rates(s), take_bases(s);
+    if (!s.tree().followers.empty()) {  // which accelerate with what they follow, and by its rates
+      const Eigen::VectorXd a = read_numbers<vector_of::a>(s);
+      write_numbers<vector_of::a>(s, Eigen::VectorXd::Zero(a.size()), "a");
+      bring_up_to_date(runtime_elements{c}, s);
+      take_rates(s);
+      write_numbers<vector_of::a>(s, a, "a");
+      bring_up_to_date(runtime_elements{c}, s);
+    } else {
+      take_rates(s);
+    }
+    take_bases(s);
     for (std::size_t k = 0; k < f.row.size(); ++k)
       if (f.row[k] < s.dofs()) s.work.acceleration[k] = 0;
     tree::move_bodies<true>(f, s.work);
@@ -72,10 +82,9 @@ class loop_equations {
       return (j.cwiseAbs() * part.cwiseAbs()).eval();
     });
   }
-  /// J in m and rad, its rows by degrees of freedom.
-  Eigen::MatrixXd dense_jacobian() const {
-    Eigen::MatrixXd all =
-        Eigen::MatrixXd::Zero(places.rows, static_cast<Eigen::Index>(places.row_of_place.size()));
+  /// J by degrees of freedom; the same of residuals in m and rad.
+  Eigen::MatrixXd scaled_jacobian() const {
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(places.rows, static_cast<Eigen::Index>(places.row_of_place.size()));
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
       const auto& b = places.blocks[i];
       Eigen::Index row = 0;
@@ -84,9 +93,15 @@ class loop_equations {
         for (int r = 0; r < x.rows.count(); ++r, ++row)
           for (std::size_t n = 0; n < b.places.size(); ++n)
             all(x.first + r, places.row_of_place[static_cast<std::size_t>(b.places[n])]) =
-                jacobian[i](row, static_cast<Eigen::Index>(n)) / places.scale(x, r);
+                jacobian[i](row, static_cast<Eigen::Index>(n));
       }
     }
+    return all;
+  }
+  Eigen::MatrixXd dense_jacobian() const {
+    Eigen::MatrixXd all = scaled_jacobian();
+    for (const auto& x : places.closures)
+      for (int r = 0; r < x.rows.count(); ++r) all.row(x.first + r) /= places.scale(x, r);
     return all;
   }
   /// The motion of frame2 in frame1, at rest.
