@@ -71,14 +71,14 @@ TEST_CASE("a pendulum in Cartesian coordinates (A01)") {
 
 TEST_CASE("a row of four-bars stays on its branch through singular configurations (A02)", "[long]") {
   for (const int n : {1, 2, 10, 40})
-    for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-13}) {
-      if (n > 2 && tolerance < 1e-9) continue;
+    for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12}) {
+      if (n > 2 && tolerance < 1e-9) continue;  // they take long
       const auto r = simulated(four_bars(n), four_bar_q(n, 0), four_bar_v(n, 1), 10, tolerance);
       const double phi = four_bar_angle(n, 0, 1, 10);
       INFO(n << " bars, tolerance " << tolerance);
       CHECK(std::abs(pi / 2 - r.x[0] - phi) < 3e3 * tolerance);
       for (int i = 0; i < n; ++i) CHECK(std::abs(r.x[i] + r.x[n + 1 + i]) < 1e-12);  // couplers are horizontal
-      CHECK(r.open < 2e-13);
+      CHECK(r.open < 1e-14 * (n + 10));  // angles of 30 rad, points n m away
       CHECK(r.energy_off < 1e4 * tolerance * n);
     }
   // The point of the first bar in the tables of 20 digits.
@@ -99,10 +99,10 @@ TEST_CASE("hinges of five rows take as many evaluations as those of two", "[long
 
 TEST_CASE("a slider-crank of equal bars passes its dead points", "[long]") {
   const auto c = slider_crank_of_equal_bars();
-  for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-13}) {
-    const auto r = simulated(c, numbers({0.3, -0.6}), numbers({4, -8}), 5, tolerance);
+  for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12}) {
+    const auto r = simulated(c, numbers({0.3, -0.6}), numbers({8, -16}), 5, tolerance);
     INFO("tolerance " << tolerance);
-    const double q = slider_crank_angle(0.3, 4, 5);
+    const double q = slider_crank_angle(0.3, 8, 5);
     CHECK(std::abs(q - 0.3) > 2 * pi);  // past several dead points
     CHECK(std::abs(r.x[0] - q) < 1e4 * tolerance);
     CHECK(std::abs(r.x[1] + 2 * r.x[0]) < 1e-12);

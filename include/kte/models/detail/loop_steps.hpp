@@ -52,7 +52,10 @@ inline std::string gap_text(const kte_map_chain& c, const loop_equations& e) {
   return "'" + closure_places::name_of(c, *widest.closure) + "' is open by " + number(widest.size) +
          (widest.linear ? " m" : " rad");
 }
-/// Throws `bad_argument` where a step starts off the loops.
+/// Loops that are closed to rounding tell branches apart while pivots are above its root.
+inline constexpr double least_pivot_of_branch = 1e-7;
+/// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot be
+/// told apart.
 inline void check_step(const kte_map_chain& c, const runtime_state&, loop_step& step) {
   if (step.gap > off_loops_above) [[unlikely]]
     throw bad_argument("kte: the state is off the loops: " + gap_text(c, step.equations) +
@@ -60,6 +63,10 @@ inline void check_step(const kte_map_chain& c, const runtime_state&, loop_step& 
   if (step.sliding > 1e-6) [[unlikely]]
     throw bad_argument("kte: the velocities do not keep the loops closed: kte::consistent_velocities, or after an impact "
                        "kte::impulse, gives such as do");
+  for (const auto& p : step.factor.parts)
+    if (p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
+      throw bad_argument("kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
+                         "in several ways: larger tolerances pass it in one step");
 }
 
 /// (1) and (2).
@@ -82,11 +89,11 @@ void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eige
     model.displace(step.x0, d, x);
   };
   double gap = evaluate(false), last = std::numeric_limits<double>::infinity();
-  for (int i = 0; gap > 1e-15; ++i) {
+  for (int i = 0; gap > 1e-16; ++i) {
     if (!(gap < 1e300) || i == 20)
       throw bad_argument("kte: the loops do not close at the end of a step: " + gap_text(c, e) + ": a shorter step");
-    if (gap <= on_loops_within && gap > last / 2) break;  // rounding
-    if (gap > last / 20 && gap > on_loops_within) {       // the factor of the start is no longer good
+    if (gap > last / 20) {  // the factor of the start is no longer good, or the rest is rounding
+      if (gap <= on_loops_within && by == &factor) break;
       (void)evaluate(true);
       if (factor.keep(c, s, e, step.factor, 1e-14)) by = &factor;
     }
