@@ -1,4 +1,4 @@
-#include "loops/mechanisms.hpp"
+#include "closed_loops/mechanisms.hpp"
 
 #include "catch.hpp"
 
