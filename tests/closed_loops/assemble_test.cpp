@@ -1,6 +1,5 @@
-#include "closed_loops/mechanisms.hpp"
-
 #include "catch.hpp"
+#include "closed_loops/mechanisms.hpp"
 
 using namespace kte;
 using namespace kte::test;
@@ -46,8 +45,9 @@ TEST_CASE("bars that are too short do not close") {
     FAIL("assembled");
   } catch (const cannot_assemble& e) {
     CHECK(std::string(e.what()).starts_with("kte: the loops do not close: 'pin' stays open by 0.1 m after "));
-    CHECK(std::string(e.what()).ends_with(" steps (the nearest approach: bars too short, closures that contradict each "
-                                          "other, or another guess)"));
+    CHECK(
+        std::string(e.what()).ends_with(" steps (the nearest approach: bars too short, closures that contradict each "
+                                        "other, or another guess)"));
   }
   // exactly long enough: a dead length, to the root of rounding
   const auto d = four_bar(0.4, 0.3, 0.3, 1.0);
@@ -80,8 +80,8 @@ TEST_CASE("a redundant linkage is assembled to rounding") {
 
 TEST_CASE("a hinge that closes with its axes against each other is refused") {
   kte_map_chain c;
-  c << revolute_joint_3D("q", "base", "a", axis::x) << inertia_3D("a", rigid_body<>{1, vec3<>{}, sym3<>{1, 0, 0, 1, 0, 1}})
-    << hinge_3D("h", "base", "a", axis::z);
+  c << revolute_joint_3D("q", "base", "a", axis::x)
+    << inertia_3D("a", rigid_body<>{1, vec3<>{}, sym3<>{1, 0, 0, 1, 0, 1}}) << hinge_3D("h", "base", "a", axis::z);
   auto s = c.make_state();
   CHECK(std::abs(assemble(c, s, numbers({0.5}))[0]) < 1e-15);
   try {

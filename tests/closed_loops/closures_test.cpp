@@ -111,9 +111,10 @@ TEST_CASE("what closures refuse") {
   CHECK_THROWS_MATCHES(hinge_3D("l", "a", "b", vec3<>{1, 1, 0}), bad_parameter,
                        Message("kte: hinge_3D (frame1 'a', frame2 'b', loop 'l'): axis must have length 1, got "
                                "1.4142135623730951"));
-  CHECK_THROWS_MATCHES(distance_2D("l", "a", "b", 0.0), bad_parameter,
-                       Message("kte: distance_2D (frame1 'a', frame2 'b', loop 'l'): length must be finite and positive, "
-                               "got 0"));
+  CHECK_THROWS_MATCHES(
+      distance_2D("l", "a", "b", 0.0), bad_parameter,
+      Message("kte: distance_2D (frame1 'a', frame2 'b', loop 'l'): length must be finite and positive, "
+              "got 0"));
   CHECK_THROWS_AS(coupled_coordinates("l", "a", "b", 0.0, 0.0), bad_parameter);
   kte_map_chain c;
   c << rigid_link_2D("root", "a", vec2<>{1, 0}) << base_2D("b") << coincident_points_2D("l", "a", "b");

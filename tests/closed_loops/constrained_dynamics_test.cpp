@@ -1,6 +1,5 @@
-#include "closed_loops/mechanisms.hpp"
-
 #include "catch.hpp"
+#include "closed_loops/mechanisms.hpp"
 #include "random.hpp"
 
 using namespace kte;
@@ -26,8 +25,8 @@ struct tangle {
            << rigid_link_3D(x + "c", x + "d", vec3<>{0.1, 0.4, 0})
            << prismatic_joint_3D(x + "3", x + "d", x + "e", vec3<>{0.6, 0, 0.8}) << inertia_3D(x + "e", body);
       if (follows)
-        open << mimic_gen(x + "1", x + "4", 2.0)
-             << revolute_joint_3D(x + "4", x + "e", x + "f", axis::y) << inertia_3D(x + "f", body);
+        open << mimic_gen(x + "1", x + "4", 2.0) << revolute_joint_3D(x + "4", x + "e", x + "f", axis::y)
+             << inertia_3D(x + "f", body);
     }
     closed = open;
   }
@@ -39,7 +38,8 @@ void check_against_one_matrix(const tangle& x, int rows, random_numbers& draw) {
   for (int i = 0; i < 5; ++i) {
     const vector v = vector::NullaryExpr(x.open.dofs(), [&] { return draw(); });
     const vector tau = vector::NullaryExpr(x.open.dofs(), [&] { return draw(); });
-    const vector q = integrate(x.open, neutral_configuration(x.open), vector::NullaryExpr(x.open.dofs(), [&] { return draw(); }), 1.0);
+    const vector q = integrate(x.open, neutral_configuration(x.open),
+                               vector::NullaryExpr(x.open.dofs(), [&] { return draw(); }), 1.0);
     const vector zero = vector::Zero(x.open.dofs());
     const vector bias = kte::inverse_dynamics(x.open, tree, q, v, zero);
     const vector expected = by_one_matrix(x.closed, s, q, v, tau, bias);
@@ -51,9 +51,8 @@ void check_against_one_matrix(const tangle& x, int rows, random_numbers& draw) {
     vector forces(rows);
     for (std::size_t k = 0, row = 0; k < r.names.size(); ++k) {
       const auto& elements = x.closed.wiring().elements;
-      const auto at = std::find_if(elements.begin(), elements.end(), [&](const auto& e) {
-        return e.closes && e.element->names().back() == r.names[k];
-      });
+      const auto at = std::find_if(elements.begin(), elements.end(),
+                                   [&](const auto& e) { return e.closes && e.element->names().back() == r.names[k]; });
       const closure_rows of = at->element->rows();
       for (int n = 0; n < of.count(); ++n)
         forces[static_cast<Eigen::Index>(row++)] = detail::row_of(r.loops[k].force, r.loops[k].torque, of, n);
@@ -162,7 +161,8 @@ TEST_CASE("forces of closures are those of statics") {
   truss.gravity(along_y(-10.0)) << revolute_joint_2D("l", "base", "lj") << rigid_link_2D("lj", "lt", along_x(length))
                                 << revolute_joint_2D("r", "base", "rj").at(vec2<>{1, 0})
                                 << rigid_link_2D("rj", "rt", along_x(length)) << inertia_2D("lt", point_mass(3.0))
-                                << inertia_2D("rj", planar_body(0.0, 1e-3)) << rigid_link_2D("lt", "level", vec2<>{0, 0}, rotation_by(-angle))
+                                << inertia_2D("rj", planar_body(0.0, 1e-3))
+                                << rigid_link_2D("lt", "level", vec2<>{0, 0}, rotation_by(-angle))
                                 << coincident_points_2D("pin", "level", "rt");
   auto s = truss.make_state();
   const vector q = numbers({angle, pi - angle}), none = vector::Zero(2);
@@ -236,8 +236,9 @@ TEST_CASE("inverse dynamics by actuated coordinates undoes constrained dynamics"
   const double m = (g.transpose() * mass_matrix(c, s, q) * g)(0, 0);
   CHECK(m == within(3 / 3.0 + 2, 1e-14));
 
-  CHECK_THROWS_MATCHES(loop_motion(c, s, q, actuated("q0", "q1")), bad_argument,
-                       Message("kte: this chain has mobility 1 here, so it is driven by as many coordinates, not by 2"));
+  CHECK_THROWS_MATCHES(
+      loop_motion(c, s, q, actuated("q0", "q1")), bad_argument,
+      Message("kte: this chain has mobility 1 here, so it is driven by as many coordinates, not by 2"));
   CHECK_THROWS_AS(loop_motion(c, s, q, actuated("q7")), unknown_name);
   CHECK_THROWS_MATCHES(inverse_dynamics(c, s, q, v, numbers({1, 0, 0, 0, 0}), actuated("q0")), bad_argument,
                        Message("kte: these accelerations do not keep 'pin0' closed: those of constrained_dynamics do"));
@@ -261,10 +262,11 @@ TEST_CASE("algorithms of trees refuse chains with loops, by name") {
   const auto c = four_bars(1);
   auto s = c.make_state();
   const vector q = four_bar_q(1, 0.4), v = four_bar_v(1, 1.3), none = vector::Zero(3);
-  CHECK_THROWS_MATCHES(kte::inverse_dynamics(c, s, q, v, none), bad_argument,
-                       Message("kte: this algorithm does not know closures of loops, as coincident_points_2D (frame1 "
-                               "'t1', frame2 'e0', loop 'pin0'): inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) "
-                               "of kte/loops.hpp does"));
+  CHECK_THROWS_MATCHES(
+      kte::inverse_dynamics(c, s, q, v, none), bad_argument,
+      Message("kte: this algorithm does not know closures of loops, as coincident_points_2D (frame1 "
+              "'t1', frame2 'e0', loop 'pin0'): inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) "
+              "of kte/loops.hpp does"));
   CHECK_THROWS_AS(c.make_state<float>(), bad_argument);
   CHECK_NOTHROW(mass_matrix(c, s, q));
   CHECK_NOTHROW(energy(c, s, q, v));

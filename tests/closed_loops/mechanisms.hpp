@@ -28,13 +28,14 @@ inline const auto bar = planar_body(1.0, 1.0 / 12, along_x(0.5));
 /// A pendulum of 1 kg and 1 m in Cartesian coordinates (LIM benchmark A01).
 inline kte_map_chain pendulum() {
   kte_map_chain c;
-  c.gravity(along_y(-9.81)) << prismatic_joint_2D("x", "base", "a", axis::x) << prismatic_joint_2D("y", "a", "b", axis::y)
-                            << inertia_2D("b", point_mass(1.0)) << distance_2D("rod", "base", "b", 1.0);
+  c.gravity(along_y(-9.81)) << prismatic_joint_2D("x", "base", "a", axis::x)
+                            << prismatic_joint_2D("y", "a", "b", axis::y) << inertia_2D("b", point_mass(1.0))
+                            << distance_2D("rod", "base", "b", 1.0);
   return c;
 }
 
-/// N + 1 bars on pivots (i, 0), and N couplers between their ends (LIM benchmark A02). `twice`: each hinge closed twice.
-/// On the parallelogram's branch, with phi from the top,
+/// N + 1 bars on pivots (i, 0), and N couplers between their ends (LIM benchmark A02). `twice`: each hinge closed
+/// twice. On the parallelogram's branch, with phi from the top,
 ///
 ///   phi'' = k sin phi,   k = g ((N + 1) / 2 + N) / ((N + 1) / 3 + N)          (1)
 inline kte_map_chain four_bars(int n, bool twice = false) {
@@ -77,13 +78,14 @@ inline kte_map_chain four_bars_in_space(int n) {
   for (int i = 0; i < n; ++i) {
     const auto s = std::to_string(i);
     c << revolute_joint_3D("c" + s, "t" + s, "k" + s, axis::z) << inertia_3D("k" + s, body)
-      << rigid_link_3D("k" + s, "e" + s, along_x(1.0)) << hinge_3D("pin" + s, "t" + std::to_string(i + 1), "e" + s, axis::z);
+      << rigid_link_3D("k" + s, "e" + s, along_x(1.0))
+      << hinge_3D("pin" + s, "t" + std::to_string(i + 1), "e" + s, axis::z);
   }
   return c;
 }
 
-/// A crank and a rod of 1 m each, the end of which slides along x: q2 = -2 q1, and dead points at q1 = pi/2 + k pi where
-/// the end may stay at the pivot.
+/// A crank and a rod of 1 m each, the end of which slides along x: q2 = -2 q1, and dead points at q1 = pi/2 + k pi
+/// where the end may stay at the pivot.
 inline kte_map_chain slider_crank_of_equal_bars() {
   kte_map_chain c;
   c.gravity(along_y(-9.81)) << revolute_joint_2D("crank", "base", "b") << inertia_2D("b", bar)
@@ -92,7 +94,8 @@ inline kte_map_chain slider_crank_of_equal_bars() {
                             << point_on_line_2D("slot", "base", "end", axis::x);
   return c;
 }
-/// The angle of its crank at time t, by its one equation of motion: with the middle of the rod at (3/2 cos q, 1/2 sin q),
+/// The angle of its crank at time t, by its one equation of motion: with the middle of the rod at (3/2 cos q, 1/2 sin
+/// q),
 ///
 ///   T = m(q) q'^2 / 2,  m = 1/3 + 1/12 + 9/4 sin^2 q + 1/4 cos^2 q,   V = g sin q          (2)
 inline double slider_crank_angle(double q, double rate, double t) {
@@ -114,8 +117,8 @@ inline double four_bar_angle(int n, double phi, double rate, double t) {
   return solver.state()[0];
 }
 
-/// Bennett's linkage: four hinges, with sides a, b and twists alpha, beta in turn, sin(alpha) / a = sin(beta) / b. It has
-/// mobility 1, though its closing hinge has 5 rows for 3 coordinates.
+/// Bennett's linkage: four hinges, with sides a, b and twists alpha, beta in turn, sin(alpha) / a = sin(beta) / b. It
+/// has mobility 1, though its closing hinge has 5 rows for 3 coordinates.
 inline kte_map_chain bennett() {
   const double a = 1, b = 1.4, alpha = 0.6, beta = std::asin(b / a * std::sin(alpha));
   const auto link = [](const std::string& from, const std::string& to, double length, double twist) {
@@ -140,8 +143,8 @@ inline kte_map_chain bennett() {
 ///   [ J   0   ] [ lambda ] = [ -J_dot v   ]
 ///
 /// with J_dot v by differences of J along q (+) t v.
-inline vector by_one_matrix(const kte_map_chain& c, runtime_state& s, const vector& q, const vector& v, const vector& tau,
-                            const vector& bias) {
+inline vector by_one_matrix(const kte_map_chain& c, runtime_state& s, const vector& q, const vector& v,
+                            const vector& tau, const vector& bias) {
   const Eigen::MatrixXd m = mass_matrix(c, s, q), j = loop_jacobian(c, s, q);
   const double h = 1e-4;
   const auto along = [&](double t) -> vector { return loop_jacobian(c, s, integrate(c, q, v, t)) * v; };

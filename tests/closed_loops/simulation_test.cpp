@@ -1,5 +1,3 @@
-#include "closed_loops/mechanisms.hpp"
-
 #include <kte/dynamics/centroidal.hpp>
 #include <kte/integrators/bogacki_shampine23.hpp>
 #include <kte/integrators/dormand_prince45.hpp>
@@ -12,6 +10,7 @@
 #include <kte/integrators/runge_kutta5.hpp>
 
 #include "catch.hpp"
+#include "closed_loops/mechanisms.hpp"
 
 using namespace kte;
 using namespace kte::test;
@@ -151,8 +150,8 @@ TEST_CASE("a loop through a floating base keeps momentum") {
   kte_map_chain c;
   c << free_joint_3D("float", "world", "hull") << inertia_3D("hull", body);
   for (const std::string x : {"l", "r"})
-    c << spherical_joint_3D(x + "1", "hull", x + "a").at(vec3<>{x == "l" ? 0.5 : -0.5, 0, 0}) << inertia_3D(x + "a", body)
-      << rigid_link_3D(x + "a", x + "b", vec3<>{x == "l" ? -0.5 : 0.5, 0.6, 0});
+    c << spherical_joint_3D(x + "1", "hull", x + "a").at(vec3<>{x == "l" ? 0.5 : -0.5, 0, 0})
+      << inertia_3D(x + "a", body) << rigid_link_3D(x + "a", x + "b", vec3<>{x == "l" ? -0.5 : 0.5, 0.6, 0});
   c << coincident_points_3D("joined", "lb", "rb");
   auto s = c.make_state();
   const vector q = neutral_configuration(c);
@@ -183,7 +182,8 @@ TEST_CASE("states off the loops are refused, with the closure") {
   auto s = c.make_state();
   CHECK(open_by(c, s, m, x) < 1e-15);
   q = four_bar_q(1, 0.4);
-  CHECK_THROWS_WITH(m.make_x(q, numbers({1, 1, 1})), Catch::Matchers::StartsWith("kte: the velocities do not keep the loops closed"));
+  CHECK_THROWS_WITH(m.make_x(q, numbers({1, 1, 1})),
+                    Catch::Matchers::StartsWith("kte: the velocities do not keep the loops closed"));
   const vector near = m.on_loops((vector(6) << q + numbers({0, 0.01, 0.02}), v).finished());
   CHECK(open_by(c, s, m, near) < 1e-14);
 }
@@ -209,7 +209,8 @@ TEST_CASE("a state of a model has the forces of closures, and the reactions by t
   const auto& s = m.state_at(0, m.make_x(four_bar_q(1, phi), four_bar_v(1, rate)));
   // The weight and the centripetal force of all bars go into both pivots: 3 kg, of which the middle moves as shown.
   const double k = four_bar_constant(1) * std::sin(phi);
-  const double ax = 0.5 * (k * std::cos(phi) - rate * rate * std::sin(phi)), ay = -0.5 * (k * std::sin(phi) + rate * rate * std::cos(phi));
+  const double ax = 0.5 * (k * std::cos(phi) - rate * rate * std::sin(phi)),
+               ay = -0.5 * (k * std::sin(phi) + rate * rate * std::cos(phi));
   const auto& f = s.frame_2D("base").force;
   CHECK(f.x == within(-(2 * ax + 2 * ax), 1e-12));
   CHECK(f.y == within(-(2 * ay + 2 * ay) - 3 * 9.81, 1e-12));

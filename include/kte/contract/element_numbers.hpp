@@ -20,7 +20,8 @@ enum class part : unsigned char {
 
 /// Whether an element is more than what records hold.
 template <class Core>
-inline constexpr bool acts = !is_transmission<Core> && !is_closure<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
+inline constexpr bool acts =
+    !is_transmission<Core> && !is_closure<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
 
 template <class P>
 struct element_numbers {

@@ -5,7 +5,8 @@
 namespace kte {
 
 /// What a closure carries: its residuals as of the last doMotion, zero where the loop is closed, and the forces of the
-/// closure, one for each residual. Rows in m come first, those in rad are apart; what a closure does not have stays zero.
+/// closure, one for each residual. Rows in m come first, those in rad are apart; what a closure does not have stays
+/// zero.
 ///   residual       m
 ///   ang_residual   rad
 ///   force          N, that of residual k: power is force_k times the rate of residual_k

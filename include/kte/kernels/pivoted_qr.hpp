@@ -8,8 +8,8 @@
 
 namespace kte::detail {
 
-/// B P = Q R by Householder reflections (Golub and Van Loan, Matrix Computations, 2013, 5.4.2), of the columns of B that
-/// are independent: Q has orthonormal columns, R is square and upper triangular.
+/// B P = Q R by Householder reflections (Golub and Van Loan, Matrix Computations, 2013, 5.4.2), of the columns of B
+/// that are independent: Q has orthonormal columns, R is square and upper triangular.
 class pivoted_qr {
  public:
   std::vector<int> chosen;  ///< columns of B, in the order of R

@@ -130,8 +130,8 @@ class manipulator_dynamics_model<kte_map_chain, double, void> : public state_spa
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
 
   // ---- of chains with loops (integrators/motion_space.hpp); of others these do nothing
-  /// Puts x = x0 (+) d on the loops, in positions and velocities, by the least change in kinetic energy; d goes with it.
-  /// Throws `bad_argument` that names the closure which does not close.
+  /// Puts x = x0 (+) d on the loops, in positions and velocities, by the least change in kinetic energy; d goes with
+  /// it. Throws `bad_argument` that names the closure which does not close.
   void settle(const state& x0, rate& d, state& x) const;
   /// Takes out of a displacement from x0 what `settle` would.
   void tangential(const state& x0, rate& e) const;

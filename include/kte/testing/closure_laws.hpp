@@ -3,16 +3,15 @@
 #include <kte/contract/closure.hpp>
 #include <kte/testing/element_laws.hpp>
 
-/// Laws of closures of frames, yours too, as those of testing/element_laws.hpp. With `loads_are_opposite` of there, these
-/// are all that a closure has to keep.
+/// Laws of closures of frames, yours too, as those of testing/element_laws.hpp. With `loads_are_opposite` of there,
+/// these are all that a closure has to keep.
 namespace kte::testing {
 
 namespace detail {
 /// The rows that `rows(core, motion of frame2 in frame1)` gives, in numbers.
 template <class S, class Core, class Rows>
 auto rows_of(trial<S, Core>& x, const Rows& rows) {
-  const auto m =
-      kte::detail::as_closing_motion<S>(relative(spatial(x.template at<0>()), spatial(x.template at<1>())));
+  const auto m = kte::detail::as_closing_motion<S>(relative(spatial(x.template at<0>()), spatial(x.template at<1>())));
   return kte::detail::rows_in_numbers<S>(rows(m));
 }
 /// Its residuals along the motion of both frames, derived.

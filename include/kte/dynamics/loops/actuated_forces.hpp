@@ -23,8 +23,8 @@ Eigen::MatrixXd loop_motion(const kte_map_chain& c, runtime_state& s, const Q& q
   return detail::take(c, s, q).call([&] { return detail::actuated_motion(c, s, by.names); });
 }
 
-/// Inverse dynamics of a chain with loops: the forces at the actuated coordinates, in their order, by which a motion that
-/// keeps the loops closed happens, with no force at the others:
+/// Inverse dynamics of a chain with loops: the forces at the actuated coordinates, in their order, by which a motion
+/// that keeps the loops closed happens, with no force at the others:
 ///
 ///   tau = G^T (inverse dynamics of the tree)          (2)
 ///

@@ -10,23 +10,24 @@ Eigen::VectorXd assembled(const kte_map_chain& c, runtime_state& s, Eigen::Vecto
                           const std::vector<std::string>& held);
 }  // namespace detail
 
-/// A configuration on the loops, from a guess, by Levenberg and Marquardt's method: with J the constraint Jacobian and g
-/// the residuals,
+/// A configuration on the loops, from a guess, by Levenberg and Marquardt's method: with J the constraint Jacobian and
+/// g the residuals,
 ///
 ///   (J^T J + mu 1) d = -J^T g,   q <- q (+) d,   mu ~ |g|^2          (1)
 ///
-/// at most a quarter turn a step, so that it converges quadratically also where rows are redundant. Coordinates that are
-/// `held` stay as they are:
+/// at most a quarter turn a step, so that it converges quadratically also where rows are redundant. Coordinates that
+/// are `held` stay as they are:
 ///
 ///   q = kte::assemble(four_bar, s, guess, kte::held("crank"))
 ///
-/// Which of several assemblies is found is the guess's choice. Throws `cannot_assemble`, with the closure that stays open
-/// and by how much, or that closes half a turn off; `bad_argument`, `unknown_name`. Into the state, too.
+/// Which of several assemblies is found is the guess's choice. Throws `cannot_assemble`, with the closure that stays
+/// open and by how much, or that closes half a turn off; `bad_argument`, `unknown_name`. Into the state, too.
 template <indexable Q>
 Eigen::VectorXd assemble(const kte_map_chain& c, runtime_state& s, const Q& guess, const held_coordinates& held = {}) {
   detail::check_regular_tree(c, s);
-  return detail::take(c, s, guess).call(
-      [&] { return detail::assembled(c, s, detail::read_numbers<detail::vector_of::q>(s), held.names); });
+  return detail::take(c, s, guess).call([&] {
+    return detail::assembled(c, s, detail::read_numbers<detail::vector_of::q>(s), held.names);
+  });
 }
 
 }  // namespace kte
@@ -95,8 +96,7 @@ class assembly {
     constexpr double quarter_turn = 1.5707963267948966;
     if (const double most = x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0; most > quarter_turn) x *= quarter_turn / most;
     d = Eigen::VectorXd::Zero(unit_.size());
-    for (std::size_t k = 0; k < free_.size(); ++k)
-      d[free_[k]] = unit_[free_[k]] * x[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < free_.size(); ++k) d[free_[k]] = unit_[free_[k]] * x[static_cast<Eigen::Index>(k)];
     return d.cwiseAbs().maxCoeff() > 0;
   }
   [[noreturn]] void fail(int steps, const char* why) const {
@@ -108,8 +108,7 @@ class assembly {
   /// Throws where rotations are on their false solution.
   void check_upright() const {
     for (const auto& x : equations_.places.closures)
-      if (x.of_frames() &&
-          !loop_equations::element(chain_, x).is_upright(loop_equations::placed(state_, x)))
+      if (x.of_frames() && !loop_equations::element(chain_, x).is_upright(loop_equations::placed(state_, x)))
         throw cannot_assemble("kte: the loops close, but '" + closure_places::name_of(chain_, x) +
                               "' with its frames half a turn apart: another guess");
   }

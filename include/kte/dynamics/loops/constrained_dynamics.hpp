@@ -23,15 +23,15 @@ Eigen::MatrixXd loop_jacobian_at_state(const kte_map_chain& c, runtime_state& s)
 ///
 ///   M a = tau - bias + J^T lambda,   J a = -J_dot v          (1)
 ///
-/// by a column-pivoted QR factorisation of L^-T J^T, M = L^T L, so that redundant closures are no harm: a and J^T lambda
-/// do not depend on which rows are taken. The force of a single redundant closure does: rows in `dependent` get none.
-/// Singular configurations are met to 1e-10 of the largest pivot.
+/// by a column-pivoted QR factorisation of L^-T J^T, M = L^T L, so that redundant closures are no harm: a and J^T
+/// lambda do not depend on which rows are taken. The force of a single redundant closure does: rows in `dependent` get
+/// none. Singular configurations are met to 1e-10 of the largest pivot.
 ///
 ///   constrained_dynamics(c, s, q, v, tau)    r.a, r.loop("pin").force, r.rank, r.mobility, r.dependent
 ///
-/// The state gets accelerations and forces, too; positions and velocities should be on the loops. Arguments and errors as
-/// for `forward_dynamics`; throws `bad_argument` for a closure on a frame that follows others, and for joints that may be
-/// held or have friction by what they carry.
+/// The state gets accelerations and forces, too; positions and velocities should be on the loops. Arguments and errors
+/// as for `forward_dynamics`; throws `bad_argument` for a closure on a frame that follows others, and for joints that
+/// may be held or have friction by what they carry.
 template <indexable Q, indexable V, indexable T>
 constrained_dynamics_result constrained_dynamics(const kte_map_chain& c, runtime_state& s, const Q& q, const V& v,
                                                  const T& tau) {

@@ -20,8 +20,7 @@ KTE_FUNCTION const Eigen::VectorXd& constrained_accelerations_under_kept(const k
 
 /// At positions that are good, under applied(i).
 template <class S, class Tau>
-const runtime_vector<S>& accelerations_of_chain(const kte_map_chain& c, basic_runtime_state<S>& s,
-                                                const Tau& applied) {
+const runtime_vector<S>& accelerations_of_chain(const kte_map_chain& c, basic_runtime_state<S>& s, const Tau& applied) {
   if constexpr (std::is_same_v<S, double>)
     if (has_loops(c)) [[unlikely]] {
       for (int i = 0; i < s.dofs(); ++i) s.work.kept[static_cast<std::size_t>(i)] = applied(i);

@@ -13,8 +13,7 @@ struct loop_memory_of_state {
   loop_equations equations;
   loop_factor factor;
 
-  loop_memory_of_state(const kte_map_chain& c, const runtime_state& s)
-      : layout(c.wiring().layout), equations(c, s) {}
+  loop_memory_of_state(const kte_map_chain& c, const runtime_state& s) : layout(c.wiring().layout), equations(c, s) {}
 };
 inline loop_memory_of_state& loops_of(const kte_map_chain& c, runtime_state& s) {
   const auto make = [&] { return loop_memory_of_state(c, s); };
@@ -33,8 +32,8 @@ inline void check_loops(const kte_map_chain& c, const runtime_state& s) {
   if (!s.tree().readers.empty()) [[unlikely]]
     refuse(s.tree().readers.front(), " has friction by what it carries, which chains with closures do not know");
 }
-/// The pivot that counts as zero where residuals are as they are: rows that depend on others on the loops do not, as far
-/// as the state is away from them.
+/// The pivot that counts as zero where residuals are as they are: rows that depend on others on the loops do not, as
+/// far as the state is away from them.
 inline double least_pivot_at(const Eigen::VectorXd& residual) {
   const double gap = residual.size() > 0 ? residual.cwiseAbs().maxCoeff() : 0;
   return gap < 1e-8 ? (std::max)(least_pivot, 100 * gap) : least_pivot;

@@ -9,8 +9,7 @@ namespace kte::detail {
 class loop_equations {
  public:
   loop_equations(const kte_map_chain& c, const runtime_state& s) : places(c, s) {
-    for (const auto& b : places.blocks)
-      jacobian.emplace_back(b.rows, static_cast<Eigen::Index>(b.places.size()));
+    for (const auto& b : places.blocks) jacobian.emplace_back(b.rows, static_cast<Eigen::Index>(b.places.size()));
     residual.resize(places.rows), acceleration.resize(places.rows);
   }
 
@@ -202,8 +201,8 @@ class loop_equations {
                                       const pose<mat3<vec3<>>, vec3<>>& at) {
     const auto& place = s.tree().forest.frame(x.what, x.index);
     const auto& body = s.work.bodies[static_cast<std::size_t>(place.slot)];
-    const motion of_body{vec3<>{},          no_rotation{},     body.velocity, body.ang_velocity,
-                         body.acceleration, body.ang_acceleration};
+    const motion of_body{vec3<>{},          no_rotation{},     body.velocity,
+                         body.ang_velocity, body.acceleration, body.ang_acceleration};
     auto m = as_closing_motion<double>(compose(of_body, at_rest(place.at.rotation, place.at.position)));
     m.position = at.position, m.rotation = at.rotation;
     return m;

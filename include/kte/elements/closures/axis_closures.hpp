@@ -201,18 +201,16 @@ namespace detail {
 struct axis_closures_family {
   template <class Add>
   static void add_to(const Add& add) {
-    add("hinge_3D", [](const auto& x) {
-      return hinge_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis"));
-    });
+    add("hinge_3D",
+        [](const auto& x) { return hinge_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis")); });
     add("cylindrical_3D", [](const auto& x) {
       return cylindrical_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis"));
     });
     add("sliding_2D", [](const auto& x) {
       return sliding_2D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.planar_vector("axis"));
     });
-    add("sliding_3D", [](const auto& x) {
-      return sliding_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis"));
-    });
+    add("sliding_3D",
+        [](const auto& x) { return sliding_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis")); });
     add("universal_3D", [](const auto& x) {
       return universal_3D(x.name("loop"), x.name("frame1"), x.name("frame2"), x.vector("axis1"), x.vector("axis2"));
     });

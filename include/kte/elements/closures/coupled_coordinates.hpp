@@ -52,15 +52,15 @@ struct coupled_by : coordinate_closure<coupled_by<Law, N>> {
 
 }  // namespace core
 
-/// Couples two coordinates: factor1 q1 + factor2 q2 = constant. Both must be degrees of freedom. 1 row; its force, Nm, is
-/// `torque.x` of the loop, and puts factor times itself on each coordinate.
+/// Couples two coordinates: factor1 q1 + factor2 q2 = constant. Both must be degrees of freedom. 1 row; its force, Nm,
+/// is `torque.x` of the loop, and puts factor times itself on each coordinate.
 template <class L, class Q1, class Q2>
 constexpr auto coupled_coordinates(const L& loop, const Q1& q1, const Q2& q2, double factor1, double factor2,
                                    double constant = 0) {
   return connect(core::coupled_coordinates(factor1, factor2, constant), q1, q2, loop);
 }
-/// Couples one to four coordinates by a function of yours that is zero. Write it for numbers of any type, such as duals,
-/// by which derivatives are found:
+/// Couples one to four coordinates by a function of yours that is zero. Write it for numbers of any type, such as
+/// duals, by which derivatives are found:
 ///
 ///   coupled_by("cam", "q1", "q2", [](const auto& q1, const auto& q2) { using std::sin; return q2 - 0.1 * sin(q1); })
 ///

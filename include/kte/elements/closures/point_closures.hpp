@@ -115,8 +115,8 @@ struct distance : closure<distance<Dim>> {
 
 }  // namespace core
 
-/// Closes a loop by a pin in a straight slot of frame1, along the unit vector `axis` through its origin, in the plane: 1
-/// row, m.
+/// Closes a loop by a pin in a straight slot of frame1, along the unit vector `axis` through its origin, in the plane:
+/// 1 row, m.
 template <class L, class A, class B, class Axis>
 constexpr auto point_on_line_2D(const L& loop, const A& frame1, const B& frame2, const Axis& axis) {
   return connect(core::point_on_line<kind::frame_2D>(as<double>(detail::planar(axis))), frame1, frame2, loop);

@@ -23,7 +23,7 @@ struct loop_step {
   Eigen::VectorXd x0;
   loop_equations equations;  ///< at x0
   loop_factor factor;
-  double gap = 0;     ///< the largest residual
+  double gap = 0;      ///< the largest residual
   double sliding = 0;  ///< the largest rate of one, in parts of what rates of coordinates could make
 };
 
@@ -54,19 +54,21 @@ inline std::string gap_text(const kte_map_chain& c, const loop_equations& e) {
 }
 /// Loops that are closed to rounding tell branches apart while pivots are above its root.
 inline constexpr double least_pivot_of_branch = 1e-7;
-/// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot be
-/// told apart.
+/// Throws `bad_argument` where a step starts off the loops, or so near to a singular configuration that branches cannot
+/// be told apart.
 inline void check_step(const kte_map_chain& c, const runtime_state&, loop_step& step) {
   if (step.gap > off_loops_above) [[unlikely]]
     throw bad_argument("kte: the state is off the loops: " + gap_text(c, step.equations) +
                        ": kte::assemble finds one that is on them");
   if (step.sliding > 1e-6) [[unlikely]]
-    throw bad_argument("kte: the velocities do not keep the loops closed: kte::consistent_velocities, or after an impact "
-                       "kte::impulse, gives such as do");
+    throw bad_argument(
+        "kte: the velocities do not keep the loops closed: kte::consistent_velocities, or after an impact "
+        "kte::impulse, gives such as do");
   for (const auto& p : step.factor.parts)
     if (p.smallest < least_pivot_of_branch * p.largest) [[unlikely]]
-      throw bad_argument("kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
-                         "in several ways: larger tolerances pass it in one step");
+      throw bad_argument(
+          "kte: the loops are as near to a singular configuration as rounding, where the mechanism may go on "
+          "in several ways: larger tolerances pass it in one step");
 }
 
 /// (1) and (2).
@@ -114,8 +116,8 @@ inline void make_tangential(const loop_step& step, Eigen::VectorXd& e) {
     e.segment(first, n) -= step.factor.least_change(step.equations, step.equations.times(part));
   }
 }
-/// Accelerations under no forces from outside, at a stage of a step: by the rows of its start, unless the state is on the
-/// loops.
+/// Accelerations under no forces from outside, at a stage of a step: by the rows of its start, unless the state is on
+/// the loops.
 inline const Eigen::VectorXd& accelerations_in_step(const kte_map_chain& c, runtime_state& s, own_memory& kept) {
   check_regular_tree(c, s), check_positions(s);
   auto& e = loops_of(c, s).equations;

@@ -174,7 +174,8 @@ class trial {
   template <class Draw, std::size_t... K>
   void draw_all(Draw& draw, std::index_sequence<K...>) {
     const auto draw_kind = [&draw]<kind Kind>(auto& things) {
-      if ((Kind == kind::vector || Kind == kind::loop) && !has_port(Kind)) return;  // the other numbers stay what they were
+      if ((Kind == kind::vector || Kind == kind::loop) && !has_port(Kind))
+        return;  // the other numbers stay what they were
       for (auto& x : things) x = random_thing<Kind, S>(draw);
     };
     (draw_kind.template operator()<static_cast<kind>(K)>(std::get<K>(things_)), ...);
