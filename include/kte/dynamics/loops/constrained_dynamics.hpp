@@ -99,11 +99,11 @@ struct loop_gap {
   bool linear = false;
 };
 inline loop_gap widest_gap(const loop_equations& e) {
-  loop_gap widest;
+  loop_gap widest{0, &e.places.closures.front(), true};
   double most = -1;
   for (const auto& x : e.places.closures)
     for (int r = 0; r < x.rows.count(); ++r)
-      if (const double g = std::abs(e.residual[x.first + r]); g > most)
+      if (const double g = std::abs(e.residual[x.first + r]); !(g <= most))
         most = g, widest = {g / e.places.scale(x, r), &x, r < x.rows.linear};
   return widest;
 }
