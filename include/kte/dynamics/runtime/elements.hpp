@@ -5,6 +5,8 @@
 #include <kte/dynamics/runtime/arguments.hpp>
 #include <kte/runtime_chain/chain.hpp>
 
+#include <algorithm>
+
 /// The elements of a runtime chain in the loops over body nodes.
 namespace kte::detail {
 
@@ -68,12 +70,29 @@ template <class Exception>
   throw bad_argument("kte: only passes and inverse dynamics support this chain: " +
                      describe_element(runtime_elements{c}.element(x.element)) + x.why);
 }
+/// Whether a chain has closures of loops.
+inline bool has_loops(const runtime_chain& c) { return c.wiring().count(kind::loop) > 0; }
 /// The same where passes alone know the chain.
 template <class S>
-void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
+void check_regular_tree(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   if (s.tree().irregular) [[unlikely]]
     refuse_chain(c, s.tree().irregular);
+}
+/// Throws `bad_argument`, with the first closure, where a chain has loops and an algorithm does not know them.
+inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
+  if (!has_loops(c)) [[likely]]
+    return;
+  const auto& elements = c.wiring().elements;
+  const auto first = std::find_if(elements.begin(), elements.end(), [](const auto& e) { return e.closes; });
+  throw bad_argument("kte: this algorithm does not know closures of loops, as " + describe_element(*first->element) +
+                     instead);
+}
+/// The same as `check_regular_tree`, of algorithms that know trees alone.
+template <class S>
+void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  check_regular_tree(c, s);
+  refuse_loops(c);
 }
 /// The same of its motion.
 template <class S>
@@ -97,6 +116,7 @@ void coordinate_forces(const runtime_chain& c, basic_runtime_state<S>& s, bool m
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_whole(const runtime_chain&, const runtime_state&);
+KTE_EXTERN template void check_regular_tree(const runtime_chain&, const runtime_state&);
 KTE_EXTERN template void check_regular(const runtime_chain&, const runtime_state&);
 KTE_EXTERN template void coordinate_forces(const runtime_chain&, runtime_state&, bool);
 KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);
