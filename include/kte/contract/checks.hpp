@@ -97,7 +97,7 @@ struct check_bodies {
                 "kte: this algorithm counts the masses of single frames and coordinates, and this element has a mass "
                 "between several");
 };
-/// What stands for an element that was refused with a sentence, so that nothing more is said about it.
+/// The result of a rejected element: its error has been reported, and no further errors follow.
 struct refused {
   template <class... Place>
   constexpr refused at(const Place&...) const {

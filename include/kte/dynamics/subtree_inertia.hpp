@@ -129,7 +129,7 @@ mass_centre<S> carried_mass_centre(const runtime_chain& c, basic_runtime_state<S
   const auto b = subtree_inertia(c, s, frame);
   return detail::centre_in_base(b, forward_kinematics(c, s, frame));
 }
-// The same at q, which is put into the state.
+// At q, which is stored in the state.
 template <class S, indexable Q>
 dense_composite_inertia<S> subtree_inertia(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                            const name_or_handle& frame) {

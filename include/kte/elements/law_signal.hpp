@@ -11,7 +11,7 @@ namespace core {
 /// A signal that is a function of others, given by the user: y = f(u_1, u_2, ...), a number or three.
 template <class Law, std::size_t N>
 struct law_signal {
-  /// Of what f gives for numbers.
+  /// The kind of signal that f returns for numbers.
   static constexpr kind gives = []<std::size_t... I>(std::index_sequence<I...>) {
     using result = std::invoke_result_t<const Law&, std::enable_if_t<(I < N), double>...>;
     return requires(const result& y) { y.x, y.y, y.z; }

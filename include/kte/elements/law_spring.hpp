@@ -96,13 +96,13 @@ requires detail::is_spring_law<Law...>
 constexpr auto law_spring_gen(const Q1& anchor1, const Q2& anchor2, const Law&... law) {
   return detail::connect_law_spring<kind::gen>(anchor1, anchor2, law...);
 }
-/// The same between the origins of two frames in the plane.
+/// A spring by a function between the origins of two frames in the plane.
 template <class F1, class F2, class... Law>
 requires detail::is_spring_law<Law...>
 constexpr auto law_spring_2D(const F1& anchor1, const F2& anchor2, const Law&... law) {
   return detail::connect_law_spring<kind::frame_2D>(anchor1, anchor2, law...);
 }
-/// The same in space.
+/// A spring by a function between the origins of two frames in space.
 template <class F1, class F2, class... Law>
 requires detail::is_spring_law<Law...>
 constexpr auto law_spring_3D(const F1& anchor1, const F2& anchor2, const Law&... law) {

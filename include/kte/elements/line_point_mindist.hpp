@@ -61,7 +61,7 @@ template <class B, class E, class Tangent, class Point>
                                                                                                                    o},
       base, end);
 }
-/// The same in space.
+/// A frame at the point of a line in space nearest to the origin of another frame.
 template <class B, class E, class X, class Y, class Z, class OX, class OY, class OZ>
 [[nodiscard]] constexpr auto line_point_mindist_3D(const B& base, const E& end, const vec3<X, Y, Z>& tangent,
                                                    const vec3<OX, OY, OZ>& origin) {

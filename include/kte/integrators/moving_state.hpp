@@ -82,7 +82,7 @@ class moving_state {
       next_ = x_ + d;
     }
   }
-  /// The rate of the displacement at its present value, of which `next_` is the state.
+  /// The rate of the displacement at its present value; `next_` is the state there.
   void slope(const S& t, rate& k) {
     evaluate(t, next_, k);
     pull_back(k);

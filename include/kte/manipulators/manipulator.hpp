@@ -47,7 +47,7 @@ class manipulator<Chain, detail::tool_keys<Tools...>> : public manipulator_kinem
 
   explicit constexpr manipulator(const Chain& c, const Tools&... tools)
       : model(c, tools...), structure_(detail::structure_of(detail::geometry_of<first_tool>(c))) {}
-  /// Throws `bad_parameter`, with the name of the coordinate, for limits that make no sense (`check_limits`).
+  /// A manipulator with its limits. Throws `bad_parameter`, naming the coordinate, for invalid limits (`check_limits`).
   template <class Numbers>
   constexpr manipulator(const Chain& c, const Tools&... tools, const joint_limits<Numbers>& limits)
       : manipulator(c, tools...) {

@@ -71,7 +71,7 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
   __builtin_memcpy(sine, &signed_sin, sizeof signed_sin);
   __builtin_memcpy(cosine, &signed_cos, sizeof signed_cos);
 }
-/// The same of any angles.
+/// Sines and cosines of any angles.
 KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, double* cosine) {
   const auto in_range = [](double x) KTE_INLINE_LAMBDA { return std::fabs(x) <= largest_reduced_angle; };
   if (in_range(a) && in_range(b) && in_range(c) && in_range(d)) [[likely]]

@@ -25,7 +25,7 @@ namespace kte {
 template <class Chain, class S = double, class Output = void>
 class manipulator_dynamics_model;
 
-/// Of a static chain.
+/// The dynamics of a static chain as a system x' = f(t, x, u), y = h(t, x, u).
 template <class Gravity, class... E, class S, class Output>
 class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     : public state_space<static_chain<Gravity, E...>, S> {
@@ -53,7 +53,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
-  /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
+  /// (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
   /// Of a vector of dynamic size, which is checked before it becomes a state. `state_at` and `computeOutput` likewise.
   template <class X>
@@ -143,7 +143,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
       if (const auto& signal = wiring::table.signal[static_cast<std::size_t>(i)]; signal.u < 0)
         s.template get<kind::input>(signal.slot) = t;
   }
-  /// The same, with a time, if there is one, as it is in the state.
+  /// Stores x and the inputs in a state of the chain; the time is unchanged.
   void setJointStates(const state& x, chain_state<S, wiring>& s) const {
     set_positions(s, x.data()), set_velocities(s, x.data() + size::q);
     for (int i = 0; i < size::z; ++i) s.template get<kind::internal>(i).z = x[size::q + size::v + i];
@@ -184,7 +184,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// Whether it has another output than (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
-  /// The same system in another scalar: in dual numbers its rates and outputs have derivatives.
+  /// The system in another scalar: in dual numbers its rates and outputs have derivatives.
   template <class T>
   auto in_scalar() const {
     const auto made = [this] {
@@ -199,7 +199,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     m.setInput(this->u_);
     return m;
   }
-  /// The same system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
+  /// The system with another output: `model.with_output([](const auto& s) { return s[tip].position.x; })`.
   template <class F>
   auto with_output(const F& f) const {
     manipulator_dynamics_model<chain_type, S, F> m(this->chain(), f);

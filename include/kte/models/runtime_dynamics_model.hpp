@@ -51,14 +51,14 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   explicit manipulator_dynamics_model(const runtime_chain& c);
 
   const rate& computeStateRate(double t, const state& x) const;
-  /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
+  /// (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
   /// As of a static chain. Says whether it is known: of chains without internal states (and not where passes alone know
   /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double t, const state& x, jacobian_matrix& j) const;
-  /// The same; throws `bad_argument` where it is not known.
+  /// The Jacobian of x'; throws `bad_argument` if it is not available.
   jacobian_matrix jacobian(double t, const state& x) const;
 
   /// As of a static chain, also where there are internal states. Throws `bad_argument` where passes alone know a joint.
@@ -71,7 +71,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   using base::make_x;
-  /// The same of vectors.
+  /// The state x of vectors q and v, with z = 0 or as given.
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
@@ -88,7 +88,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   state getJointStates(const runtime_state& s) const;
   /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
   void setJointStates(double t, const state& x, runtime_state& s) const;
-  /// The same, with a time, if there is one, as it is in the state.
+  /// Stores x and the inputs in a state of the chain; the time is unchanged.
   void setJointStates(const state& x, runtime_state& s) const;
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
   const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
@@ -112,7 +112,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
 
   /// Whether it has another output than (q, v).
   bool has_output() const { return static_cast<bool>(output_); }
-  /// The same system with another output, of a state of the chain.
+  /// The system with another output, a function of a state of the chain.
   manipulator_dynamics_model with_output(output_function f) const {
     auto m = *this;
     m.output_ = std::move(f);

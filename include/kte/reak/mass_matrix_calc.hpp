@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// Of a runtime chain: reak/twist_shaping.hpp.
+/// The mass matrix of a runtime chain by twist shaping: reak/twist_shaping.hpp.
 namespace kte {
 
 template <>
@@ -111,7 +111,7 @@ class mass_matrix_calc<runtime_chain> {
                          detail::diagnose_state{"a mass matrix", s});
     return m;
   }
-  // The same at q, or q and v, which are put into the state.
+  // At q, or q and v, which are stored in the state.
   template <indexable Q>
   Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
     check(s);

@@ -14,7 +14,7 @@
 namespace kte {
 
 namespace detail {
-/// What a state makes for itself when it is first wanted: copies of it begin without.
+/// Memory that a state allocates at first use; copies start without it.
 class own_memory {
  public:
   own_memory() = default;

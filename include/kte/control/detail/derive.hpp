@@ -82,7 +82,7 @@ matrix_of<S> derive_by_differences(int rows, int count, const Size& size, const 
   }
   return j;
 }
-/// Of a number x.
+/// The size of a number x.
 template <class S>
 S size_of_number(const S& x) {
   using std::abs;

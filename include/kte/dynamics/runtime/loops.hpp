@@ -68,14 +68,14 @@ template <class Exception>
   throw bad_argument("kte: only passes and inverse dynamics support this chain: " +
                      describe_element(runtime_elements{c}.element(x.element)) + x.why);
 }
-/// The same where passes alone know the chain.
+/// The forces of a chain that only passes support.
 template <class S>
 void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   if (s.tree().irregular) [[unlikely]]
     refuse_chain(c, s.tree().irregular);
 }
-/// The same of its motion.
+/// The motion of a chain that only passes support.
 template <class S>
 void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
