@@ -200,7 +200,7 @@ struct rubbing_joint : transmission<rubbing_joint> {
 };
 }  // namespace
 
-TEST_CASE("a joint of one's own has a place, and keeps its friction") {
+TEST_CASE("a custom joint has a place, and keeps its friction") {
   const auto placed =
       chain(connect(rubbing_joint(0.5), q, ground, arm).at(position, rotation), inertia_3D(arm, brick)).gravity(weight);
   const auto linked = chain(fixed_joint_3D(ground, seat, position, rotation), connect(rubbing_joint(0.5), q, seat, arm),

@@ -40,7 +40,7 @@ TEST_CASE("a coordinate that moves no mass") {
   constexpr auto none = chain(revolute_joint_3D(hip, ground, trunk, axis::x));
   CHECK_THROWS_WITH(forward_dynamics(none, std::array{0.1}, std::array{0.1}, std::array{0.1}),
                     test::contains_text(singular + "hip'"));
-  // Three coordinates of one joint, and a coordinate with a mass of its own that is nothing.
+  // Three coordinates of one joint, and a coordinate with its own mass that is nothing.
   constexpr auto turning = chain(spherical_joint_3D(ball, ground, trunk), inertia_3D(trunk, point_mass(1.0)));
   CHECK_THROWS_WITH(mass_matrix_inverse(turning, std::array{1.0, 0.0, 0.0, 0.0}),
                     test::contains_text(singular + "ball'"));
@@ -103,7 +103,7 @@ struct rubbing_joint : kte::transmission<rubbing_joint> {
 };
 }  // namespace
 
-TEST_CASE("a joint with a force of its own") {
+TEST_CASE("a joint with its own force") {
   using namespace kte;
   const auto slide = chain(connect(rubbing_joint{}, hip, ground, trunk), inertia_3D(trunk, point_mass(2.0)));
   const std::array q{0.1}, v{0.5}, a{3.0};

@@ -31,7 +31,7 @@ TEST_CASE("with everything prescribed, hybrid dynamics is inverse dynamics") {
   }
 }
 
-TEST_CASE("hybrid dynamics of the accelerations of forward dynamics gives back the forces") {
+TEST_CASE("hybrid dynamics of the accelerations of forward dynamics returns the forces") {
   random_numbers random(11);
   for (int round = 0; round < 20; ++round) {
     const trial<decltype(rotors)> x(random);

@@ -2,7 +2,7 @@
 #include "digits50.hpp"
 #include "dynamics/inverse_error.hpp"
 
-// The inverse of the mass matrix where coordinates follow others, at 50 digits, and where there is none.
+// The inverse of the mass matrix where coordinates follow others, at 50 digits, and if there is none.
 
 using namespace kte;
 using namespace kte::test::trees;

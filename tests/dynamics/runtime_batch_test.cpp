@@ -112,7 +112,7 @@ TEST_CASE("matrices of states in rows are refused") {
   CHECK(flat.reshaped() == mass.reshaped());
 }
 
-TEST_CASE("batches of chains with laws of their own are refused") {
+TEST_CASE("batches of chains with their own laws are refused") {
   runtime_chain c = arm();
   c << spring_gen("slide", "turn", 0.0, 10.0);
   const states x(2);

@@ -13,8 +13,8 @@
 #include "robots/iiwa14.hpp"
 
 // Derivatives, the inverse of the mass matrix and hybrid dynamics of runtime chains: against 21 digits, and against
-// static chains, which have tests of their own. Both do the same sums; static chains leave out what is zero by its
-// type, so that results differ where the compiler contracts other products. Bound: the errors of both.
+// static chains, which have their own tests. Both do the same sums; static chains leave out what is zero by its type,
+// so that results differ where the compiler contracts other products. Bound: the errors of both.
 
 using namespace kte;
 using namespace kte::test::trees;

@@ -98,7 +98,7 @@ TEST_CASE("shared names in static chains, runtime chains and files") {
                          std::array{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0, 0.0})[7] == 0);
 }
 
-TEST_CASE("what is asked for by a shared name") {
+TEST_CASE("what is requested by a shared name") {
   const auto& c = of_texts;
   CHECK(c.frame("elbow").what() == kind::frame_3D);
   CHECK(c.coordinate("elbow").what() == kind::gen);
