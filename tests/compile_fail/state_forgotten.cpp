@@ -3,7 +3,7 @@
 // expect: error: .*kte: algorithms on runtime chains work in a state, .*inverse_dynamics.c, s, q, v, a
 // expect: error: .*kte: algorithms on runtime chains work in a state, .*mass_matrix.c, s, q
 // expect: error: .*kte: algorithms on runtime chains work in a state, .*jacobian.c, s, q
-// expect: error: .*kte: this is the state of a static chain; a runtime chain makes its own: c.make_state
+// expect: error: .*kte: this is the state of a static chain; a runtime chain makes its own: make_state.c
 #include <kte/kte.hpp>
 
 // clang-format off

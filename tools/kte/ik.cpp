@@ -191,22 +191,20 @@ int ik(const options& o) {
 
 void add_ik(command_line& line) {
   const auto o = std::make_shared<options>();
-  auto& c =
-      add_reading(
-          line.add("ik", "postures for poses of a frame",
-                   "Inverse kinematics: prints a posture within limits for each pose of a table, by closed formulas "
-                   "where the arm has some, else numerically. Each is the nearest to the one before. The exit code "
-                   "is 1 if a pose is not reached; the table then has the nearest that was found."),
-          o->in)
-          .text("--frame", "NAME", o->frame, "the frame that the poses are of, as the tool")
-          .text(
-              "--poses", "TABLE", o->poses,
-              "columns x, y, z, m, and qw, qx, qy, qz, a quaternion, in axes of the world; without the latter only the "
-              "place matters");
+  auto& c = add_reading(
+                line.add("ik", "finds joint configurations for poses of a frame",
+                         "Inverse kinematics: prints a configuration within limits for each pose of a table, in closed "
+                         "form if the arm has one, else numerically. Each is the nearest to the previous one. The exit "
+                         "code is 1 if a pose is not reached; the table then has the nearest configuration found."),
+                o->in)
+                .text("--frame", "NAME", o->frame, "the frame of the poses, such as the tool")
+                .text("--poses", "TABLE", o->poses,
+                      "columns x, y, z, m, and qw, qx, qy, qz, a quaternion, in world axes; without the latter only "
+                      "the position matters");
   add_start(c, o->start)
-      .flag("--all", o->all, "all postures of a pose, also beyond limits, by closed formulas")
-      .flag("--numeric", o->numeric, "without closed formulas")
-      .flag("--json", o->json, "as JSON")
+      .flag("--all", o->all, "prints all closed-form configurations of a pose, including those beyond limits")
+      .flag("--numeric", o->numeric, "always solves numerically")
+      .flag("--json", o->json, "prints JSON")
       .runs([o] { return ik(*o); });
 }
 

@@ -22,9 +22,9 @@ Eigen::VectorXd configuration(const std::string& name, const mechanism& m) {
 command& add_start(command& c, start_options& o) {
   return c
       .text("--start", "TABLE", o.table,
-            "q and v at the start, in its first row: columns q_0, ..., v_0, ... as of kte eval, or as recordings have "
-            "them; what is missing is 0")
-      .text("--configuration", "NAME", o.configuration, "q at the start: one that has a name in the file (MJCF)");
+            "initial q and v, from the first row: columns q_0, ..., v_0, ... as for kte eval, or named as in "
+            "recordings; default 0")
+      .text("--configuration", "NAME", o.configuration, "initial q: a named configuration of the file (MJCF)");
 }
 
 initial_state::initial_state(const start_options& o, const mechanism& m, const kte::runtime_chain& c)

@@ -44,7 +44,7 @@ template <class Gravity, class... E, indexable Q, key_type Frame>
   using motion_type = unrolled_motion<chain_type, std::remove_const_t<decltype(g)>>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<chain_type>>;
   const motion_type m(c, g);
-  const bodies_type bodies{m};
+  const bodies_type bodies(m);
   return checked_composite<S>(engine::composite_inertia_of<frame_place<Frame::what, frame_slot<Frame, chain_type>()>>(
       engine::unrolled<bodies_type>{bodies}));
 }

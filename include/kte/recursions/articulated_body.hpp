@@ -312,24 +312,44 @@ KTE_INLINE auto bias_motions(const Driver& d, const Kept& kept, const S* rate, c
     return bias_motion_of(b, parent, rate + b.first(), change + b.first());
   });
 }
-/// Inward, (2), into `factors` of axes: own(body, bias motion) is p^A of the body alone, force(body)(k) acts on axis k
-/// of its joint.
+/// Steps of (2): a body alone, with own(body, bias motion) for its p^A; its joint, with force(body)(k) on axis k; its
+/// parent.
+template <class Own>
+struct articulated_alone {
+  Own own;
+  template <class B, class M>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& m) const {
+    return articulated_body{to_articulated(b.composite()), own(b, m)};
+  }
+};
+template <class S, class Force, class Unmoved>
+struct joint_elimination {
+  Force force;
+  axis_factors<S>* factors;
+  Unmoved& unmoved;
+  template <body B, class X, class Ends>
+  KTE_INLINE constexpr auto operator()(const B& b, const X& x, const Ends& ends) const {
+    if constexpr (body_with_axes<B>)
+      return eliminated(b, x, force(b), factors + b.first(), unmoved);
+    else
+      return eliminated_by_number(b, x, force(b), factors + b.first(), ends, unmoved);
+  }
+};
+template <class Force>
+struct articulated_to_parent {
+  Force force;
+  template <body B, class M, class Y>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& m, const Y& y) const {
+    return seen_by_parent(b, m, y, force(b));
+  }
+};
+/// Inward, (2), into `factors` of axes. `unmoved` notes axes that have nothing to move.
 template <class Hand, class Driver, class Kept, class Biases, class Own, class Force, class S, class Unmoved>
 KTE_INLINE void articulate(const Driver& d, const Kept& kept, const Biases& biases, const Own& own, const Force& force,
                            axis_factors<S>* factors, Unmoved& unmoved) {
-  d.template inward<false, Hand, false>(
-      kept, biases,
-      [=](const auto& b, const auto& m) KTE_INLINE_LAMBDA {
-        return articulated_body{to_articulated(b.composite()), own(b, m)};
-      },
-      [=, &unmoved](const body auto& b, const auto& x, bool ends) KTE_INLINE_LAMBDA {
-        if constexpr (body_with_axes<std::remove_cvref_t<decltype(b)>>)
-          return eliminated(b, x, force(b), factors + b.first(), unmoved);
-        else
-          return eliminated_by_number(b, x, force(b), factors + b.first(), ends, unmoved);
-      },
-      [=](const body auto& b, const auto& m, const auto& y)
-          KTE_INLINE_LAMBDA { return seen_by_parent(b, m, y, force(b)); });
+  d.template inward<false, Hand, false>(kept, biases, articulated_alone<Own>{own},
+                                        joint_elimination<S, Force, Unmoved>{force, factors, unmoved},
+                                        articulated_to_parent<Force>{force});
 }
 /// Articulated inertias alone: of a mechanism at rest, without loads and forces.
 struct rest {
@@ -346,16 +366,23 @@ KTE_INLINE void articulate_at_rest(const Driver& d, const Kept& kept, axis_facto
       [](const auto&, const auto&) KTE_INLINE_LAMBDA { return no_wrench; }, rest{}, factors, unmoved);
 }
 /// Outward, (3): accelerations of all bodies, from those of bases in `kept`, and of axes.
-template <class Hand, class Driver, class Kept, class Biases, class S>
-KTE_INLINE void accelerate(const Driver& d, const Kept& kept, const Biases& biases, const axis_factors<S>* factors,
-                           S* change) {
-  d.template descend<Hand>(kept, biases, [=](const body auto& b, const auto& m, const auto& parent) KTE_INLINE_LAMBDA {
+template <class S>
+struct acceleration_of_child {
+  const axis_factors<S>* factors;
+  S* change;
+  template <body B, class M, class A>
+  KTE_INLINE constexpr auto operator()(const B& b, const M& m, const A& parent) const {
     const motion_vector a{
         b.in(plus_cross(parent.acceleration + m.centripetal, parent.ang_acceleration, b.position())) + m.linear,
         b.in(parent.ang_acceleration) + m.angular};
     const auto found = accelerated_if_free(b, factors + b.first(), a, change + b.first());
     return body_motion{skip{}, m.ang_velocity, found.linear, found.angular};
-  });
+  }
+};
+template <class Hand, class Driver, class Kept, class Biases, class S>
+KTE_INLINE void accelerate(const Driver& d, const Kept& kept, const Biases& biases, const axis_factors<S>* factors,
+                           S* change) {
+  d.template descend<Hand>(kept, biases, acceleration_of_child<S>{factors, change});
 }
 
 }  // namespace kte::engine

@@ -161,7 +161,7 @@ template <class B>
 concept moving_body = engine::body_with_axes<B> && requires(const B& b) {
   b.relative(), b.parent_motion(), b.load();
 };
-template <int K, moving_body B>
+template <int K, class B>
 KTE_INLINE constexpr auto axis_motion(const B& b) {
   const auto s = b.template axis<K>();
   return motion{zero3{}, no_rotation{}, s.linear, s.angular, zero3{}, zero3{}};
@@ -182,55 +182,89 @@ KTE_INLINE constexpr auto seen_by_parent(const B& b, const axis_variation<Q, V, 
   return axis_variation{transmit(at, x.by_q), transmit(at, x.by_v),
                         sensitivity_through(at, b.parent_motion().ang_velocity, x.force)};
 }
-/// Of axis j of a body that carries c, column j and row j of the derivatives of forces by q, v and a, while they run to
-/// the base: by_q(i, j, x), by_v(i, j, x), by_a(i, j, x).
-template <int J = 0, class Driver, moving_body B, class C, class Put>
-KTE_INLINE constexpr void variation_columns(const Driver& d, const B& b, const C& c, const Put& put) {
-  if constexpr (J < B::axes) {
-    const int j = b.first() + J;
-    const auto s = axis_motion<J>(b);
-    const auto by_q = varied_wrench(c.inertia, c.gyration, by_displacement(b.relative(), s, b.parent_motion()));
-    const auto by_v = varied_wrench(c.inertia, c.gyration, by_rate(b.relative(), s, b.parent_motion()));
-    const auto force = sensitivity_along(c.inertia, c.gyration, s);
-    for_each_number<B::axes>([&]<int K>() KTE_INLINE_LAMBDA {
-      const auto s_k = axis_motion<K>(b);
-      put.by_q(b.first() + K, j, power(s_k, by_q)), put.by_v(b.first() + K, j, power(s_k, by_v));
-      put.by_a(b.first() + K, j, power(s_k, force.to_acceleration));
-    });
-    const axis_variation end{by_q - by_displacement(s, b.load()), by_v, force};
-    d.ancestors(b, seen_by_parent(b, end), [&]<class P>(const P& parent, const auto& x) KTE_INLINE_LAMBDA {
-      for_each_number<P::axes>([&]<int K>() KTE_INLINE_LAMBDA {
-        const int i = parent.first() + K;
-        const auto s_i = axis_motion<K>(parent);
-        const auto m = power(s_i, x.force.to_acceleration);
-        put.by_q(i, j, power(s_i, x.by_q));
-        put.by_q(j, i, change(x.force, by_displacement(parent.relative(), s_i, parent.parent_motion())));
-        put.by_v(i, j, power(s_i, x.by_v));
-        put.by_v(j, i, change(x.force, by_rate(parent.relative(), s_i, parent.parent_motion())));
-        put.by_a(i, j, m), put.by_a(j, i, m);
-      });
-      return seen_by_parent(parent, x);
-    });
-    variation_columns<J + 1>(d, b, c, put);
+/// Entries i, j and j, i for the axes i of a body that axis j meets on its way to the base.
+template <class Put>
+struct variation_to_parent {
+  const Put& put;
+  int j;
+  template <moving_body B, class X>
+  KTE_INLINE constexpr auto operator()(const B& b, const X& x) const {
+    entries<0>(b, x);
+    return seen_by_parent(b, x);
   }
-}
-/// Inward: the derivatives of the forces on all axes. What is fixed to a frame has its `ang_velocity()`.
+
+ private:
+  template <int K, class B, class X>
+  KTE_INLINE constexpr void entries(const B& b, const X& x) const {
+    if constexpr (K < B::axes) {
+      const int i = b.first() + K;
+      const auto s = axis_motion<K>(b);
+      const auto m = power(s, x.force.to_acceleration);
+      put.by_q(i, j, power(s, x.by_q));
+      put.by_q(j, i, change(x.force, by_displacement(b.relative(), s, b.parent_motion())));
+      put.by_v(i, j, power(s, x.by_v));
+      put.by_v(j, i, change(x.force, by_rate(b.relative(), s, b.parent_motion())));
+      put.by_a(i, j, m), put.by_a(j, i, m);
+      entries<K + 1>(b, x);
+    }
+  }
+};
+/// Of each axis j of a body that carries c, column j and row j of the derivatives of forces by q, v and a, while they
+/// run to the base: put.by_q(i, j, x), put.by_v(i, j, x), put.by_a(i, j, x).
+template <class Put>
+struct variation_columns {
+  const Put& put;
+  template <moving_body B, class C, class Place>
+  KTE_INLINE constexpr auto operator()(const B& b, const C& c, const Place& place) const {
+    columns<0>(b, c, place);
+    return engine::fresh(c);
+  }
+
+ private:
+  template <int J, class B, class C, class Place>
+  KTE_INLINE constexpr void columns(const B& b, const C& c, const Place& place) const {
+    if constexpr (J < B::axes) {
+      const int j = b.first() + J;
+      const auto s = axis_motion<J>(b);
+      const auto by_q = varied_wrench(c.inertia, c.gyration, by_displacement(b.relative(), s, b.parent_motion()));
+      const auto by_v = varied_wrench(c.inertia, c.gyration, by_rate(b.relative(), s, b.parent_motion()));
+      const auto force = sensitivity_along(c.inertia, c.gyration, s);
+      own<0>(b, j, by_q, by_v, force);
+      place.ancestors(seen_by_parent(b, axis_variation{by_q - by_displacement(s, b.load()), by_v, force}),
+                      variation_to_parent<Put>{put, j});
+      columns<J + 1>(b, c, place);
+    }
+  }
+  template <int K, class B, class Q, class V, class Z>
+  KTE_INLINE constexpr void own(const B& b, int j, const Q& by_q, const V& by_v, const Z& force) const {
+    if constexpr (K < B::axes) {
+      const int i = b.first() + K;
+      const auto s = axis_motion<K>(b);
+      put.by_q(i, j, power(s, by_q)), put.by_v(i, j, power(s, by_v)), put.by_a(i, j, power(s, force.to_acceleration));
+      own<K + 1>(b, j, by_q, by_v, force);
+    }
+  }
+};
+/// Steps of I and B: what is fixed to a frame, which has its motion in `more`; to the parent.
+struct turning_alone {
+  template <class B, class Kept>
+  KTE_INLINE constexpr auto operator()(const B& b, const Kept&) const {
+    return turning_body{b.composite(), gyration_of(b.composite(), b.more.motion.ang_velocity)};
+  }
+};
+struct turning_to_parent {
+  template <moving_body B, class Kept, class C>
+  KTE_INLINE constexpr auto operator()(const B& b, const Kept&, const C& c) const {
+    const auto x = b.relative();
+    return turning_body{transported(x.rotation, x.position, c.inertia),
+                        gyration_through(x, b.parent_motion().ang_velocity, c.inertia, c.gyration)};
+  }
+};
+/// Inward: the derivatives of the forces on all axes.
 template <class Driver, class Put>
 KTE_INLINE constexpr void derivatives_of_forces(const Driver& d, const Put& put) {
-  d.template inward<false, engine::nothing, false>(
-      engine::nothing{}, engine::kept_constant<engine::nothing>{},
-      [](const auto& b, engine::nothing) KTE_INLINE_LAMBDA {
-        return turning_body{b.composite(), gyration_of(b.composite(), b.ang_velocity())};
-      },
-      [&](const moving_body auto& b, const auto& c, bool) KTE_INLINE_LAMBDA {
-        variation_columns(d, b, c, put);
-        return engine::fresh(c);
-      },
-      [](const moving_body auto& b, engine::nothing, const auto& c) KTE_INLINE_LAMBDA {
-        const auto x = b.relative();
-        return turning_body{transported(x.rotation, x.position, c.inertia),
-                            gyration_through(x, b.parent_motion().ang_velocity, c.inertia, c.gyration)};
-      });
+  d.template inward<false, engine::nothing, false>(engine::nothing{}, engine::kept_constant<engine::nothing>{},
+                                                   turning_alone{}, variation_columns<Put>{put}, turning_to_parent{});
 }
 
 }  // namespace kte::detail

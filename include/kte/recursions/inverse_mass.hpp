@@ -27,7 +27,7 @@ KTE_INLINE constexpr auto load_beyond_axes(const B& b, const W& load, const Forc
     constexpr int n = eliminated_component<B, K>;
     const auto s = b.template axis<K>();
     const auto f = force(k);
-    const decltype(f) e(f + power(s, load));
+    const auto e = static_cast<std::remove_const_t<decltype(f)>>(f + power(s, load));
     put(k, e);
     const wrench left{load.force - e * factors[K].gain.force, load.torque - e * factors[K].gain.torque};
     if constexpr (n < 0) {

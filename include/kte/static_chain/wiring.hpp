@@ -72,7 +72,7 @@ constexpr auto resolve(const std::array<port_use, P + 1>& use, const std::array<
     if (bucket[b] == 0) bucket[b] = p + 1;
     name[p] = bucket[b] - 1;
   }
-  // The rules, port by port. A name is known by its first port; who reads before it is written is reported for that.
+  // The rules, port by port. A name is known by its first port; a port that reads it before it is written is at fault.
   std::array<bool, P + 1> moves{};
   for (int p = 0; p < n; ++p) writer[p] = -1;
   const auto written_later = [&](int p) {

@@ -116,19 +116,19 @@ void derive_forces_by_duals(const runtime_chain& c, basic_runtime_state<S>& s) {
   auto& r = s.work.of_forces;
   const Eigen::Index n = s.dofs();
   r.tau.resize(n), r.by_q.setZero(n, n), r.by_v.setZero(n, n), r.by_a.setZero(n, n);
-  const bool rubs = !s.tree().readers.empty();
+  const bool load_dependent = !s.tree().readers.empty();
   auto& d = state_with_derivatives(c, s);
   take_given(s, d);
   place_in_world(s);
   tree::place_bases_in_duals(s.tree().body_tree, s.work, d.work);
   derive_by_duals(
-      s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), rubs,
+      s.freedoms(), std::span(d.q), std::span(d.v), std::span(d.a), load_dependent,
       [&](const directions& moving) -> const auto& {
         inverse_dynamics_in_duals(runtime_elements{c}, s, d, moving);
         return d.forces;
       },
       r);
-  if (rubs) return;
+  if (load_dependent) return;
   mass_of_coordinates(runtime_elements{c}, s);
   r.by_a = s.work.mass;
 }

@@ -53,6 +53,81 @@ struct early_loads<Types, I> {
   typename Types::template loads<I>::type value{};
 };
 
+/// Of a joint or link: forces on its axes, and the accelerations that the rates make.
+template <class Forces, class Bias>
+struct joint_drive {
+  Forces forces;
+  Bias bias;
+};
+template <class Forces, class Bias>
+joint_drive(Forces, Bias) -> joint_drive<Forces, Bias>;
+/// As the recursion asks for them.
+struct force_of_body {
+  template <class B>
+  KTE_INLINE constexpr auto operator()(const B& b) const {
+    return [&b]<int K>(std::integral_constant<int, K>) KTE_INLINE_LAMBDA { return nth<std::size_t{K}>(b.more.forces); };
+  }
+};
+struct bias_of_body {
+  template <class Part>
+  KTE_INLINE constexpr engine::nothing at(const Part&) const {
+    return {};
+  }
+  template <engine::body B>
+  KTE_INLINE constexpr const auto& of(const B& b) const {
+    return b.more.bias;
+  }
+};
+struct needed_alone {
+  template <class Part>
+  KTE_INLINE constexpr auto operator()(const Part& part, engine::nothing) const {
+    return no_wrench - part.more;
+  }
+};
+
+/// The bodies of an `articulated_chain` under forces `tau`.
+template <class S, class Chain, class Axes>
+class driven_bodies : public typed_bodies<S, Chain, Axes> {
+  using base = typed_bodies<S, Chain, Axes>;
+  using vector = typename Chain::vector;
+  const vector& tau_;
+
+ public:
+  KTE_INLINE constexpr driven_bodies(const Chain& c, const vector& tau) : base(c), tau_(tau) {}
+
+  template <std::size_t I>
+  KTE_INLINE constexpr auto body() const {
+    using end = typename base::template end<I>;
+    const auto& x = this->motion_.template get<end::what, end::slot>();
+    return [&]<int... K>(std::integer_sequence<int, K...>) KTE_INLINE_LAMBDA {
+      return base::template body_with<I>(mass<I>(), [&]() KTE_INLINE_LAMBDA {
+        return joint_drive{
+            make_loads(this->motion_.template force_on_axis<I, K>(tau_)...),
+            engine::bias_motion{skip{}, zero3{}, engine::fresh(x.acceleration), engine::fresh(x.ang_acceleration)}};
+      });
+    }
+    (std::make_integer_sequence<int, Axes::template axes<I>>{});
+  }
+  template <class Frame, std::size_t N>
+  KTE_INLINE constexpr auto fixed() const {
+    return base::template fixed_with<Frame, N>([this]() KTE_INLINE_LAMBDA {
+      constexpr load_place at = base::template place<Frame, N>;
+      return this->motion_.template load<Frame::what, Frame::slot, at.element, at.index>();
+    });
+  }
+  static constexpr auto none() { return base::none_with(no_wrench); }
+
+ private:
+  template <std::size_t I>
+  KTE_INLINE constexpr auto mass() const {
+    if constexpr (Axes::template axes<I> == 0) {
+      return zero;
+    } else {
+      return this->motion_.template mass_of_joint<I>();
+    }
+  }
+};
+
 /// Articulated inertias inward, accelerations outward. `Given` has positions and rates (`rates_only`).
 template <class S, class Chain, class Given, class Elements = std::make_index_sequence<Chain::size>>
 class articulated_chain;
@@ -67,7 +142,6 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
   using typename motion_type::wiring;
   using vector = joint_vector<S, Chain::dofs>;
   using axes = axes_free_under<Chain, Given>;
-  using bodies_type = typed_bodies<S, motion_type, axes>;
   template <std::size_t I>
   using core_t = typename types::template core<I>;
 
@@ -79,9 +153,11 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     static_assert(sizeof(need) > 0);
     const int done[]{(push<E>(typename types::template inputs<E>{}), 0)..., 0};
     (void)done;
-    const bodies_type bodies{*this};
+    using bodies_type = driven_bodies<S, articulated_chain, axes>;
+    const bodies_type bodies(*this, tau);
     const engine::unrolled<bodies_type> d{bodies};
-    articulate(d, tau);
+    engine::articulate<engine::nothing>(d, engine::nothing{}, bias_of_body{}, needed_alone{}, force_of_body{},
+                                        factors_.data(), unmoved_);
     without_joints(tau, a, std::make_index_sequence<wiring::freedoms>{});
     const int given[]{(put_given<E>(a), 0)..., 0};
     (void)given;
@@ -89,39 +165,37 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
         d,
         [this]<class Frame>(Frame) KTE_INLINE_LAMBDA {
           const auto& x = this->template get<Frame::what, Frame::slot>();
-          return engine::body_motion{skip{}, skip{}, x.acceleration, x.ang_acceleration};
+          return engine::body_motion{skip{}, skip{}, engine::fresh(x.acceleration), engine::fresh(x.ang_acceleration)};
         },
-        rate_biases{*this}, factors_.data(), a.data());
+        bias_of_body{}, factors_.data(), a.data());
     check_moved();  // not on the way: compilers would move what comes before it behind it
     check_accelerations<wiring>(a, this->given_, tau);
   }
 
- protected:
-  /// What the rates make of the acceleration of the end of a body, in its axes.
-  struct rate_biases {
-    const articulated_chain& chain;
-    template <class Part>
-    KTE_INLINE constexpr engine::nothing at(const Part&) const {
-      return {};
+  /// Load Index of element I, which is on thing Slot of kind K.
+  template <kind K, int Slot, std::size_t I, std::size_t Index>
+  KTE_INLINE constexpr auto load() const {
+    if constexpr (is_transmission<core_t<I>>) {
+      return no_load<K>();
+    } else if constexpr (puts_early<core_t<I>>) {
+      return nth<Index>(static_cast<const early<I>&>(*this).value);
+    } else {
+      return nth<Index>(
+          this->chain_.template core<I>().doForce(this->template get<K, Slot, types::template shown<I, 0>>()));
     }
-    template <engine::body B>
-    KTE_INLINE constexpr auto of(const B&) const {
-      const auto& x = chain.template get<B::end::what, B::end::slot>();
-      return engine::bias_motion{skip{}, zero3{}, x.acceleration, x.ang_acceleration};
-    }
-  };
-  /// Into `factors_`.
-  template <class Driver>
-  KTE_INLINE void articulate(const Driver& d, const vector& tau) {
-    engine::articulate<engine::nothing>(
-        d, engine::nothing{}, rate_biases{*this},
-        [this](const auto& part, engine::nothing) KTE_INLINE_LAMBDA { return no_wrench - load_of(part); },
-        [this, &tau]<class B>(const B&) KTE_INLINE_LAMBDA {
-          return [this, &tau]<int K>(std::integral_constant<int, K>)
-                     KTE_INLINE_LAMBDA { return force_on_axis<B, K>(tau); };
-        },
-        factors_.data(), unmoved_);
   }
+  /// The force on axis K of joint I, and the mass on its coordinate besides what it moves.
+  template <std::size_t I, int K>
+  KTE_INLINE constexpr auto force_on_axis(const vector& tau) const {
+    constexpr kind k = coordinate_kind<core_t<I>>;
+    return tau[axes::template row<I> + K] + number_of<k, K>(coordinate_load<k, wiring::slot(I, 0)>());
+  }
+  template <std::size_t I>
+  KTE_INLINE constexpr auto mass_of_joint() const {
+    return this->template mass_on_coordinate<S, coordinate_kind<core_t<I>>, wiring::slot(I, 0)>();
+  }
+
+ protected:
   KTE_INLINE void check_moved() const {
     if (unmoved_.all != 0) [[unlikely]]
       diagnose_axes<wiring>(unmoved_.all, unmoved_.non_finite, this->given_.at.q);
@@ -137,23 +211,6 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
       static_cast<early<I>&>(*this).value = this->chain_.template core<I>().doForce(
           this->template get<types::template what<I, P>, wiring::slot(I, P), types::template shown<I, P>>()...);
   }
-  /// Load Index of element I, which is on thing Slot of kind K.
-  template <kind K, int Slot, std::size_t I, std::size_t Index>
-  KTE_INLINE constexpr auto load() const {
-    if constexpr (is_transmission<core_t<I>>) {
-      return no_load<K>();
-    } else if constexpr (puts_early<core_t<I>>) {
-      return nth<Index>(static_cast<const early<I>&>(*this).value);
-    } else {
-      return nth<Index>(
-          this->chain_.template core<I>().doForce(this->template get<K, Slot, types::template shown<I, 0>>()));
-    }
-  }
-  KTE_INLINE static constexpr auto load_of(no_part) { return no_wrench; }
-  template <class Part>
-  KTE_INLINE constexpr auto load_of(const Part&) const {
-    return load<Part::frame::what, Part::frame::slot, Part::element, Part::index>();
-  }
   template <kind K, int Slot>
   KTE_INLINE constexpr auto coordinate_load() const {
     return [this]<std::size_t... N>(std::index_sequence<N...>) KTE_INLINE_LAMBDA {
@@ -162,12 +219,6 @@ class articulated_chain<S, Chain, Given, std::index_sequence<E...>>
     }
     (std::make_index_sequence<loads_on<wiring, K, Slot>.size()>{});
   }
-  template <class B, int K>
-  KTE_INLINE constexpr auto force_on_axis(const vector& tau) const {
-    constexpr kind k = coordinate_kind<core_t<B::element>>;
-    return tau[B::first() + K] + number_of<k, K>(coordinate_load<k, wiring::slot(B::element, 0)>());
-  }
-
   /// The accelerations of joint I that are given.
   template <std::size_t I>
   KTE_INLINE constexpr void put_given(vector& a) const {

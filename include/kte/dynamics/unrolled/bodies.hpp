@@ -5,7 +5,7 @@
 #include <kte/engine/unrolled.hpp>
 #include <kte/math/plane_rotation.hpp>
 
-/// The joints and links of a static chain as bodies of recursions (engine/body.hpp), each of its own type.
+/// The joints and links of a static chain as bodies of recursions (engine/body.hpp), by type.
 namespace kte::detail {
 
 /// A frame: what engine/unrolled.hpp goes from and to.
@@ -37,87 +37,116 @@ struct axes_of_joints {
   static constexpr int row = row_of_coordinate<coordinate_kind<core_of<Chain, I>>, wiring::slot(I, 0)>;
 };
 
-/// Joint or link I of a chain that moves as `Motion` (unrolled_motion) says. Of a joint without axes here the motion is
-/// given.
-template <class S, class Motion, std::size_t I, class Axes>
+/// A joint or link of a chain in its present position. Its type says what it is, but not which one: steps of recursions
+/// are instantiated once for all joints that are alike. It holds what numbers are made from, as g++ would keep copies
+/// of poses and motions in memory.
+///   C      the type of its coordinate, or where it is taken from; `engine::nothing` of a link
+///   Axes   how many of its axes are known here; without them its motion is given
+///   M      a mass on its coordinate, besides what it moves
+///   More   what else a recursion asks for
+template <class S, class Core, class C, int Axes, class M, class More>
 struct typed_body {
   using scalar = S;
-  using types = typename Motion::types;
-  static constexpr std::size_t element = I;
-  static constexpr kind what = types::template output_kind<I>;
-  using end = frame_place<what, types::template output_slot<I>>;
-  using base = frame_place<what, Motion::wiring::slot(I, port_count<typename types::template core<I>> - 2)>;
-  const Motion& motion;
+  const Core& core;
+  C at;
+  int row;  ///< of its first axis
+  M own_mass;
+  More more;
 
   static constexpr bool always_free = true;
   static constexpr bool free() { return true; }
-  static constexpr int axes = Axes::template axes<I>;
-  static constexpr int first() {
-    if constexpr (axes > 0) {
-      return Axes::template row<I>;
-    } else {
-      return 0;
-    }
-  }
+  static constexpr int axes = Axes;
+  KTE_INLINE constexpr int first() const { return row; }
   template <int K>
   KTE_INLINE constexpr auto axis() const {
-    const auto s = motion.template joint_axis<I, K>();
+    const auto s = axis_of<K>(core, coordinate());
     return engine::motion_vector{s.velocity, s.ang_velocity};
   }
-  /// On the coordinate of the joint, besides what it moves.
   template <int>
   KTE_INLINE constexpr auto mass() const {
-    return motion.template mass_on_coordinate<S, coordinate_kind<typename types::template core<I>>,
-                                              Motion::wiring::slot(I, 0)>();
+    return own_mass;
   }
-  KTE_INLINE constexpr auto position() const { return motion.template joint_pose<I>().position; }
+  KTE_INLINE constexpr auto position() const { return placed().position; }
   template <class U>
   KTE_INLINE constexpr auto in(const U& u) const {
-    return transpose(motion.template joint_pose<I>().rotation) * u;
+    return transpose(placed().rotation) * u;
   }
   template <class X, class Y, class Z>
   KTE_INLINE constexpr auto out(const vec3<X, Y, Z>& u) const {
-    return motion.template joint_pose<I>().rotation * u;
+    return placed().rotation * u;
   }
-  template <class A>
-  KTE_INLINE constexpr auto out(const A& a) const {
-    return turned_by(matrix(motion.template joint_pose<I>().rotation), a);
+  template <class Matrix>
+  KTE_INLINE constexpr auto out(const Matrix& a) const {
+    return turned_by(matrix(placed().rotation), a);
   }
-};
-/// What is fixed to a frame as load Index of element I, which is no joint or link.
-template <class S, class Motion, class Frame, std::size_t I, std::size_t Index>
-struct fixed_part {
-  using frame = Frame;
-  static constexpr std::size_t element = I, index = Index;
-  const Motion& motion;
-
-  KTE_INLINE constexpr decltype(auto) core() const { return motion.chain().template core<I>(); }
-  KTE_INLINE constexpr auto ang_velocity() const {
-    return motion.template get<Frame::what, Frame::slot>().ang_velocity;
-  }
-  KTE_INLINE constexpr auto composite() const {
-    if constexpr (has_mass<typename Motion::types::template core<I>, S>) {
-      return core().template mass<S>();
+  /// The motion of the joint.
+  KTE_INLINE constexpr auto relative() const {
+    if constexpr (std::is_same_v<C, engine::nothing>) {
+      return core.relative();
     } else {
-      return no_mass;
+      return core.relative(coordinate());
+    }
+  }
+  // Of recursions that ask for these (recursions/force_variations.hpp).
+  KTE_INLINE constexpr const auto& parent_motion() const requires requires(const More& m) { m.parent; }
+  { return more.parent; }
+  KTE_INLINE constexpr const auto& load() const requires requires(const More& m) { m.load; }
+  { return more.load; }
+
+ private:
+  KTE_INLINE constexpr decltype(auto) coordinate() const {
+    if constexpr (requires { at.taken(); }) {
+      return at.taken();
+    } else {
+      return (at);
+    }
+  }
+  KTE_INLINE constexpr auto placed() const {
+    if constexpr (std::is_same_v<C, engine::nothing>) {
+      return core.relative();
+    } else {
+      return core.relative(position_only(coordinate()));
     }
   }
 };
-/// Nothing at all on a frame.
-struct no_part {
-  KTE_INLINE static constexpr auto composite() { return no_mass; }
-  KTE_INLINE static constexpr zero3 ang_velocity() { return {}; }
+
+/// The coordinate of joint I: a rotation or a pose, of which a copy would stay in memory.
+template <class Motion, std::size_t I>
+struct coordinate_of_joint {
+  const Motion& motion;
+  KTE_INLINE constexpr decltype(auto) taken() const { return motion.template joint_coordinate<I>(); }
 };
 
-/// The tree of them, as engine/unrolled.hpp sees it.
-template <class S, class Motion, class Axes, template <class, class, std::size_t, class> class Body = typed_body>
-struct typed_bodies {
+/// An element that is fixed to a frame, or none at all: its mass, about the origin, and what else a recursion asks for.
+template <class S, class Core, class More>
+struct fixed_part {
+  const Core& core;
+  More more;
+  KTE_INLINE constexpr auto composite() const { return core.template mass<S>(); }
+};
+template <class S, class Core, class More>
+requires(!has_mass<Core, S>) struct fixed_part<S, Core, More> {
+  const Core& core;
+  More more;
+  KTE_INLINE static constexpr auto composite() { return no_mass; }
+};
+struct no_element {};
+inline constexpr no_element nothing_fixed{};
+
+/// The joints and links of a chain that moves as `Motion` (unrolled_motion) says. Of a joint without axes here the
+/// motion is given.
+template <class S, class Motion, class Axes>
+class typed_bodies {
+ protected:
+  using types = typename Motion::types;
   using wiring = typename Motion::wiring;
   template <std::size_t I>
-  using core_t = typename Motion::types::template core<I>;
+  using core_t = typename types::template core<I>;
   template <std::size_t I>
-  using body = Body<S, Motion, I, Axes>;
-  const Motion& motion;
+  static constexpr int base_slot = wiring::slot(I, port_count<core_t<I>> - 2);
+
+ public:
+  KTE_INLINE constexpr explicit typed_bodies(const Motion& m) : motion_(m) {}
 
   template <class F>
   KTE_INLINE constexpr void each_base(const F& f) const {
@@ -126,30 +155,68 @@ struct typed_bodies {
   template <class Frame>
   static constexpr std::size_t parts = loads_on<wiring, Frame::what, Frame::slot>.size();
   template <class Frame, std::size_t N>
-  KTE_INLINE constexpr auto part() const {
-    constexpr load_place place = loads_on<wiring, Frame::what, Frame::slot>[N];
-    if constexpr (is_transmission<core_t<place.element>>) {
-      return body_at<place.element>();
-    } else {
-      return fixed_part<S, Motion, Frame, place.element, place.index>{motion};
-    }
-  }
-  template <class Frame>
-  KTE_INLINE static constexpr no_part none() {
-    return {};
-  }
-  /// Joint or link I.
+  static constexpr load_place place = loads_on<wiring, Frame::what, Frame::slot>[N];
+  template <class Frame, std::size_t N>
+  static constexpr int body_on = is_transmission<core_t<place<Frame, N>.element>>
+                                     ? static_cast<int>(place<Frame, N>.element)
+                                     : -1;
   template <std::size_t I>
-  KTE_INLINE constexpr body<I> body_at() const {
-    return {motion};
+  using end = frame_place<types::template output_kind<I>, types::template output_slot<I>>;
+  template <std::size_t I>
+  static constexpr int parent = [] {
+    constexpr int below = wiring::writer(types::template output_kind<I>, base_slot<I>);
+    if constexpr (below < 0) {
+      return -1;
+    } else {
+      return is_transmission<core_t<std::size_t{below}>> ? below : -1;
+    }
+  }();
+  template <std::size_t I>
+  KTE_INLINE constexpr auto body() const {
+    return body_with<I>(zero, []() KTE_INLINE_LAMBDA { return engine::nothing{}; });
   }
-  template <class B, class F>
-  KTE_INLINE constexpr void with_parent(const B&, const F& f) const {
-    constexpr int below = wiring::writer(B::base::what, B::base::slot);
-    if constexpr (below >= 0) {
-      if constexpr (is_transmission<core_t<std::size_t{below}>>) f(body_at<std::size_t{below}>());
+  template <class Frame, std::size_t N>
+  KTE_INLINE constexpr auto fixed() const {
+    return fixed_with<Frame, N>([]() KTE_INLINE_LAMBDA { return engine::nothing{}; });
+  }
+  static constexpr auto none() { return none_with(engine::nothing{}); }
+
+ protected:
+  /// With more(), which is made in its place.
+  template <std::size_t I, class M, class MakeMore>
+  KTE_INLINE constexpr auto body_with(const M& mass, const MakeMore& more) const {
+    using More = decltype(more());
+    constexpr int row = [] {
+      if constexpr (Axes::template axes < I >> 0) {
+        return Axes::template row<I>;
+      } else {
+        return 0;
+      }
+    }();
+    constexpr int axes = Axes::template axes<I>;
+    const auto& core = motion_.chain().template core<I>();
+    if constexpr (coordinates_of<core_t<I>> == 0) {
+      return typed_body<S, core_t<I>, engine::nothing, axes, M, More>{core, {}, row, mass, more()};
+    } else if constexpr (coordinate_kind<core_t<I>> == kind::gen) {
+      using coordinate = std::remove_cvref_t<decltype(motion_.template joint_coordinate<I>())>;
+      return typed_body<S, core_t<I>, coordinate, axes, M, More>{core, motion_.template joint_coordinate<I>(), row,
+                                                                 mass, more()};
+    } else {
+      return typed_body<S, core_t<I>, coordinate_of_joint<Motion, I>, axes, M, More>{
+          core, {motion_}, row, mass, more()};
     }
   }
+  template <class Frame, std::size_t N, class MakeMore>
+  KTE_INLINE constexpr auto fixed_with(const MakeMore& more) const {
+    constexpr std::size_t e = place<Frame, N>.element;
+    return fixed_part<S, core_t<e>, decltype(more())>{motion_.chain().template core<e>(), more()};
+  }
+  template <class More>
+  static constexpr auto none_with(const More& more) {
+    return fixed_part<S, no_element, More>{nothing_fixed, more};
+  }
+
+  const Motion& motion_;
 };
 
 }  // namespace kte::detail

@@ -56,8 +56,8 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
                                        const joint_vector<S, Chain::dofs>& tau) {
   forward_dynamics_result<S, Chain::dofs> r;
   const each<S, V> rates{v};
-  constexpr bool rubs = has_load_dependent_friction<Chain>,
-                 inverted = !rubs && (is_tree_of_joints<Chain> || !Chain::common);
+  constexpr bool load_dependent = has_load_dependent_friction<Chain>,
+                 inverted = !load_dependent && (is_tree_of_joints<Chain> || !Chain::common);
   if constexpr (inverted) {
     at.check(), base.check();
     const given<At, each<S, V>, same<zero_t>, Base, true> g{at, rates, {}, base};
@@ -70,7 +70,7 @@ KTE_INLINE auto forward_derivatives_at(const Chain& c, const At& at, const Base&
     r.a = accelerations_under<S>(c, at, rates, base, tau);
   }
   auto of_forces = derivatives_at<S>(c, at, base, q, v, r.a);
-  if constexpr (rubs)
+  if constexpr (load_dependent)
     invert_by_tree<S>(c, given{at, rates, same<zero_t>{}, base}, of_forces.by_a, r.by_tau);
   else if constexpr (!inverted)
     invert_by_factors(of_forces.by_a, r.by_tau,

@@ -9,6 +9,37 @@
 /// The mass matrix of static chains (recursions/composite_body.hpp).
 namespace kte::detail {
 
+/// Entries of a mass matrix of zeros, by column. Two joints may share a coordinate, so entries add up; where they
+/// cannot
+/// (`Once`), each is written once, and summed while it is in a register.
+template <class S, int N, bool Once>
+struct mass_entries {
+  joint_matrix<S, N>& m;
+  S &column, &sum;  ///< of the entries of a column, and of all columns before it
+  template <class T>
+  KTE_INLINE constexpr void diagonal(int j, const T& x) const {
+    sum += column, column = S(0);
+    watch(x);
+    m(j, j) = Once ? as<S>(x) : as<S>(m(j, j) + x);
+  }
+  template <class T>
+  KTE_INLINE constexpr void operator()(int i, int j, const T& x) const {
+    watch(x);
+    if constexpr (Once) {
+      m(i, j) = m(j, i) = as<S>(x);
+    } else {
+      m(i, j) = as<S>(m(i, j) + x);
+      m(j, i) = as<S>(m(j, i) + x);
+    }
+  }
+
+ private:
+  template <class T>
+  KTE_INLINE constexpr void watch(const T& x) const {
+    if constexpr (Once && variable<T>) column += as<S>(x);
+  }
+};
+
 /// Over all coordinates of a chain: the degrees of freedom first, then followers. `Given` has positions without rates
 /// and bases of `skip`.
 template <class S, class Chain, class Given>
@@ -26,12 +57,12 @@ class unrolled_mass {
 
   KTE_INLINE unrolled_mass(const Chain& c, const Given& g, matrix_type& m) : M(m), chain_(c), motion_(c, g) {
     M.setZero();
-    const typed_bodies<S, motion_type, axes> bodies{motion_};
-    engine::mass_matrix(
-        engine::unrolled<typed_bodies<S, motion_type, axes>>{bodies},
-        [this](int j, const auto& x) KTE_INLINE_LAMBDA { put_diagonal(j, x); },
-        [this](int i, int j, const auto& x) KTE_INLINE_LAMBDA { put(i, j, x); });
-    sum_ += column_;
+    using bodies_type = typed_bodies<S, motion_type, axes>;
+    const bodies_type bodies(motion_);
+    S column(0);
+    engine::mass_matrix(engine::unrolled<bodies_type>{bodies},
+                        mass_entries<S, coordinates, written_once>{M, column, sum_});
+    sum_ += column;
     coordinate_masses(std::make_index_sequence<Chain::size>{});
     if constexpr (!written_once) sum_ = detail::zero_or_nan(M.data(), static_cast<std::size_t>(M.size()));
   }
@@ -39,28 +70,6 @@ class unrolled_mass {
   KTE_INLINE S zero_or_nan() const { return sum_ * S(0); }
 
  private:
-  /// Two joints may share a coordinate, so entries add up; where they cannot, each is written once, and summed while it
-  /// is in a register.
-  template <class T>
-  KTE_INLINE constexpr void put_diagonal(int j, const T& x) {
-    sum_ += column_, column_ = S(0);
-    watch(x);
-    M(j, j) = written_once ? as<S>(x) : as<S>(M(j, j) + x);
-  }
-  template <class T>
-  KTE_INLINE constexpr void put(int i, int j, const T& x) {
-    watch(x);
-    if constexpr (written_once) {
-      M(i, j) = M(j, i) = as<S>(x);
-    } else {
-      M(i, j) = as<S>(M(i, j) + x);
-      M(j, i) = as<S>(M(j, i) + x);
-    }
-  }
-  template <class T>
-  KTE_INLINE constexpr void watch(const T& x) {
-    if constexpr (written_once && variable<T>) column_ += as<S>(x);
-  }
   static constexpr bool written_once = [] {
     bool once = coordinates == wiring::dofs;
     const auto look = [&]<class Core>(std::type_identity<Core>) {
@@ -107,7 +116,7 @@ class unrolled_mass {
   }
 
   matrix_type& M;
-  S column_{0}, sum_{0};  ///< of a column, and of all
+  S sum_{0};  ///< of all entries
   const Chain& chain_;
   const unrolled_motion<Chain, Given> motion_;
 };

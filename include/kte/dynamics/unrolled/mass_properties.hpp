@@ -47,15 +47,15 @@ KTE_INLINE auto weight_of(const Chain& c, const At& at) {
   using motion_type = unrolled_motion<Chain, std::remove_const_t<decltype(g)>>;
   using bodies_type = typed_bodies<S, motion_type, axes_of_joints<Chain>>;
   const motion_type m(c, g);
-  const bodies_type bodies{m};
+  const bodies_type bodies(m);
   const engine::unrolled<bodies_type> d{bodies};
   return sum_over_grounds(m, [&d]<class Frame>(const auto& x) KTE_INLINE_LAMBDA {
     return transported(x.rotation, x.position, engine::composite_inertia_of<Frame>(d));
   });
 }
 /// A sum of m x divided by the mass.
-template <class S, class M, class X, class Blame = too_large>
-KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum, const Blame& why = {"a centre of mass"}) {
+template <class S, class M, class X, class Diagnose = too_large>
+KTE_INLINE vec3<S> divided_by_mass(const M& mass, const X& sum, const Diagnose& why = {"a centre of mass"}) {
   static_assert(!std::is_same_v<M, zero_t>, "kte: a chain without bodies has no centre of mass");
   const vec3<S> s = as<S>(sum), r{s.x / as<S>(mass), s.y / as<S>(mass), s.z / as<S>(mass)};
   const S numbers[]{r.x, r.y, r.z};

@@ -40,12 +40,12 @@ struct unit_forces {
     while (n < a.length && n < b.length && a.way[n] == b.way[n]) ++n;
     return n;
   }
-  /// The forces of group G on the axes in rows from Row on.
-  template <class Simd, class S, std::size_t G, int Row, int Axes>
-  KTE_INLINE constexpr std::array<Simd, std::size_t{Axes}> units() const {
+  /// The forces of group G on the axes in rows from `first` on.
+  template <class Simd, class S, std::size_t G, int Axes>
+  KTE_INLINE constexpr std::array<Simd, std::size_t{Axes}> units(int first) const {
     std::array<Simd, std::size_t{Axes}> force{};
     for (std::size_t k = 0; k < group[G].count; ++k)
-      if (const int n = group[G].row[k] - Row; n >= 0 && n < Axes) {
+      if (const int n = group[G].row[k] - first; n >= 0 && n < Axes) {
         if constexpr (Width == 1)
           force[static_cast<std::size_t>(n)] = S(1);
         else
