@@ -213,7 +213,8 @@ def menu(pages):
     api = ''.join(f'      - api/{page}.md\n' for page in ['index'] + [folder or 'areas' for folder in FOLDERS] + ['internal']
                   if os.path.exists(os.path.join(output, 'api', page + '.md')))
     return ('nav:\n  - index.md\n  - Guide:\n' + listed(guides) + '  - API reference:\n' + api +
-            '  - Decisions:\n' + listed(decisions) + '  - CHANGELOG.md\n')
+            '  - Decisions:\n' + listed(decisions) +
+            ''.join(f'  - {path}\n' for path in pages if '/' not in path and path != 'README.md'))
 
 
 def main():
@@ -223,7 +224,7 @@ def main():
         print(f'kte: include/{name.header}:{name.line}: {name.kind} kte::{name.name} has no doc comment', file=sys.stderr)
     shutil.rmtree(output, ignore_errors=True)
     target = reference(names, output)
-    pages = ['README.md', 'CHANGELOG.md']
+    pages = sorted(file for file in os.listdir(root) if file.endswith('.md'))
     for directory, _, files in sorted(os.walk(os.path.join(root, 'docs'))):
         for file in sorted(files):
             path = os.path.relpath(os.path.join(directory, file), root)
