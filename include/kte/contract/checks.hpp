@@ -5,8 +5,8 @@
 
 #include <tuple>
 
-/// What is wrong with a chain, as compile errors in the user's words: each names one element and says one sentence.
-/// (This header and others that have some come first in kte.hpp.)
+/// Errors of a chain as compile errors: each names one element, with one message. (This header and others with messages
+/// are included first in kte.hpp, so that they appear near the top.)
 namespace kte::detail {
 
 /// A rule, about an element and a name; compilers print all three when it is broken.

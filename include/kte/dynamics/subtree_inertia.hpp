@@ -9,8 +9,8 @@
 
 #include <vector>
 
-/// What a frame carries, on static and runtime chains: the bodies on it, and all that stands on links and joints that
-/// start from it. Of the frame that a joint moves that is all beyond the joint.
+/// Inertia of the subtree of a frame, on static and runtime chains: the bodies on it, and all that follow it by links
+/// and joints. For the frame that a joint moves that is the subtree of the joint.
 namespace kte {
 
 /// A composite inertia: mass, kg, first moment m c, kg m, and inertia, kg m^2, about the origin of a frame and in its

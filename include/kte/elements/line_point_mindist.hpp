@@ -11,7 +11,7 @@ namespace core {
 ///
 ///   p' = o + t (t . (p - o)),   v' = t (t . v),   a' = t (t . a)          (1)
 ///
-/// Gravity is an acceleration of bases, of which the frame of the point has the part along the line: an accelerometer
+/// Gravity is an acceleration of bases; the frame of the point has its component along the line: an accelerometer
 /// there shows no more. The frame of the point does not turn. A force on it comes back as the power dual, F += t (t .
 /// F'); a torque does no work.
 template <kind Dim, class Tangent, class Point>

@@ -150,7 +150,7 @@ class moving_state {
   bool computes(const Body& body, const X& x) const {
     return computed([&] { return body(), true; }, false, x);
   }
-  /// The same of a body that gives something, which else is `otherwise`.
+  /// The result of a function; `otherwise` if it fails.
   template <class Body, class T>
   T computed(const Body& body, [[maybe_unused]] const T& otherwise, [[maybe_unused]] const X& x) const {
 #if defined(__cpp_exceptions)

@@ -55,17 +55,17 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
   /// (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
-  /// Of a vector of dynamic size, which is checked before it becomes a state. `state_at` and `computeOutput` likewise.
+  /// x' of a vector of dynamic size, which is checked first; `state_at` and `computeOutput` likewise.
   template <class X>
   requires(X::SizeAtCompileTime == Eigen::Dynamic) rate operator()(const S& t, const Eigen::MatrixBase<X>& x) const {
     return computeStateRate(t, this->checked(x.derived()));
   }
-  /// The derivatives of x' by displacements from x, of which numbers are those of x'
+  /// The derivatives of x' by displacements from x, which have as many numbers as x'
   /// (models/detail/rate_derivatives.hpp): for states of numbers, J_ij = d x'_i / d x_j. Exact to rounding; inputs are
-  /// as set. Stiff methods take it.
+  /// as set. Stiff methods use it.
   using jacobian_matrix = Eigen::Matrix<S, size::x_dot, size::x_dot>;
-  /// Not of chains with load-dependent friction that keep internal states, of which stiff methods take differences:
-  /// friction answers accelerations, and so those states, by no matrix alone.
+  /// False for chains with load-dependent friction and internal states, for which stiff methods use differences: the
+  /// friction depends on accelerations, and so do these states.
   static constexpr bool has_jacobian = size::z == 0 || !(detail::load_dependent_friction<typename E::core_type> || ...);
   jacobian_matrix jacobian(const S& t, const state& x) const requires(has_jacobian) {
     jacobian_matrix j;

@@ -94,8 +94,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
   Eigen::VectorXd computeOutput(double t, const state& x) const;
-  /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
-  /// events: `element_events(model)`.
+  /// The function that goes through zero where the law of element number `which` of the chain changes; 1 if it does
+  /// not. For events: `element_events(model)`.
   double switching(double t, const state& x, std::size_t which) const;
   /// What the element keeps, after its law has changed there.
   void switch_over(double t, state& x, std::size_t which) const;

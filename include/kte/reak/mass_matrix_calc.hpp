@@ -15,7 +15,7 @@ namespace kte {
 template <>
 class mass_matrix_calc<runtime_chain> {
  public:
-  /// Works with a copy of the chain, of which it takes the same states.
+  /// It owns a copy of the chain, and accepts the states of the chain.
   explicit mass_matrix_calc(runtime_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
   /// Fed with names, of inertias and of coordinates.
   mass_matrix_calc(runtime_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)

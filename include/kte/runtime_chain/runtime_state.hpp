@@ -131,8 +131,8 @@ class basic_runtime_state {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
-  /// Of a chain without elements, for states that are moved from: made with the first state, as there may be no memory
-  /// when it is needed.
+  /// The wiring of a chain without elements, for states that were moved from: made with the first state, as there may
+  /// be no memory later.
   static const std::shared_ptr<const tree_type>& no_tree() {
     static const auto none = std::make_shared<const tree_type>(detail::tree_of<parameter>(topology()));
     return none;
