@@ -93,9 +93,11 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
         this->chain(), detail::given{at, detail::each<S, const S*>{v}, detail::same<zero_t>{}, bases}, one);
   }
 
-  // ---- of elements that may hold a coordinate: models/modes.hpp
+  /// The number of elements that may lock a coordinate (models/modes.hpp).
   static constexpr std::size_t lock_count = (std::size_t{detail::locks_coordinate<typename E::core_type>} + ... + 0);
+  /// The elements that may lock a coordinate, with their coordinates and modes.
   static constexpr auto locks() { return locks_of(std::index_sequence_for<E...>{}); }
+  /// The holding forces that keep the present accelerations, N and Nm.
   joint_vector<S, size::v> needed_forces(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q;
     const rate r = computeStateRate(t, x);
@@ -105,6 +107,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return detail::generalized_forces<S>(this->chain(),
                                          detail::given{at, numbers{v}, numbers{r.data() + size::v}, bases}, minus_one);
   }
+  /// The largest holding force of an element, N or Nm.
   S capacity(const S& t, const state& x, std::size_t element) const {
     auto s = make_state<S>(this->chain());
     if constexpr ((detail::locks_by_load<typename E::core_type> || ...))
@@ -171,6 +174,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return state_at(t, state(this->checked(x.derived())));
   }
 
+  /// The output y: (q, v), or the function of `with_output`.
   auto computeOutput(const S& t, const state& x) const {
     if constexpr (std::is_void_v<Output>) {
       return x.template head<size::q + size::v>().eval();

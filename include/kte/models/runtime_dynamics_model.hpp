@@ -75,6 +75,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
+  /// Sets all inputs u. Throws `bad_argument` for a wrong number of inputs, and for numbers that are not finite.
   void setInput(const Eigen::VectorXd& u);
   using base::input;
   /// The value of an input; throws `unknown_name`, `bad_argument` where an element writes it, or time does.
@@ -120,9 +121,13 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   // ---- motion on the group, as of `state_space`
+  /// out = x (+) d (integrators/motion_space.hpp).
   void displace(const state& x, const rate& d, state& out) const;
+  /// Converts the rate r of the state to that of the displacement d.
   void pull_back(const rate& d, rate& r) const;
+  /// The size of the state for each number of a displacement.
   void magnitudes(const state& x, rate& m) const;
+  /// The part of d lost in the rounding of out.
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
 
  private:
