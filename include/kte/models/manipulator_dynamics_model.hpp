@@ -15,13 +15,13 @@ namespace kte {
 ///   x' = (v, M(q)^-1 f(q, v, z, u), z')    by `forward_dynamics`, and `z_dot` of the elements         (1)
 ///   y = (q, v), or output(s)               of a state s of the chain at x
 ///
-/// It is the chain, with all that there is for chains, and a right-hand side for integrators:
+/// It derives from the chain, so that all algorithms apply, and it is a right-hand side for integrators:
 ///
 ///   kte::manipulator_dynamics_model arm(chain);
 ///   kte::dormand_prince45 solver(std::ref(arm), 0.0, arm.make_x(q, v));
 ///
-/// For a static chain without heap or virtual calls; a value. For a runtime chain it has its own state to work in, and
-/// what it returns is valid until its next call: one model a thread. Bases are at rest, under the chain's gravity.
+/// For a static chain it is a value, without heap or virtual calls. For a runtime chain it owns a state, and results
+/// are valid until the next call: use one model per thread. Bases are at rest, under the gravity of the chain.
 template <class Chain, class S = double, class Output = void>
 class manipulator_dynamics_model;
 
@@ -40,7 +40,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
 
   explicit manipulator_dynamics_model(const chain_type& c) : base(c) {}
 
-  /// (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
+  /// x' of (1). Throws `bad_argument` for numbers that are not finite, `singular_mass_matrix`.
   rate computeStateRate(const S& t, const state& x) const {
     const S *q = x.data(), *v = q + size::q, *z = v + size::v;
     const detail::configuration<S, wiring, const S*> at(q);
@@ -53,7 +53,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     if constexpr (size::z > 0) detail::internal_rates(this->chain(), at, v, bases, &r[2 * size::v]);
     return r;
   }
-  /// (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
+  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
   rate operator()(const S& t, const state& x) const { return computeStateRate(t, x); }
   /// x' of a vector of dynamic size, which is checked first; `state_at` and `computeOutput` likewise.
   template <class X>
@@ -73,8 +73,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     return j;
   }
   void jacobian(const S& t, const state& x, jacobian_matrix& j) const requires(has_jacobian) { derive(t, x, j); }
-  /// (J B): `jacobian`, and beside it the derivatives of x' by inputs. Where there is no `jacobian`, all by dual
-  /// numbers.
+  /// (J B): `jacobian` and the derivatives of x' by inputs. Without a `jacobian`, all are computed by dual numbers.
   auto jacobian_with_inputs(const S& t, const state& x) const {
     Eigen::Matrix<S, size::x_dot, size::x_dot + size::u> j;
     if constexpr (has_jacobian) {
@@ -84,7 +83,8 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
     return j;
   }
-  /// The forces at x that accelerations answer: M a, of gravity, elements and inputs, less centrifugal ones; N and Nm.
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// forces.
   joint_vector<S, size::v> forces_at(const state& x, const S& t = S(0)) const {
     const S *q = x.data(), *v = q + size::q;
     const detail::configuration<S, wiring, const S*> at(q);
@@ -118,7 +118,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   }
 
   using base::input;
-  /// The value of an input: `model.input(motor) = 2.0`; of one of three numbers a vector of Eigen.
+  /// The value of an input: `model.input(motor) = 2.0`; for an input of three numbers a vector of Eigen.
   template <key_type Key>
   decltype(auto) input(const Key&) {
     constexpr int slot = wiring::template find<Key>();
@@ -133,13 +133,13 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
     }
   }
 
-  /// x of a state of the chain.
+  /// The state x of a state of the chain.
   state getJointStates(const chain_state<S, wiring>& s) const {
     state x = this->make_x(positions(s), velocities(s));
     for (int i = 0; i < size::z; ++i) x[size::q + size::v + i] = s.template get<kind::internal>(i).z;
     return x;
   }
-  /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  /// Stores the time, x and the inputs in a state of the chain. Frames are updated by the next doMotion.
   void setJointStates(const S& t, const state& x, chain_state<S, wiring>& s) const {
     setJointStates(x, s);
     for (int i = 0; i < wiring::table.signals; ++i)
@@ -186,7 +186,7 @@ class manipulator_dynamics_model<static_chain<Gravity, E...>, S, Output>
   requires(X::SizeAtCompileTime == Eigen::Dynamic) auto computeOutput(const S& t, const Eigen::MatrixBase<X>& x) const {
     return computeOutput(t, state(this->checked(x.derived())));
   }
-  /// Whether it has another output than (q, v).
+  /// Whether the output is a function of `with_output`, not (q, v).
   static constexpr bool has_output() { return !std::is_void_v<Output>; }
   /// The system in another scalar: in dual numbers its rates and outputs have derivatives.
   template <class T>

@@ -143,8 +143,9 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 
 }  // namespace detail
 
-/// The state x with the modes of all that may hold a coordinate: where its rate is zero it is held, unless that takes
-/// more than it can; else it slides as the rate says. For the start of a simulation; then events keep them:
+/// The state x with consistent modes of all elements that may lock a coordinate: a coordinate at rest is locked, unless
+/// the holding force exceeds the capacity; else it slides in the direction of its rate. For the start of a simulation;
+/// then events switch the modes:
 ///
 ///   const auto x = kte::settled(model, 0.0, model.make_x(q, v));
 template <class Model, class T, class X>

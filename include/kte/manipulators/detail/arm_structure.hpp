@@ -18,7 +18,7 @@ enum class arm_family : std::uint8_t {
   spherical_shoulder,  ///< axes 1, 2, 3 do
   three_parallel,      ///< three axes in a row, with 5 and 6 (or 1 and 2) beyond them
   srs,                 ///< seven axes; the first three meet, and the last three
-  offset_7R,           ///< seven axes that are one of these when the first or the last is held
+  offset_7R,           ///< seven axes that are one of these with the first or the last locked
   on_track,            ///< six that are, on a slide or with one at the tool
   free_body            ///< a coordinate that is the pose of a body, and no joints
 };
