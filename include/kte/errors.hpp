@@ -43,7 +43,11 @@ struct no_solution : error {
 struct dead_point : error {
   using error::error;
 };
-/// A file that cannot be read. what() has the file and the position in it.
+/// Loops that do not close from a guess, with the closure that is open.
+struct cannot_assemble : error {
+  using error::error;
+};
+/// A file that cannot be read; what() says where.
 struct bad_file : error {
   using error::error;
 };

@@ -223,7 +223,7 @@ def menu(pages):
                   if os.path.exists(os.path.join(output, 'api', page + '.md')))
     return ('nav:\n  - index.md\n  - Guide:\n' + listed(guides) + '  - API reference:\n' + api +
             '  - Decisions:\n' + listed(decisions) +
-            ''.join(f'  - {path}\n' for path in pages if '/' not in path and path != 'README.md'))
+            '  - Project:\n      - CONTRIBUTING.md\n      - SECURITY.md\n      - CHANGELOG.md\n')
 
 
 def main():

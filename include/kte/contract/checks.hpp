@@ -35,6 +35,8 @@ struct check_kind {
                 "kte: this port of the element takes a signal of three numbers (vector_key)");
   static_assert(rule < Core, Key, fits || Wanted != kind::internal >,
                 "kte: this port of the element takes an internal state (internal_key)");
+  static_assert(rule < Core, Key, fits || Wanted != kind::loop >,
+                "kte: this port of the element takes the name of a closure (loop_key)");
 };
 /// The first port that is connected to a thing of another kind, or N.
 template <std::size_t N>

@@ -7,16 +7,16 @@
 /// masses.
 namespace kte::detail {
 
-/// Whether an element sees coordinates and signals only.
+/// Whether an element sees coordinates and signals only, and closes no loop.
 template <class Core>
 inline constexpr bool is_on_coordinates = [] {
   for (const auto& p : Core::ports)
-    if (p.what != kind::gen && !is_signal(p.what)) return false;
+    if (p.what == kind::loop || (p.what != kind::gen && !is_signal(p.what))) return false;
   return true;
 }();
 
-/// Whether the derivatives of the forces of an element are known: joints, links and bodies (recursions/force_variations.hpp), and
-/// elements on coordinates.
+/// Whether the derivatives of the forces of an element are known: joints, links and bodies
+/// (recursions/force_variations.hpp), and elements on coordinates.
 template <class Core>
 inline constexpr bool has_derivatives =
     is_transmission<Core> || is_on_coordinates<Core> || has_mass<Core, double> || Core::ports[0].how == access::base;

@@ -14,12 +14,14 @@ enum class part : unsigned char {
   follower,  ///< writes a coordinate, from others or from signals
   mover,     ///< writes a frame in another way
   signal,    ///< writes a signal
+  closure,   ///< closes a loop: nothing to trees
   force      ///< the rest: acts on what it is connected to. May have a mass on a coordinate
 };
 
 /// Whether an element is more than what body nodes hold.
 template <class Core>
-inline constexpr bool acts = !is_transmission<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
+inline constexpr bool acts =
+    !is_transmission<Core> && !is_closure<Core> && !is_rigid_body<Core> && Core::ports.back().how != access::base;
 
 template <class P>
 struct element_numbers {
@@ -106,7 +108,9 @@ element_numbers<P> numbers_of(const Core& core) {
   constexpr port last = Core::ports.back();
   n.load_dependent_friction = load_dependent_friction<Core>, n.distributed_mass = distributed_mass<Core>;
   n.locks_coordinate = locks_coordinate<Core>, n.power_dual = power_dual<Core>;
-  if constexpr (is_transmission<Core>) {
+  if constexpr (is_closure<Core>) {
+    n.is = part::closure;
+  } else if constexpr (is_transmission<Core>) {
     n.is = part::rigid;
     n.plain_loads = loads_by_relative<Core>;
     n.rigid = rigid_numbers_of<P>(core);

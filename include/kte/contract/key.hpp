@@ -24,15 +24,18 @@ enum class kind : unsigned char {
   pose_2D,      ///< a coordinate that is a pose in the plane
   pose_3D,      ///< a coordinate that is a pose in space
   internal,     ///< an internal state of one element, a number with a rate: the deflection of bristles in friction
-  vector        ///< a signal of three numbers
+  vector,       ///< a signal of three numbers
+  loop          ///< what closes a kinematic loop: forces and residuals of one closure
 };
 /// The number of kinds.
-inline constexpr std::size_t kinds = 9;
+inline constexpr std::size_t kinds = 10;
 
 /// Whether it is a frame, in the plane or in space.
 [[nodiscard]] constexpr bool is_frame(kind k) { return k == kind::frame_2D || k == kind::frame_3D; }
 /// Whether it is a signal: numbers without a force.
-[[nodiscard]] constexpr bool is_signal(kind k) { return k == kind::input || k == kind::internal || k == kind::vector; }
+[[nodiscard]] constexpr bool is_signal(kind k) {
+  return k == kind::input || k == kind::internal || k == kind::vector || k == kind::loop;
+}
 /// The number of inputs u of a chain that it is, if no element writes it.
 [[nodiscard]] constexpr int nu_of(kind k) { return k == kind::input ? 1 : k == kind::vector ? 3 : 0; }
 /// Whether it is a coordinate: a number, a rotation or a pose.
@@ -67,6 +70,8 @@ inline constexpr std::size_t kinds = 9;
       return "internal state";
     case kind::vector:
       return "vector";
+    case kind::loop:
+      return "closure";
   }
   return "";
 }
@@ -122,6 +127,9 @@ struct pose_3D_key : key<kind::pose_3D, Text> {};
 /// The key of an internal state.
 template <fixed_string Text>
 struct internal_key : key<kind::internal, Text> {};
+/// The key of a loop that a closure closes.
+template <fixed_string Text>
+struct loop_key : key<kind::loop, Text> {};
 
 /// The time, s: in models of systems (models/) an input of this name is the time, and not part of u.
 inline constexpr struct chain_time_ final : input_key<"time"> {

@@ -24,14 +24,16 @@ inline constexpr std::size_t load_index = [] {
 template <class Core>
 inline constexpr std::size_t kept_count = [] {
   std::size_t n = 0;
-  for (const auto& p : Core::ports) n += p.how == access::keep;
+  for (const auto& p : Core::ports) n += p.how == access::keep && p.what == kind::internal;
   return n;
 }();
 /// The port of number N of them; beyond the last if there is none.
 template <class Core, std::size_t N = 0>
 inline constexpr std::size_t kept_port = [] {
   std::size_t p = 0, n = 0;
-  while (p < port_count<Core> && (Core::ports[p].how != access::keep || n++ != N)) ++p;
+  while (p < port_count<Core> &&
+         (Core::ports[p].how != access::keep || Core::ports[p].what != kind::internal || n++ != N))
+    ++p;
   return p;
 }();
 /// Number N of the rates that `z_dot` of an element gives: one, or several by `make_rates`.
@@ -128,6 +130,7 @@ struct stored_element {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
     if constexpr (kept_count < Core >> 0)
       write_rates(core.z_dot(input<P>()...), std::make_index_sequence<kept_count<Core>>{});
+    if constexpr (is_closure<Core>) core.put_residual(stored<P>()...);
   }
   /// Sines, cosines and matrices of the coordinates that it reads as angles and rotations.
   template <std::size_t... P>

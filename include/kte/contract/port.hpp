@@ -80,6 +80,11 @@ template <class Core>
 requires requires { Core::reads_reaction; }
 inline constexpr bool load_dependent_friction<Core> = former::reads_reaction<Core>;
 
+/// Whether it closes a kinematic loop: its core derives from `closure` (contract/closure.hpp), and its last port is the
+/// name of the loop.
+template <class Core>
+inline constexpr bool is_closure = Core::ports.back().what == kind::loop&& Core::ports.back().how == access::keep;
+
 /// Whether its loads are the power dual of its motion, as in a mechanism. An element for controllers without this
 /// property declares `static constexpr bool power_dual = false`: only passes and inverse dynamics support it.
 template <class Core>

@@ -5,6 +5,7 @@
 #include <kte/frames/frame_3D.hpp>
 #include <kte/frames/gen_coord.hpp>
 #include <kte/frames/internal_state.hpp>
+#include <kte/frames/loop_state.hpp>
 
 #include <concepts>
 #include <tuple>
@@ -15,7 +16,7 @@ namespace kte::detail {
 /// In the order of `kind`.
 template <class S>
 using things = std::tuple<gen_coord<S>, frame_2D<S>, frame_3D<S>, S, rotation_coord_3D<S>, pose_coord_2D<S>,
-                          pose_coord_3D<S>, internal_state<S>, vec3<S>>;
+                          pose_coord_3D<S>, internal_state<S>, vec3<S>, loop_state<S>>;
 template <kind K, class S>
 using thing_of = std::tuple_element_t<static_cast<std::size_t>(K), things<S>>;
 
@@ -43,6 +44,8 @@ template <class S>
 inline constexpr kind kind_of_thing<internal_state<S>> = kind::internal;
 template <class S>
 inline constexpr kind kind_of_thing<vec3<S, S, S>> = kind::vector;
+template <class S>
+inline constexpr kind kind_of_thing<loop_state<S>> = kind::loop;
 
 /// Member number K of a tuple with one member a kind.
 template <kind K, class Tuple>

@@ -99,7 +99,7 @@ const runtime_vector<S>& static_forces(const runtime_chain& c, basic_runtime_sta
 }
 template <class S>
 const runtime_vector<S>& gravity_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_positions(s);
+  detail::check_regular_tree(c, s), detail::check_positions(s);
   const detail::rates_aside aside(s, true);
   detail::forces_of_bodies(c, s, true);
   return detail::applied_forces(s);
@@ -128,7 +128,7 @@ const runtime_vector<S>& nonlinear_effects(const runtime_chain& c, basic_runtime
 }
 template <class S>
 const runtime_vector<S>& coriolis_forces(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::check_regular_tree(c, s), detail::check_state_velocities(s);
   const detail::rates_aside aside(s, false);
   detail::forces_of_bodies(c, s, false);
   return detail::applied_forces(s);

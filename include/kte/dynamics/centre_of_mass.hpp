@@ -68,14 +68,14 @@ namespace kte {
 
 template <class S>
 mass_centre<S> centre_of_mass(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_positions(s);
+  detail::check_regular_tree(c, s), detail::check_positions(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   return {w.mass, detail::divided_by_mass<S>(w.mass, w.moment, detail::diagnose_state{"a centre of mass", s})};
 }
 template <class S>
 vec3<S> centre_of_mass_velocity(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::check_regular_tree(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   return detail::divided_by_mass<S>(tree::weight_in_world(s.tree().body_tree, s.work).mass,
                                     detail::momentum_of_coordinates(s, vec3<S>{}).force,

@@ -77,7 +77,7 @@ namespace kte {
 
 template <class S>
 linear_angular<S> centroidal_momentum(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_state_velocities(s);
+  detail::check_regular_tree(c, s), detail::check_state_velocities(s);
   detail::carry(c, s);
   const auto w = tree::weight_in_world(s.tree().body_tree, s.work);
   const detail::diagnose_state why{"a momentum", s};
@@ -104,7 +104,7 @@ basic_runtime_jacobian<S> centroidal_momentum_matrix_of(const runtime_chain& c, 
 }  // namespace detail
 template <class S>
 basic_runtime_jacobian<S> centroidal_momentum_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_positions(s);
+  detail::check_regular_tree(c, s), detail::check_positions(s);
   return detail::centroidal_momentum_matrix_of(c, s);
 }
 template <class S, indexable Q, indexable V>
@@ -113,7 +113,7 @@ linear_angular<S> centroidal_momentum(const runtime_chain& c, basic_runtime_stat
 }
 template <class S, indexable Q>
 basic_runtime_jacobian<S> centroidal_momentum_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  detail::check_regular(c, s);
+  detail::check_regular_tree(c, s);
   return detail::take(c, s, q).call([&] { return detail::centroidal_momentum_matrix_of(c, s); });
 }
 

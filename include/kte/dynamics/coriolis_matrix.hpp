@@ -87,14 +87,14 @@ template <class Gravity, class... E, indexable Q, indexable V>
 /// holds, but C v omits the forces of their motion.
 template <class S>
 runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s), detail::check_state_velocities(s);
   runtime_matrix<S> m = detail::coriolis_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_result(m.data(), static_cast<std::size_t>(m.size()), [&s] { detail::diagnose("a matrix", s); });
   return m;
 }
 template <class S, indexable Q, indexable V>
 runtime_matrix<S> coriolis_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v) {
-  detail::check_regular(c, s), detail::refuse_distributed_masses(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s);
   return detail::take(c, s, q, v).call([&] { return coriolis_matrix(c, s); });
 }
 template <class S>

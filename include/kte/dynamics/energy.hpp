@@ -92,7 +92,7 @@ S kinetic_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
 }
 template <class S>
 S potential_energy(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s), detail::check_positions(s);
+  detail::check_regular_tree(c, s), detail::check_positions(s);
   c.doMotion(s);
   static_assert(detail::goes_through_passes<S>);
   double sum = 0;

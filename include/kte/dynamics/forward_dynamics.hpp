@@ -56,6 +56,9 @@ KTE_INLINE auto accelerations_under(const Chain& c, const At& at, const V& v, co
 ///   forward_dynamics(c, s)               of both, at the positions and rates of a state under its inputs, without tau
 ///
 /// Arguments and errors as for `inverse_dynamics`, chains as for `mass_matrix`. Throws `singular_mass_matrix`.
+///
+/// Where a runtime chain has closures of loops, accelerations are those of `constrained_dynamics` (kte/loops.hpp), and
+/// the loops in the state get the forces of the closures.
 template <class Gravity, class... E, indexable Q, indexable V, indexable T>
 [[nodiscard]] auto forward_dynamics(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const T& tau) {
   using chain_type = static_chain<Gravity, E...>;
@@ -89,6 +92,7 @@ template <class Gravity, class... E, class S>
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_FORWARD_DYNAMICS_OF_RUNTIME_CHAINS
 
+#include <kte/dynamics/closed_loops/forward.hpp>
 #include <kte/dynamics/runtime/algorithms.hpp>
 #include <kte/dynamics/runtime/refused_calls.hpp>
 
@@ -96,16 +100,17 @@ namespace kte {
 
 template <class S>
 const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s);
+  detail::check_regular_tree(c, s);
   detail::check_positions(s);
-  return detail::accelerations_under(c, s, [](int) { return S(0); });
+  return detail::accelerations_of_chain(c, s, [](int) { return S(0); });
 }
 template <class S, indexable Q, indexable V, indexable T>
 const runtime_vector<S>& forward_dynamics(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v,
                                           const T& tau) {
-  detail::check_regular(c, s);
+  detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v, detail::not_given{}, tau).call([&]() -> const auto& {
-    return detail::accelerations_under(c, s, [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
+    return detail::accelerations_of_chain(c, s,
+                                          [&](int i) { return static_cast<S>(tau[static_cast<std::size_t>(i)]); });
   });
 }
 

@@ -104,13 +104,14 @@ template <class Gravity, class... E, class S>
 #if defined(KTE_RUNTIME_CHAINS) && !defined(KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS)
 #define KTE_INVERSE_DYNAMICS_OF_RUNTIME_CHAINS
 
-#include <kte/dynamics/runtime/loops.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
 #include <kte/dynamics/runtime/refused_calls.hpp>
 
 namespace kte {
 
 template <class S>
 const runtime_vector<S>& inverse_dynamics(const runtime_chain& c, basic_runtime_state<S>& s) {
+  detail::refuse_loops(c, ": inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) of kte/loops.hpp does");
   detail::coordinate_forces(c, s);
   detail::take_generalized_forces(s);
   detail::check_result(s.work.forces, static_cast<std::size_t>(s.dofs()), [&s] { detail::diagnose("a force", s); });

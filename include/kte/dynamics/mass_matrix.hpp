@@ -52,7 +52,7 @@ namespace kte {
 
 template <class S>
 const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state<S>& s) {
-  detail::check_regular(c, s);
+  detail::check_regular_tree(c, s);
   detail::check_positions(s);
   detail::mass_of_coordinates(detail::runtime_elements{c}, s);
   detail::check_masses(s, s.work.mass);
@@ -60,7 +60,7 @@ const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state
 }
 template <class S, indexable Q>
 const runtime_matrix<S>& mass_matrix(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
-  detail::check_regular(c, s);
+  detail::check_regular_tree(c, s);
   return detail::take<detail::keeping::if_needed>(c, s, q).call([&]() -> const auto& {
     detail::mass_of_coordinates(detail::runtime_elements{c}, s);
     detail::check_masses(s, s.work.mass);

@@ -119,7 +119,7 @@ dense_composite_inertia<S> subtree_inertia_of(const runtime_chain& c, basic_runt
 template <class S>
 dense_composite_inertia<S> subtree_inertia(const runtime_chain& c, basic_runtime_state<S>& s,
                                            const name_or_handle& frame) {
-  detail::check_regular(c, s), detail::refuse_distributed_masses(c, s);
+  detail::check_regular_tree(c, s), detail::refuse_distributed_masses(c, s);
   const auto x = detail::find_frame(c, frame);
   detail::check_positions(s);
   return detail::subtree_inertia_of(c, s, x);
@@ -133,13 +133,13 @@ mass_centre<S> carried_mass_centre(const runtime_chain& c, basic_runtime_state<S
 template <class S, indexable Q>
 dense_composite_inertia<S> subtree_inertia(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                            const name_or_handle& frame) {
-  detail::check_regular(c, s), (void)detail::find_frame(c, frame);
+  detail::check_regular_tree(c, s), (void)detail::find_frame(c, frame);
   return detail::take(c, s, q).call([&] { return subtree_inertia(c, s, frame); });
 }
 template <class S, indexable Q>
 mass_centre<S> carried_mass_centre(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                    const name_or_handle& frame) {
-  detail::check_regular(c, s), (void)detail::find_frame(c, frame);
+  detail::check_regular_tree(c, s), (void)detail::find_frame(c, frame);
   return detail::take(c, s, q).call([&] { return carried_mass_centre(c, s, frame); });
 }
 

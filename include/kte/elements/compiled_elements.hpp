@@ -6,6 +6,7 @@
 #include <kte/elements/ang_velocity_measure.hpp>
 #include <kte/elements/base.hpp>
 #include <kte/elements/bushing.hpp>
+#include <kte/elements/closures.hpp>
 #include <kte/elements/constant_force.hpp>
 #include <kte/elements/damper.hpp>
 #include <kte/elements/dc_motor.hpp>
@@ -130,6 +131,21 @@ KTE_ELEMENT(torsion_spring<kind::frame_3D, double, double, mat3<vec3<>>>);
 KTE_ELEMENT(torsion_damper<kind::frame_2D, double>);
 KTE_ELEMENT(torsion_damper<kind::frame_3D, double>);
 KTE_ELEMENT(bushing_3D);
+KTE_ELEMENT(coincident_frames<kind::frame_2D>);
+KTE_ELEMENT(coincident_frames<kind::frame_3D>);
+KTE_ELEMENT(coincident_points<kind::frame_2D>);
+KTE_ELEMENT(coincident_points<kind::frame_3D>);
+KTE_ELEMENT(coupled_coordinates);
+KTE_ELEMENT(cylindrical_3D);
+KTE_ELEMENT(distance<kind::frame_2D>);
+KTE_ELEMENT(distance<kind::frame_3D>);
+KTE_ELEMENT(hinge_3D);
+KTE_ELEMENT(point_on_line<kind::frame_2D>);
+KTE_ELEMENT(point_on_line<kind::frame_3D>);
+KTE_ELEMENT(point_on_plane_3D);
+KTE_ELEMENT(sliding<kind::frame_2D>);
+KTE_ELEMENT(sliding<kind::frame_3D>);
+KTE_ELEMENT(universal_3D);
 KTE_ELEMENT(flexible_beam<kind::frame_2D>);
 KTE_ELEMENT(flexible_beam<kind::frame_3D>);
 KTE_ELEMENT(driving_actuator_gen);
@@ -225,20 +241,20 @@ namespace detail {
 template <class... Family>
 struct families {};
 /// What model files know (elements/registry.hpp).
-using all_families =
-    families<acceleration_measure_family, ang_velocity_control_family, ang_velocity_measure_family, base_family,
-             bushing_family, constant_force_family, damper_family, dc_motor_family, differential_family,
-             driving_actuator_family, dry_revolute_joint_family, dyad_family, external_force_family,
-             flexible_beam_family, fluid_drag_family, force_actuator_family, four_bar_family, free_joint_family,
-             inertia_family, inertial_beam_family, joint_backlash_family, joint_backlash_mode_family,
-             joint_damping_family, joint_elasto_plastic_family, joint_friction_family, joint_limit_family,
-             joint_lugre_family, joint_motor_family, joint_stiction_family, joint_stiffness_family,
-             line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family,
-             plane_point_mindist_family, position_control_family, position_measure_family, prismatic_joint_family,
-             revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family, rotor_family,
-             screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, sticking_joint_family,
-             table_spring_family, torque_speed_motor_family, torsion_damper_family, torsion_spring_family,
-             velocity_control_family, velocity_measure_family, virtual_kte_interface_family, vmc_revolute_joint_family>;
+using all_families = families<
+    acceleration_measure_family, ang_velocity_control_family, ang_velocity_measure_family, axis_closures_family,
+    base_family, bushing_family, coincident_frames_family, coincident_points_family, constant_force_family,
+    coupled_coordinates_family, damper_family, dc_motor_family, differential_family, driving_actuator_family,
+    dry_revolute_joint_family, dyad_family, external_force_family, flexible_beam_family, fluid_drag_family,
+    force_actuator_family, four_bar_family, free_joint_family, inertia_family, inertial_beam_family,
+    joint_backlash_family, joint_backlash_mode_family, joint_damping_family, joint_elasto_plastic_family,
+    joint_friction_family, joint_limit_family, joint_lugre_family, joint_motor_family, joint_stiction_family,
+    joint_stiffness_family, line_point_mindist_family, mimic_family, pid_control_family, planar_joint_family,
+    plane_point_mindist_family, point_closures_family, position_control_family, position_measure_family,
+    prismatic_joint_family, revolute_joint_family, rigid_link_family, rotation_control_family, rotation_measure_family,
+    rotor_family, screw_joint_family, slider_crank_family, spherical_joint_family, spring_family, sticking_joint_family,
+    table_spring_family, torque_speed_motor_family, torsion_damper_family, torsion_spring_family,
+    velocity_control_family, velocity_measure_family, virtual_kte_interface_family, vmc_revolute_joint_family>;
 }  // namespace detail
 
 }  // namespace kte

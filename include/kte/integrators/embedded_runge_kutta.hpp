@@ -82,7 +82,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
     [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(h, end), ...); }
     (std::make_index_sequence<stages - 1>{});
     if (!this->next_is_finite()) return {std::numeric_limits<S>::quiet_NaN()};
-    const auto e = h * detail::difference<Tableau::a.back(), Tableau::embedded>(k_);  // (3)
+    const auto& e = this->tangential(h * detail::difference<Tableau::a.back(), Tableau::embedded>(k_));  // (3)
     const S error = detail::error_norm(tolerances_, e, this->magnitudes(this->x_), this->magnitudes(this->next_));
     if (error <= S(1) && floor_.is_below()) [[likely]]
       return {error};
@@ -107,6 +107,7 @@ class embedded_runge_kutta : public integrator<embedded_runge_kutta<Tableau, F, 
   template <std::size_t I>
   void stage(const S& h, const S& end) {
     this->displace(h * detail::combination<Tableau::a[I]>(k_));  // (1); at last (2)
+    if constexpr (I + 1 == stages) this->settle_next();
     this->evaluate(detail::stage_time<S, Tableau::c[I]>(this->time_, h, end), this->next_, k_[I]);
     if constexpr (base::on_group && I + 1 == stages) slope_at_end_ = k_[I];  // as seen from the next step
     this->pull_back(k_[I]);

@@ -143,6 +143,7 @@ class integrator : public moving_state<F, X> {
 
   /// Ends a step: `next_` is the state at t.
   void accept(const S& t) {
+    this->settle_next();
     previous_time_ = time_;
     time_ = t;
     if constexpr (X::SizeAtCompileTime == Eigen::Dynamic) {
@@ -265,14 +266,21 @@ void integrator<Method, F, X>::begin(const S& t_end) {
   detail::check_finite(S(t_end - time_), "the way to the end time");
   is_new_ = is_new_ || in_step_;
   in_step_ = false;
-  if (t_end != time_) no_number_is_failure([&] { method().start(t_end); });
+  if (t_end == time_) return;
+  no_number_is_failure([&] {
+    this->begin_at_state();
+    method().start(t_end);
+  });
 }
 template <class Method, class F, class X>
 void integrator<Method, F, X>::step(const S& t_end) {
   if (in_step_) [[unlikely]]
     begin(t_end);  // again: the last step has failed
   in_step_ = true;
-  no_number_is_failure([&] { method().advance(t_end); });
+  no_number_is_failure([&] {
+    this->begin_at_state();
+    method().advance(t_end);
+  });
   in_step_ = is_new_ = false;
 }
 template <class Method, class F, class X>

@@ -46,8 +46,16 @@ inline constexpr bool changes_when_called<std::reference_wrapper<const F>, S, X>
 ///   f.rates()                how many numbers it has
 ///   f.displace(x, d, out)    out = x (+) d, in (2)
 ///   f.pull_back(d, r)        the rate r of the state becomes that of d, in (1)
-///   f.magnitudes(x, m)       the size of the state for each number of d, in its unit: for relative tolerances
-///   f.rounding(x, d, out, r) optional: r = the part of d lost in the rounding of out, as a displacement from out
+///   f.magnitudes(x, m)       of each number of d, how large the state is in its unit: for relative tolerances
+///   f.rounding(x, d, out, r) optional: r = what of d was lost where out was rounded, for a displacement from out
+///
+/// Where states also have to stay on a manifold, such as the closed loops of a mechanism, f has optionally
+///
+///   f.begin_step(x)          a step begins at x: chooses what stages and the end of the step go by
+///   f.settle(x, d, out)      out = x (+) d, the end of a step or a state within it, is put on the manifold; d goes
+///   with it f.tangential(x, e)       what `settle` takes away of a displacement is taken out of an error estimate e
+///
+/// They throw `bad_argument` where that cannot be done; a shorter step may cure it.
 template <class F, class X>
 concept moves_on_group = requires(const F& f, const X& x, X& out, const typename F::rate& d, typename F::rate& r) {
   { f.rates() } -> std::convertible_to<Eigen::Index>;
@@ -57,6 +65,13 @@ concept moves_on_group = requires(const F& f, const X& x, X& out, const typename
 };
 
 namespace detail {
+/// Whether a right-hand side keeps states on a manifold.
+template <class F, class X>
+concept settles_states = moves_on_group<F, X> && requires(const F& f, const X& x, X& out, typename F::rate& d) {
+  f.begin_step(x);
+  f.settle(x, d, out);
+  f.tangential(x, d);
+};
 template <class F, class X>
 struct rate_type {
   using type = X;

@@ -38,6 +38,8 @@ class moving_state {
   static constexpr bool is_called = std::invocable<F&, const S&, const X&>;
   /// Whether states are no vectors.
   static constexpr bool on_group = moves_on_group<detail::unwrapped_type<F>, X>;
+  /// Whether they are kept on a manifold.
+  static constexpr bool settles = detail::settles_states<detail::unwrapped_type<F>, X>;
   struct nothing {};
   template <class T>
   using if_on_group = std::conditional_t<on_group, T, nothing>;
@@ -78,8 +80,33 @@ class moving_state {
     if constexpr (on_group) {
       d_ = d;
       system().displace(x_, d_, next_);
+      settled_ = false;
     } else {
       next_ = x_ + d;
+    }
+  }
+  /// Projects `next_`, the end of the step, onto the constraints, with its displacement. Exceptions pass through
+  /// `computes`.
+  void settle_next() {
+    if constexpr (settles) {
+      if (settled_) return;
+      ask([&] { system().settle(x_, d_, next_); });
+      settled_ = true;
+    }
+  }
+  /// A step begins.
+  void begin_at_state() const {
+    if constexpr (settles) ask([&] { system().begin_step(x_); });
+  }
+  /// An error estimate of `next_` without its part normal to the constraints.
+  template <class E>
+  decltype(auto) tangential(E e) const {
+    if constexpr (settles) {
+      error_ = e;
+      ask([&] { system().tangential(x_, error_); });
+      return (error_);
+    } else {
+      return e;
     }
   }
   /// The rate of the displacement at its present value; `next_` is the state there.
@@ -99,18 +126,14 @@ class moving_state {
   /// x = state at the start of the last step (+) d.
   template <class D>
   void displaced(const D& d, X& x) const {
-    if constexpr (on_group) {
-      within_ = d;
-      system().displace(previous_, within_, x);
-    } else {
-      x = previous_ + d;
-    }
+    displaced_freely(d, x);
+    if constexpr (settles) system().settle(previous_, within_, x);
   }
   /// The rate of the displacement from the start of the last step, where it is d: for a `dense` that needs evaluations.
   /// Overwrites `next_`.
   template <class D>
   void slope_within(const S& t, const D& d, rate& k) const {
-    displaced(d, next_);
+    displaced_freely(d, next_);
     evaluate(t, next_, k);
     if constexpr (on_group) system().pull_back(within_, k);
   }
@@ -179,6 +202,15 @@ class moving_state {
   mutable step_statistics statistics_;
 
  private:
+  template <class D>
+  void displaced_freely(const D& d, X& x) const {
+    if constexpr (on_group) {
+      within_ = d;
+      system().displace(previous_, within_, x);
+    } else {
+      x = previous_ + d;
+    }
+  }
   /// out = value(), which is made in its place where it is of this type: not copied.
   template <class Value>
   static void put(rate& out, const Value& value) {
@@ -199,6 +231,8 @@ class moving_state {
   mutable std::string reason_;                 ///< why f could not be computed in this step
   [[no_unique_address]] if_on_group<rate> d_;  ///< from x_ to next_
   [[no_unique_address]] mutable if_on_group<rate> within_;
+  [[no_unique_address]] mutable std::conditional_t<settles, rate, nothing> error_;
+  bool settled_ = false;
   [[no_unique_address]] mutable if_on_group<std::array<rate, 2>> sizes_;
 };
 

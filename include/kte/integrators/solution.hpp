@@ -160,6 +160,8 @@ class solution {
   void displace(X& x) const {
     if constexpr (on_group) {
       detail::unwrapped(motion_).displace(from_, d_, x);
+      if constexpr (detail::settles_states<detail::unwrapped_type<F>, X>)
+        detail::unwrapped(motion_).settle(from_, d_, x);
     } else {
       x = from_ + d_;
     }

@@ -125,5 +125,10 @@ template <class S>
 std::ostream& operator<<(std::ostream& out, const internal_state<S>& x) {
   return detail::print_fields(out, "z", x.z, "z_dot", x.z_dot);
 }
+template <class S>
+std::ostream& operator<<(std::ostream& out, const loop_state<S>& x) {
+  return detail::print_fields(out, "residual", x.residual, "ang_residual", x.ang_residual, "force", x.force, "torque",
+                              x.torque);
+}
 
 }  // namespace kte

@@ -67,6 +67,14 @@ struct quantities_of<internal_state<S>> {
   static constexpr quantity<T> list[]{{"", 'q', "", read_member<&T::z>}, {"v", 'v', "", read_member<&T::z_dot>}};
 };
 template <class S>
+struct quantities_of<loop_state<S>> {
+  using T = loop_state<S>;
+  static constexpr quantity<T> list[]{{"residual", 'q', "xyz", read_member<&T::residual>},
+                                      {"ang_residual", 'q', "xyz", read_member<&T::ang_residual>},
+                                      {"force", 'f', "xyz", read_member<&T::force>},
+                                      {"torque", 'f', "xyz", read_member<&T::torque>}};
+};
+template <class S>
 struct quantities_of<rotation_coord_3D<S>> {
   using T = rotation_coord_3D<S>;
   static constexpr quantity<T> list[]{{"rotation", 'q', "wxyz", read_member<&T::rotation>},

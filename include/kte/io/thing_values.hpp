@@ -35,6 +35,9 @@ void visit_quantities(T& x, const Visit& visit) {
     if constexpr (requires { x.ang_velocity; }) member("ang_velocity", x.ang_velocity);
     if constexpr (requires { x.acceleration; }) member("acceleration", x.acceleration);
     if constexpr (requires { x.ang_acceleration; }) member("ang_acceleration", x.ang_acceleration);
+    if constexpr (requires { x.residual; }) {
+      member("residual", x.residual), member("ang_residual", x.ang_residual);
+    }
     if constexpr (requires { x.force; }) member("force", x.force);
     if constexpr (requires { x.torque; }) member("torque", x.torque);
     if constexpr (requires { x.z_dot; }) member("z", x.z), member("z_dot", x.z_dot);

@@ -237,6 +237,20 @@ class controlled {
     rest.head(changed_.size()) = changed_;
     rest.template tail<N>() = d.template tail<N>() - (out.template tail<N>() - x.template tail<N>());
   }
+  // ---- on the loops, as the model's
+  static constexpr bool settles = detail::settles_states<model_type, model_state>;
+  void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
+  void settle(const state& x, rate& d, state& out) const requires(settles) {
+    changed_ = own_rate(d);
+    moved_ = out.head(own_part(x).size());
+    model().settle(own_part(x), changed_, moved_);
+    d.head(changed_.size()) = changed_, out.head(moved_.size()) = moved_;
+  }
+  void tangential(const state& x, rate& e) const requires(settles) {
+    changed_ = own_rate(e);
+    model().tangential(own_part(x), changed_);
+    e.head(changed_.size()) = changed_;
+  }
 
  private:
   /// How many numbers q, v and z of the model have.

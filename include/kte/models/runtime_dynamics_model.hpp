@@ -14,6 +14,10 @@
 #include <kte/models/unchanging_chain.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
+#ifdef KTE_FUNCTION
+#  include <kte/models/detail/loop_steps.hpp>
+#endif
+
 #include <functional>
 
 namespace kte {
@@ -136,6 +140,18 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   /// The part of d lost in the rounding of out.
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
 
+  // ---- of chains with loops (integrators/motion_space.hpp); of others these do nothing
+  /// Puts x = x0 (+) d on the loops, in positions and velocities, by the least change in kinetic energy; d goes with
+  /// it. Throws `bad_argument` that names the closure which does not close.
+  void settle(const state& x0, rate& d, state& x) const;
+  /// Takes out of a displacement from x0 what `settle` would.
+  void tangential(const state& x0, rate& e) const;
+  /// Chooses the independent rows of closures for the step from x0. Throws `bad_argument` where it is off the loops.
+  void begin_step(const state& x0) const;
+  /// x on the loops, wherever it is. Throws `bad_argument` that names a closure which does not close from there:
+  /// `assemble` goes a longer way.
+  state on_loops(const state& x) const;
+
  private:
   int place_of_input(std::string_view name, kind k) const;
   /// doMotion of the elements that keep them, and of what these depend on.
@@ -145,7 +161,8 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   // To work in, also through std::cref; who calls one model in two threads needs two.
   mutable runtime_state s_;
   mutable rate rate_;
-  std::vector<detail::lock_place> locks_;
+  mutable detail::own_memory loops_;  ///< the rows of closures of a step
+  std::vector<detail::holder_place> holders_;
   output_function output_;
 };
 manipulator_dynamics_model(const runtime_chain&)->manipulator_dynamics_model<runtime_chain>;
@@ -185,7 +202,8 @@ namespace kte {
 
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
-  for (const int e : s_.tree().locks) {
+  if (detail::has_loops(c)) detail::check_loops(c, s_);
+  for (const int e : s_.tree().holders) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
     if (row >= dofs())
@@ -199,13 +217,16 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::computeStateRate(do
     -> const rate& {
   setJointStates(t, x, s_);
   rate_.head(dofs()) = velocities_of(x);
-  rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
+  if (detail::has_loops(chain()))
+    rate_.segment(dofs(), dofs()) = detail::accelerations_in_step(chain(), s_, loops_);
+  else
+    rate_.segment(dofs(), dofs()) = forward_dynamics(chain(), s_);
   rates_of_internals();
   return rate_;
 }
 KTE_FUNCTION bool manipulator_dynamics_model<runtime_chain>::jacobian(double t, const state& x,
                                                                       jacobian_matrix& j) const {
-  if (internals() > 0 || s_.tree().irregular) return false;
+  if (internals() > 0 || s_.tree().irregular || detail::has_loops(chain())) return false;
   setJointStates(t, x, s_);
   const auto& of_accelerations = forward_dynamics_derivatives(chain(), s_);
   j.resize(rates(), rates());
@@ -225,11 +246,11 @@ KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::jacobian(double t, 
 
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q,
                                                                     const Eigen::VectorXd& v) const -> state {
-  return base::make_x(q, v);
+  return detail::checked_on_loops(*this, base::make_x(q, v));
 }
 KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                                                     const Eigen::VectorXd& z) const -> state {
-  return base::make_x(q, v, z);
+  return detail::checked_on_loops(*this, base::make_x(q, v, z));
 }
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::setInput(const Eigen::VectorXd& u) { base::setInput(u); }
 KTE_FUNCTION int manipulator_dynamics_model<runtime_chain>::place_of_input(std::string_view name, kind k) const {
@@ -330,6 +351,22 @@ KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::magnitudes(const st
 KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::rounding(const state& x, const rate& d, const state& out,
                                                                       rate& rest) const {
   base::rounding(x, d, out, rest);
+}
+
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::settle(const state& x0, rate& d, state& x) const {
+  if (detail::has_loops(chain())) detail::settle_on_loops(*this, s_, detail::step_from(*this, s_, loops_, x0), d, x);
+}
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::tangential(const state& x0, rate& e) const {
+  if (detail::has_loops(chain())) detail::make_tangential(detail::step_from(*this, s_, loops_, x0), e);
+}
+KTE_FUNCTION void manipulator_dynamics_model<runtime_chain>::begin_step(const state& x0) const {
+  if (detail::has_loops(chain())) detail::check_step(chain(), s_, detail::step_from(*this, s_, loops_, x0));
+}
+KTE_FUNCTION auto manipulator_dynamics_model<runtime_chain>::on_loops(const state& x) const -> state {
+  state on = checked(x);
+  rate d = rate::Zero(rates());
+  settle(x, d, on);
+  return on;
 }
 
 namespace detail {

@@ -19,7 +19,9 @@ namespace kte {
 template <>
 class inverse_dynamics_model<runtime_chain> : public unchanging_chain {
  public:
-  explicit inverse_dynamics_model(const runtime_chain& c) : unchanging_chain(c), s_(make_state()) {}
+  explicit inverse_dynamics_model(const runtime_chain& c) : unchanging_chain(c), s_(make_state()) {
+    detail::refuse_loops(c);
+  }
 
   template <indexable Q, indexable V, indexable A>
   const Eigen::VectorXd& computeForces(const Q& q, const V& v, const A& a) const {
@@ -101,6 +103,7 @@ namespace kte {
 KTE_FUNCTION manipulator_kinematics_model<runtime_chain>::manipulator_kinematics_model(const runtime_chain& c,
                                                                                        std::vector<std::string> frames)
     : unchanging_chain(c), frames_(std::move(frames)), s_(make_state()) {
+  detail::refuse_loops(c);
   if (frames_.empty()) throw bad_argument("kte: a kinematics model needs a frame that depends on the joints");
   for (const auto& f : frames_)
     if (!is_frame(wiring().kind_of(f, true))) throw unknown_name("kte: '" + f + "' is not a frame");

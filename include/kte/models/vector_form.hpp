@@ -21,7 +21,10 @@ class vector_form {
   using state = typename model::state;
   using S = typename state::Scalar;
 
-  explicit vector_form(F f) : f_(std::move(f)) {}
+  explicit vector_form(F f) : f_(std::move(f)) {
+    if constexpr (requires { detail::refuse_loops(detail::unwrapped(f_)); })
+      detail::refuse_loops(detail::unwrapped(f_), ": its states settle at the ends of steps of one-step methods alone");
+  }
 
   const state& operator()(const S& t, const state& x) {
     auto& m = detail::unwrapped(f_);

@@ -56,8 +56,8 @@ class header_writer {
     auto& known = known_[{is_frame(k), name}];
     if (known.empty()) {
       known = identifiers_.make(name);
-      static constexpr std::array<const char*, kinds> types{"coord",   "frame_2D", "frame_3D", "input", "rotation_3D",
-                                                            "pose_2D", "pose_3D",  "internal", "vector"};
+      static constexpr std::array<const char*, kinds> types{"coord",   "frame_2D", "frame_3D", "input",  "rotation_3D",
+                                                            "pose_2D", "pose_3D",  "internal", "vector", "loop"};
       keys_ += "inline constexpr struct " + known + "key final : ::kte::" + types[static_cast<std::size_t>(k)] +
                "_key<" + cpp_text(name) + "> {} " + known + ";\n";
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kte/contract/closure.hpp>
 #include <kte/contract/element_numbers.hpp>
 #include <kte/contract/port.hpp>
 #include <kte/contract/record.hpp>
@@ -103,6 +104,20 @@ class kte_element : public kte_map {
   virtual detail::derivative_number derive_friction(
       detail::derivative_state&,
       const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end) const = 0;
+
+  /// Of a closure (contract/closure.hpp): how many rows it has; none of other elements.
+  virtual closure_rows rows() const { return {}; }
+  /// Of a closure of frames: its residual (order 0) or a derivative of it, for the motion of its second frame in its
+  /// first.
+  virtual void close_frames(const detail::closing_motion<double>&, int /*order*/, double* /*rows*/) const {}
+  /// The same: whether a closed loop is not on the false solution of a rotation, half a turn off.
+  virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
+  /// Of a closure of coordinates at q with rates v: its residual, the derivatives of that by the coordinates, and its
+  /// second derivative without accelerations.
+  virtual std::array<double, 2> close_coordinates(const double* /*q*/, const double* /*v*/,
+                                                  double* /*gradient*/) const {
+    return {};
+  }
 };
 
 /// An element in messages: "revolute_joint_3D (coordinate 'q', base 'a', end 'b')".

@@ -39,7 +39,7 @@ class kte_map_adapter final : public kte_element {
     auto& c = t.elements.back();
     std::copy(c.index.begin(), c.index.end(), index_.begin());
     c.rigid = detail::is_transmission<Core>, c.distributed_mass = detail::distributed_mass<Core>;
-    c.load = detail::is_load<Core>;
+    c.load = detail::is_load<Core>, c.closes = detail::is_closure<Core>;
     const bool on_frames =
         std::any_of(Core::ports.begin(), Core::ports.end(), [](const port& p) { return is_frame(p.what); });
     t.has_derivatives &= on_frames || detail::has_derivatives<Core>;
@@ -87,8 +87,49 @@ class kte_map_adapter final : public kte_element {
       return {};
   }
 
+  closure_rows rows() const override {
+    if constexpr (detail::is_closure<Core>)
+      return Core::rows;
+    else
+      return {};
+  }
+  void close_frames([[maybe_unused]] const detail::closing_motion<double>& m, [[maybe_unused]] int order,
+                    [[maybe_unused]] double* rows) const override {
+    if constexpr (closes_frames) {
+      const auto put = [rows](const auto& all) {
+        const auto numbers = detail::rows_in_numbers<double>(all);
+        std::copy(numbers.begin(), numbers.end(), rows);
+      };
+      if (order == 0)
+        put(core_.residual(m));
+      else if (order == 1)
+        put(core_.residual_dot(m));
+      else
+        put(core_.residual_ddot(m));
+    }
+  }
+  bool is_upright([[maybe_unused]] const detail::closing_motion<double>& m) const override {
+    if constexpr (requires { core_.upright(m); })
+      return core_.upright(m);
+    else
+      return true;
+  }
+  std::array<double, 2> close_coordinates([[maybe_unused]] const double* q, [[maybe_unused]] const double* v,
+                                          [[maybe_unused]] double* gradient) const override {
+    if constexpr (detail::is_closure<Core> && !closes_frames) {
+      std::array<double, port_count<Core> - 1> at, rates;
+      std::copy_n(q, at.size(), at.begin()), std::copy_n(v, rates.size(), rates.begin());
+      const auto by = core_.gradient(at);
+      std::copy(by.begin(), by.end(), gradient);
+      return {core_.residual(at), core_.curvature(at, rates)};
+    } else {
+      return {};
+    }
+  }
+
  private:
   using inputs = std::make_index_sequence<input_count<Core>>;
+  static constexpr bool closes_frames = detail::is_closure<Core> && is_frame(Core::ports[0].what);
 
   template <class State>
   auto on(State& s) const {

@@ -28,6 +28,11 @@ class own_memory {
     if (!made_) made_ = std::make_shared<T>(make());
     return *static_cast<T*>(made_.get());
   }
+  /// What was made, or nullptr.
+  template <class T>
+  T* find() {
+    return static_cast<T*>(made_.get());
+  }
 
  private:
   std::shared_ptr<void> made_;
@@ -96,7 +101,8 @@ class basic_runtime_state {
   /// An internal state by name or handle.
   internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
   const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
-  /// A coordinate that is a rotation, by name or handle.
+  loop_state<S>& loop(const name_or_handle& name) { return at<kind::loop>(*this, name); }
+  const loop_state<S>& loop(const name_or_handle& name) const { return at<kind::loop>(*this, name); }
   rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
   const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
     return at<kind::rotation_3D>(*this, name);
@@ -152,7 +158,8 @@ class basic_runtime_state {
   /// Working memory of the algorithms; not for users.
   detail::loop_memory<parameter, S> work;
   detail::own_memory with_derivatives;
-  std::vector<S> before;  ///< the replaced q, v, a, until a call has succeeded
+  detail::own_memory loops;
+  std::vector<S> before;  ///< q, v, a that a call has replaced, until it is known that it refuses nothing
 };
 
 // Not in the class, where they would be inline: of those that are, g++ also compiles what is `extern`.

@@ -46,6 +46,8 @@ void check_scalar(const topology& t, const runtime_tree<P>& tree) {
         "kte: states of runtime chains in scalars other than double support joints, links and bodies only; " +
         describe_element(*t.elements[static_cast<std::size_t>(e)].element) + why);
   };
+  for (std::size_t e = 0; e < t.elements.size(); ++e)
+    if (t.elements[e].closes) refuse(static_cast<int>(e), " closes a loop");
   if (tree.irregular) refuse(tree.irregular.element, tree.irregular.why);
   for (const auto* list : {&tree.followers, &tree.readers, &tree.on_coordinates, &tree.on_frames})
     for (const int e : *list) refuse(e, " has its own force law");

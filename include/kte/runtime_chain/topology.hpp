@@ -45,6 +45,7 @@ class topology {
     bool rigid = false;             ///< whether it is a joint or a link
     bool distributed_mass = false;  ///< whether it has a mass between several ports
     bool load = false;              ///< whether it is a load from outside
+    bool closes = false;            ///< whether it closes a loop
   };
 
   std::array<std::vector<std::string>, kinds> names;  ///< of all things, by kind
@@ -279,7 +280,7 @@ KTE_FUNCTION int topology::add(const port& x, const std::string& name) {
   const bool fresh = !known;
   if (fresh) known = thing{x.what, static_cast<int>(names[k].size()), writer, x.declares(), moves};
   known.moves |= moves;
-  if (x.how == access::keep) keepers.push_back(static_cast<int>(elements.size()));
+  if (x.how == access::keep && x.what == kind::internal) keepers.push_back(static_cast<int>(elements.size()));
   if (fresh) {
     names[k].push_back(name);
     writers[k].push_back(writer);

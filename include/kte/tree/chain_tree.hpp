@@ -109,6 +109,7 @@ class chain_tree {
     const std::size_t last = ports.size() - 1;
     switch (n.is) {
       case part::base:
+      case part::closure:
         break;
       case part::rigid: {
         if (is_late(ports[last - 1].what, index(last - 1))) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kte/dynamics/runtime/loops.hpp>
+#include <kte/dynamics/runtime/elements.hpp>
 #include <kte/kernels/solve.hpp>
 
 #include <algorithm>

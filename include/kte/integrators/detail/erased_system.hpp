@@ -37,6 +37,10 @@ class erased_system {
   void rounding(const vector& x, const vector& d, const vector& out, vector& rest) const requires OnGroup {
     system_->rounding(x, d, out, rest);
   }
+  /// Nothing where the system does not.
+  void begin_step(const vector& x) const requires OnGroup { system_->begin_step(x); }
+  void settle(const vector& x, vector& d, vector& out) const requires OnGroup { system_->settle(x, d, out); }
+  void tangential(const vector& x, vector& e) const requires OnGroup { system_->tangential(x, e); }
 
  private:
   struct callable {
@@ -48,6 +52,9 @@ class erased_system {
     virtual void pull_back(const vector& d, vector& r) const = 0;
     virtual void magnitudes(const vector& x, vector& m) const = 0;
     virtual void rounding(const vector& x, const vector& d, const vector& out, vector& rest) const = 0;
+    virtual void begin_step(const vector& x) const = 0;
+    virtual void settle(const vector& x, vector& d, vector& out) const = 0;
+    virtual void tangential(const vector& x, vector& e) const = 0;
   };
   template <class F>
   class held final : public callable {
@@ -80,6 +87,15 @@ class erased_system {
       } else {
         rest.setZero();
       }
+    }
+    void begin_step(const vector& x) const override {
+      if constexpr (settles_states<unwrapped_type<const F>, vector>) unwrapped(f_).begin_step(x);
+    }
+    void settle(const vector& x, vector& d, vector& out) const override {
+      if constexpr (settles_states<unwrapped_type<const F>, vector>) unwrapped(f_).settle(x, d, out);
+    }
+    void tangential(const vector& x, vector& e) const override {
+      if constexpr (settles_states<unwrapped_type<const F>, vector>) unwrapped(f_).tangential(x, e);
     }
 
    private:

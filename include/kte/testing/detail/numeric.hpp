@@ -124,6 +124,10 @@ std::array<S, 7> load_in_world(const internal_state<S>&) {
   return {};
 }
 template <class S>
+std::array<S, 7> load_in_world(const loop_state<S>&) {
+  return {};
+}
+template <class S>
 std::array<S, 7> load_in_world(const S&) {
   return {};
 }
@@ -141,6 +145,10 @@ auto load_in_world(const Frame& frame) {
 }
 template <class S>
 std::pair<S, S> power(const internal_state<S>&) {
+  return {S(0), S(0)};
+}
+template <class S>
+std::pair<S, S> power(const loop_state<S>&) {
   return {S(0), S(0)};
 }
 template <class S>

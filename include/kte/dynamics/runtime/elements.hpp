@@ -5,6 +5,8 @@
 #include <kte/dynamics/runtime/arguments.hpp>
 #include <kte/runtime_chain/chain.hpp>
 
+#include <algorithm>
+
 /// The elements of a runtime chain in the loops over body nodes.
 namespace kte::detail {
 
@@ -68,14 +70,31 @@ template <class Exception>
   throw bad_argument("kte: only passes and inverse dynamics support this chain: " +
                      describe_element(runtime_elements{c}.element(x.element)) + x.why);
 }
-/// The forces of a chain that only passes support.
+/// Whether a chain has closures of loops.
+inline bool has_loops(const runtime_chain& c) { return c.wiring().count(kind::loop) > 0; }
+/// Rejects a chain that only passes support.
 template <class S>
-void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
+void check_regular_tree(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   if (s.tree().irregular) [[unlikely]]
     refuse_chain(c, s.tree().irregular);
 }
-/// The motion of a chain that only passes support.
+/// Throws `bad_argument`, naming the first closure, for a chain with loops in an algorithm that does not support them.
+inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
+  if (!has_loops(c)) [[likely]]
+    return;
+  const auto& elements = c.wiring().elements;
+  const auto first = std::find_if(elements.begin(), elements.end(), [](const auto& e) { return e.closes; });
+  throw bad_argument("kte: this algorithm does not know closures of loops, as " + describe_element(*first->element) +
+                     instead);
+}
+/// `check_regular_tree` for algorithms that support trees only.
+template <class S>
+void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
+  check_regular_tree(c, s);
+  refuse_loops(c);
+}
+/// Rejects a chain whose motion only passes support.
 template <class S>
 void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
@@ -97,6 +116,7 @@ void coordinate_forces(const runtime_chain& c, basic_runtime_state<S>& s, bool m
 
 #ifdef KTE_EXTERN
 KTE_EXTERN template void check_whole(const runtime_chain&, const runtime_state&);
+KTE_EXTERN template void check_regular_tree(const runtime_chain&, const runtime_state&);
 KTE_EXTERN template void check_regular(const runtime_chain&, const runtime_state&);
 KTE_EXTERN template void coordinate_forces(const runtime_chain&, runtime_state&, bool);
 KTE_EXTERN template void mass_of_coordinates(const runtime_elements&, runtime_state&);

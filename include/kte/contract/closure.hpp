@@ -1,0 +1,114 @@
+#pragma once
+
+#include <kte/contract/transmission.hpp>
+#include <kte/frames/inverse.hpp>
+#include <kte/frames/loop_state.hpp>
+
+#include <array>
+#include <utility>
+
+namespace kte {
+
+/// How many rows a closure has: those in m before those in rad, at most three of each.
+struct closure_rows {
+  int linear = 0, angular = 0;
+  constexpr int count() const { return linear + angular; }
+};
+
+/// What the functions of a closure give: its rows, in order.
+template <class... R>
+KTE_INLINE constexpr auto make_rows(const R&... r) {
+  return values<R...>{{{r}...}};
+}
+
+namespace detail {
+/// The motion of a frame in another, in numbers.
+template <class S>
+using closing_motion = motion<vec3<S>, mat3<vec3<S>>, vec3<S>, vec3<S>, vec3<S>, vec3<S>>;
+template <class S, class M>
+KTE_INLINE constexpr closing_motion<S> as_closing_motion(const M& m) {
+  return {as<S>(m.position),     as<S>(matrix(m.rotation)), as<S>(m.velocity),
+          as<S>(m.ang_velocity), as<S>(m.acceleration),     as<S>(m.ang_acceleration)};
+}
+template <class S, class... R>
+KTE_INLINE constexpr std::array<S, sizeof...(R)> rows_in_numbers(const values<R...>& rows) {
+  return [&]<std::size_t... K>(std::index_sequence<K...>) {
+    return std::array<S, sizeof...(R)>{as<S>(nth<K>(rows))...};
+  }
+  (std::index_sequence_for<R...>{});
+}
+/// A wrench on a frame of kind K.
+template <kind K, class S>
+KTE_INLINE constexpr auto in_space_of(const wrench<vec3<S>, vec3<S>>& x) {
+  if constexpr (K == kind::frame_2D)
+    return wrench{vec3{x.force.x, x.force.y, zero}, vec3{zero, zero, x.torque.z}};
+  else
+    return x;
+}
+/// Row k of a closure, among its forces or residuals.
+template <class V>
+KTE_INLINE constexpr auto& row_of(V& linear, V& angular, const closure_rows& rows, int k) {
+  V& v = k < rows.linear ? linear : angular;
+  const int i = k < rows.linear ? k : k - rows.linear;
+  return i == 0 ? v.x : i == 1 ? v.y : v.z;
+}
+}  // namespace detail
+
+/// Two frames A, B that a closure holds together. A core that derives from it has
+///
+///   static constexpr closure_rows rows     how many rows there are
+///   residual(m)       g, zero where the loop is closed, of the position p and rotation R of B in A        (1)
+///   residual_dot(m)   dg/dt = J v, linear in the velocity v and angular velocity w of B in A              (2)
+///   residual_ddot(m)  the second derivative, with acceleration a and angular acceleration al              (3)
+///
+/// where m is the motion of B in A (frames/motion.hpp): p in axes of A, rates in axes of B, so that p_dot = R v and
+/// p_ddot = R a. Each gives `make_rows(...)`. Its ports are A, B and the name of the loop:
+///
+///   {Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::loop, access::keep, "loop"}
+///
+/// The load of multipliers lambda on B is that whose power on any rates is lambda times (2); on A the opposite, at its
+/// origin.
+template <class Core>
+struct closure {
+  template <class A, class B, class Loop>
+  KTE_INLINE constexpr auto doForce(const A& a, const B& b, const Loop& loop) const {
+    using S = std::remove_cvref_t<decltype(loop.force.x)>;
+    auto m = detail::as_closing_motion<S>(relative(a, b));
+    m.velocity = m.ang_velocity = {};
+    const auto power = [&](S& rate) KTE_INLINE_LAMBDA {
+      rate = S(1);
+      const auto rows = detail::rows_in_numbers<S>(core().residual_dot(m));
+      rate = S(0);
+      S sum(0);
+      for (int k = 0; k < Core::rows.count(); ++k)
+        sum = S(sum + detail::row_of(loop.force, loop.torque, Core::rows, k) * rows[static_cast<std::size_t>(k)]);
+      return sum;
+    };
+    const auto load = [&](vec3<S>& rates) KTE_INLINE_LAMBDA {
+      return vec3<S>{power(rates.x), power(rates.y), power(rates.z)};
+    };
+    const wrench<vec3<S>, vec3<S>> on_b{load(m.velocity), load(m.ang_velocity)};
+    const wrench<vec3<S>, vec3<S>> on_a = transmit(m, on_b);
+    return make_loads(detail::in_space_of<Core::ports[0].what>(wrench{-on_a.force, -on_a.torque}),
+                      detail::in_space_of<Core::ports[0].what>(on_b));
+  }
+  /// Puts (1) into the loop, by doMotion.
+  template <class A, class B, class S>
+  constexpr void put_residual(const A& a, const B& b, loop_state<S>& loop) const {
+    const auto m = detail::as_closing_motion<S>(relative(spatial(a), spatial(b)));
+    const auto g = detail::rows_in_numbers<S>(core().residual(m));
+    for (int k = 0; k < Core::rows.count(); ++k)
+      detail::row_of(loop.residual, loop.ang_residual, Core::rows, k) = g[static_cast<std::size_t>(k)];
+  }
+
+ private:
+  KTE_INLINE constexpr const Core& core() const { return static_cast<const Core&>(*this); }
+};
+
+namespace detail {
+template <kind Dim>
+inline constexpr std::array<port, 3> closure_ports{
+    {{Dim, access::on, "frame1"}, {Dim, access::on, "frame2"}, {kind::loop, access::keep, "loop"}}};
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <kte/contract/closure.hpp>
+#include <kte/elements/closures/rotation_rows.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// Two frames welded together, with h half of the axial vector of R, the sine of the turn that is left:
+///
+///   g = (p, h),   (R v, h_dot),   (R a, h_ddot)          (1)
+///
+/// Half a turn has h = 0, too: `assemble` refuses it.
+template <kind Dim>
+struct coincident_frames : closure<coincident_frames<Dim>> {
+  static constexpr type_name type{"coincident_frames", Dim};
+  static constexpr auto ports = detail::closure_ports<Dim>;
+  static constexpr closure_rows rows{Dim == kind::frame_2D ? 2 : 3, Dim == kind::frame_2D ? 1 : 3};
+
+  template <class M>
+  constexpr auto residual(const M& m) const {
+    return of(m.position, detail::half_axial(m, detail::cosine{}));
+  }
+  template <class M>
+  constexpr auto residual_dot(const M& m) const {
+    return of(m.rotation * m.velocity, detail::half_axial(m, detail::cosine_dot{}));
+  }
+  template <class M>
+  constexpr auto residual_ddot(const M& m) const {
+    return of(m.rotation * m.acceleration, detail::half_axial(m, detail::cosine_ddot{}));
+  }
+  /// Of a closed loop: whether it is not half a turn off.
+  template <class M>
+  constexpr bool upright(const M& m) const {
+    return m.rotation.x.x + m.rotation.y.y + m.rotation.z.z > 0;
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+
+ private:
+  template <class P, class H>
+  static constexpr auto of(const P& p, const H& h) {
+    if constexpr (Dim == kind::frame_2D)
+      return make_rows(p.x, p.y, h.z);
+    else
+      return make_rows(p.x, p.y, p.z, h.x, h.y, h.z);
+  }
+};
+
+}  // namespace core
+
+/// Closes a loop by welding two frames of the plane together: 2 rows, m, and 1 of the sine of the angle between them.
+template <class L, class A, class B>
+constexpr auto coincident_frames_2D(const L& loop, const A& frame1, const B& frame2) {
+  return connect(core::coincident_frames<kind::frame_2D>{}, frame1, frame2, loop);
+}
+/// In space: 3 and 3 rows.
+template <class L, class A, class B>
+constexpr auto coincident_frames_3D(const L& loop, const A& frame1, const B& frame2) {
+  return connect(core::coincident_frames<kind::frame_3D>{}, frame1, frame2, loop);
+}
+
+KTE_CALL(coincident_frames_2D, "(loop, frame1, frame2)")
+KTE_CALL(coincident_frames_3D, "(loop, frame1, frame2)")
+
+namespace detail {
+/// How model files make them.
+struct coincident_frames_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("coincident_frames_2D",
+        [](const auto& x) { return coincident_frames_2D(x.name("loop"), x.name("frame1"), x.name("frame2")); });
+    add("coincident_frames_3D",
+        [](const auto& x) { return coincident_frames_3D(x.name("loop"), x.name("frame1"), x.name("frame2")); });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <kte/contract/coordinate_closure.hpp>
+
+namespace kte {
+
+namespace core {
+
+/// Two coordinates coupled by a linear relation, a gear or a cable between them:
+///
+///   g = c_1 q_1 + c_2 q_2 - c_0          (1)
+struct coupled_coordinates : coordinate_closure<coupled_coordinates> {
+  static constexpr std::string_view type = "coupled_coordinates";
+  static constexpr auto ports = detail::coordinate_closure_ports<2>;
+
+  double factor1, factor2, constant;
+
+  constexpr coupled_coordinates(double c1, double c2, double c0) : factor1(c1), factor2(c2), constant(c0) {}
+  template <class Q>
+  constexpr auto value(const Q& q1, const Q& q2) const {
+    return factor1 * q1 + factor2 * q2 - constant;
+  }
+  constexpr void check(const parameter_check& where) const {
+    where.finite(factor1, "factor1 must be finite"), where.finite(factor2, "factor2 must be finite");
+    where.finite(constant, "constant must be finite");
+    where.require(factor1 != 0 || factor2 != 0, "factor1 and factor2 must not both be zero", factor1);
+  }
+  template <class Self, class Visit>
+  static constexpr void parameters(Self& self, Visit&& visit) {
+    visit("factor1", self.factor1), visit("factor2", self.factor2), visit("constant", self.constant);
+  }
+};
+
+/// One to four coordinates coupled by a function of the user that is zero.
+template <class Law, std::size_t N>
+struct coupled_by : coordinate_closure<coupled_by<Law, N>> {
+  static constexpr std::string_view type = "coupled_by";
+  static constexpr bool holds_code = true;
+  static constexpr auto ports = detail::coordinate_closure_ports<N>;
+
+  Law law;
+
+  constexpr explicit coupled_by(const Law& f) : law(f) {}
+  template <class... Q>
+  constexpr auto value(const Q&... q) const {
+    return law(q...);
+  }
+  constexpr void check(const parameter_check&) const {}
+  template <class Self, class Visit>
+  static constexpr void parameters(Self&, Visit&&) {}
+};
+
+}  // namespace core
+
+/// Couples two coordinates: factor1 q1 + factor2 q2 = constant. Both must be degrees of freedom. 1 row; its force, Nm,
+/// is `torque.x` of the loop, and puts factor times itself on each coordinate.
+template <class L, class Q1, class Q2>
+constexpr auto coupled_coordinates(const L& loop, const Q1& q1, const Q2& q2, double factor1, double factor2,
+                                   double constant = 0) {
+  return connect(core::coupled_coordinates(factor1, factor2, constant), q1, q2, loop);
+}
+/// Couples one to four coordinates by a function of yours that is zero. Write it for numbers of any type, such as
+/// duals, by which derivatives are found:
+///
+///   coupled_by("cam", "q1", "q2", [](const auto& q1, const auto& q2) { using std::sin; return q2 - 0.1 * sin(q1); })
+///
+/// It holds code: a model with it cannot be saved.
+template <class L, class Q1, class Law>
+constexpr auto coupled_by(const L& loop, const Q1& q1, const Law& law) {
+  return connect(core::coupled_by<Law, 1>(law), q1, loop);
+}
+template <class L, class Q1, class Q2, class Law>
+constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Law& law) {
+  return connect(core::coupled_by<Law, 2>(law), q1, q2, loop);
+}
+template <class L, class Q1, class Q2, class Q3, class Law>
+constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Q3& q3, const Law& law) {
+  return connect(core::coupled_by<Law, 3>(law), q1, q2, q3, loop);
+}
+template <class L, class Q1, class Q2, class Q3, class Q4, class Law>
+constexpr auto coupled_by(const L& loop, const Q1& q1, const Q2& q2, const Q3& q3, const Q4& q4, const Law& law) {
+  return connect(core::coupled_by<Law, 4>(law), q1, q2, q3, q4, loop);
+}
+
+KTE_CALL(coupled_coordinates, "(loop, q1, q2, factor1, factor2[, constant])")
+
+namespace detail {
+/// How model files make them.
+struct coupled_coordinates_family {
+  template <class Add>
+  static void add_to(const Add& add) {
+    add("coupled_coordinates", [](const auto& x) {
+      return coupled_coordinates(x.name("loop"), x.name("coordinate1"), x.name("coordinate2"), x.number("factor1"),
+                                 x.number("factor2"), x.number("constant"));
+    });
+  }
+};
+}  // namespace detail
+
+}  // namespace kte

@@ -1,0 +1,273 @@
+#include "catch.hpp"
+#include "closed_loops/mechanisms.hpp"
+#include "random.hpp"
+
+using namespace kte;
+using namespace kte::test;
+using namespace kte::test::loops;
+using Catch::Matchers::Message;
+
+namespace {
+
+double largest_difference(const vector& a, const vector& b) { return (a - b).cwiseAbs().maxCoeff(); }
+
+/// A tree in space on a floating base, with closures of all kinds between its branches. The same without closures.
+struct tangle {
+  runtime_chain closed, open;
+  explicit tangle(bool follows = false) {
+    const rigid_body<> body{1.5, vec3<>{0.1, 0.2, -0.1}, sym3<>{0.3, 0.01, 0, 0.4, 0.02, 0.5}};
+    open.gravity(vec3<>{0, 0, -9.81});
+    open << free_joint_3D("float", "world", "hull") << inertia_3D("hull", body);
+    for (const std::string x : {"l", "r"}) {
+      open << revolute_joint_3D(x + "1", "hull", x + "a", axis::z).at(vec3<>{0.3, x == "l" ? 0.2 : -0.2, 0})
+           << inertia_3D(x + "a", body) << rigid_link_3D(x + "a", x + "b", vec3<>{0.5, 0, 0.1})
+           << spherical_joint_3D(x + "2", x + "b", x + "c") << inertia_3D(x + "c", body)
+           << rigid_link_3D(x + "c", x + "d", vec3<>{0.1, 0.4, 0})
+           << prismatic_joint_3D(x + "3", x + "d", x + "e", vec3<>{0.6, 0, 0.8}) << inertia_3D(x + "e", body);
+      if (follows)
+        open << mimic_gen(x + "1", x + "4", 2.0) << revolute_joint_3D(x + "4", x + "e", x + "f", axis::y)
+             << inertia_3D(x + "f", body);
+    }
+    closed = open;
+  }
+};
+
+/// Against `by_one_matrix`, at random states off the loops as well: a, and each lambda.
+void check_against_one_matrix(const tangle& x, int rows, random_numbers& draw) {
+  auto s = x.closed.make_state(), tree = x.open.make_state();
+  for (int i = 0; i < 5; ++i) {
+    const vector v = vector::NullaryExpr(x.open.dofs(), [&] { return draw(); });
+    const vector tau = vector::NullaryExpr(x.open.dofs(), [&] { return draw(); });
+    const vector q = integrate(x.open, neutral_configuration(x.open),
+                               vector::NullaryExpr(x.open.dofs(), [&] { return draw(); }), 1.0);
+    const vector zero = vector::Zero(x.open.dofs());
+    const vector bias = kte::inverse_dynamics(x.open, tree, q, v, zero);
+    const vector expected = by_one_matrix(x.closed, s, q, v, tau, bias);
+    const auto r = constrained_dynamics(x.closed, s, q, v, tau);
+    CHECK(r.rank == rows);
+    CHECK(r.mobility == x.open.dofs() - rows);
+    const double size = 1 + expected.head(r.a.size()).cwiseAbs().maxCoeff();
+    CHECK(largest_difference(r.a, expected.head(r.a.size())) < 1e-8 * size);  // of differences
+    vector forces(rows);
+    for (std::size_t k = 0, row = 0; k < r.names.size(); ++k) {
+      const auto& elements = x.closed.wiring().elements;
+      const auto at = std::find_if(elements.begin(), elements.end(),
+                                   [&](const auto& e) { return e.closes && e.element->names().back() == r.names[k]; });
+      const closure_rows of = at->element->rows();
+      for (int n = 0; n < of.count(); ++n)
+        forces[static_cast<Eigen::Index>(row++)] = detail::row_of(r.loops[k].force, r.loops[k].torque, of, n);
+    }
+    CHECK(largest_difference(forces, expected.tail(rows)) < 1e-7 * (1 + expected.tail(rows).cwiseAbs().maxCoeff()));
+    CHECK(largest_difference(kte::forward_dynamics(x.closed, s, q, v, tau), r.a) == 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("accelerations and forces of closures solve the equations in one matrix") {
+  random_numbers draw(3);
+  const vec3<> u{0.6, 0, 0.8}, t{0, 1, 0};
+  const auto closed_by = [&](const auto& closure, int rows, bool follows = false) {
+    tangle x(follows);
+    x.closed << closure;
+    check_against_one_matrix(x, rows, draw);
+  };
+  SECTION("points") { closed_by(coincident_points_3D("l", "le", "re"), 3); }
+  SECTION("frames") { closed_by(coincident_frames_3D("l", "le", "re"), 6); }
+  SECTION("a hinge") { closed_by(hinge_3D("l", "le", "re", u), 5); }
+  SECTION("a sleeve") { closed_by(cylindrical_3D("l", "le", "re", u), 4); }
+  SECTION("a carriage") { closed_by(sliding_3D("l", "le", "re", u), 5); }
+  SECTION("a cross") { closed_by(universal_3D("l", "le", "re", u, t), 4); }
+  SECTION("a slot") { closed_by(point_on_line_3D("l", "le", "re", u), 2); }
+  SECTION("a plane") { closed_by(point_on_plane_3D("l", "le", "re", u), 1); }
+  SECTION("a rod") { closed_by(distance_3D("l", "le", "re", 0.5), 1); }
+  SECTION("to the ground") { closed_by(hinge_3D("l", "world", "re", u), 5); }
+  SECTION("coordinates") { closed_by(coupled_coordinates("l", "l1", "r1", 2.0, -1.0, 0.1), 1); }
+  SECTION("a function of coordinates") {
+    closed_by(coupled_by("l", "l1", "r1", "r3",
+                         [](const auto& a, const auto& b, const auto& c) {
+                           using std::sin;
+                           return a - b * sin(c) + c * c;
+                         }),
+              1);
+  }
+  SECTION("where coordinates follow others") { closed_by(coincident_points_3D("l", "lf", "rf"), 3, true); }
+  SECTION("several") {
+    tangle x;
+    x.closed << coincident_points_3D("l", "lb", "re") << point_on_plane_3D("m", "ld", "rd", u)
+             << coupled_coordinates("n", "l1", "l3", 1.0, 1.0);
+    check_against_one_matrix(x, 5, draw);
+  }
+}
+
+TEST_CASE("a row of four-bars has the accelerations of its one equation, also near its singular configuration") {
+  const double rate = 1.3;
+  for (const int n : {1, 2, 10}) {
+    const auto plain = four_bars(n), twice = four_bars(n, true), space = four_bars_in_space(n);
+    for (const double delta : {1.0, 1e-2, 1e-4, 1e-6}) {
+      const double phi = pi / 2 + delta, exact = four_bar_constant(n) * std::sin(phi);
+      const vector q = four_bar_q(n, phi), v = four_bar_v(n, rate), none = vector::Zero(q.size());
+      const vector a = four_bar_v(n, exact);
+      // J is known to the rounding of angles, and the closed direction by its singular value, delta.
+      const double allowed = 1e-15 * n * 40 * exact / delta;
+      const auto check = [&](const runtime_chain& c, int rows) {
+        auto s = c.make_state();
+        const auto r = constrained_dynamics(c, s, q, v, none);
+        CHECK(r.rank == 2 * n);
+        CHECK(r.mobility == 1);
+        CHECK(static_cast<int>(r.dependent.size()) == rows - 2 * n);
+        CHECK(largest_difference(r.a, a) < allowed);
+      };
+      check(plain, 2 * n), check(twice, 4 * n), check(space, 5 * n);
+    }
+  }
+}
+
+TEST_CASE("what loops are like at a configuration") {
+  const auto c = four_bars_in_space(2);
+  auto s = c.make_state();
+  auto r = kte::loops(c, s, four_bar_q(2, 0.3));
+  CHECK(r.rows == 10);
+  CHECK(r.rank == 4);
+  CHECK(r.mobility == 1);
+  CHECK(r.gap < 1e-15);
+  CHECK(r.blocks == std::vector<std::string>{"pin0, pin1"});
+  CHECK(r.dependent == std::vector<std::string>{"pin0[3]", "pin0[4]", "pin0[5]", "pin1[3]", "pin1[4]", "pin1[5]"});
+  r = kte::loops(c, s, four_bar_q(2, pi / 2));  // horizontal
+  CHECK(r.rank == 2);
+  CHECK(r.mobility == 3);
+  r = kte::loops(c, s, four_bar_q(2, pi / 2 + 1e-4));
+  CHECK(r.pivot_ratio < 1e-3);
+  CHECK(r.pivot_ratio > 1e-6);
+  vector off = four_bar_q(2, 0.3);
+  off[4] += 0.01;
+  r = kte::loops(c, s, off);
+  CHECK(r.widest == "pin1");
+  CHECK(r.gap == within(0.01, 1e-3));
+
+  runtime_chain apart;  // two that share nothing
+  for (const std::string x : {"a", "b"})
+    apart << revolute_joint_2D(x + "1", "base", x + "p") << inertia_2D(x + "p", bar)
+          << revolute_joint_2D(x + "2", "base", x + "q") << inertia_2D(x + "q", bar)
+          << coincident_points_2D("pin " + x, x + "p", x + "q");
+  auto state = apart.make_state();
+  CHECK(kte::loops(apart, state, vector::Zero(4)).blocks == std::vector<std::string>{"pin a", "pin b"});
+}
+
+TEST_CASE("forces of closures are those of statics") {
+  // Two bars from (0, 0) and (1, 0) to their pin at (1/2, h), a mass on it: each carries m g / (2 sin) along itself.
+  const double h = 0.8, length = std::hypot(0.5, h), angle = std::atan2(h, 0.5);
+  runtime_chain truss;
+  truss.gravity(along_y(-10.0)) << revolute_joint_2D("l", "base", "lj") << rigid_link_2D("lj", "lt", along_x(length))
+                                << revolute_joint_2D("r", "base", "rj").at(vec2<>{1, 0})
+                                << rigid_link_2D("rj", "rt", along_x(length)) << inertia_2D("lt", point_mass(3.0))
+                                << inertia_2D("rj", planar_body(0.0, 1e-3))
+                                << rigid_link_2D("lt", "level", vec2<>{0, 0}, rotation_by(-angle))
+                                << coincident_points_2D("pin", "level", "rt");
+  auto s = truss.make_state();
+  const vector q = numbers({angle, pi - angle}), none = vector::Zero(2);
+  const auto r = constrained_dynamics(truss, s, q, none, none);
+  CHECK(r.mobility == 0);
+  CHECK(r.a.cwiseAbs().maxCoeff() < 1e-11);
+  // On the right bar, in axes of the world: down and outward, as its half of 30 N.
+  CHECK(r.loop("pin").force.y == within(-15, 1e-11));
+  CHECK(r.loop("pin").force.x == within(15 * 0.5 / h, 1e-11));
+  // and the reactions of the pivots hold the weight
+  truss.doMotion(s), truss.clearForce(s), truss.doForce(s);
+  CHECK(s.frame_2D("base").force.y == within(-30, 1e-10));
+  CHECK(s.frame_2D("base").force.x == within(0, 1e-10));
+}
+
+TEST_CASE("a closure is the limit of a stiff spring") {
+  const auto closed = four_bars(1);
+  auto s = closed.make_state();
+  const vector q = four_bar_q(1, 0.7), v = four_bar_v(1, 1.1), none = vector::Zero(3);
+  const auto r = constrained_dynamics(closed, s, q, v, none);
+  const auto& force = r.loop("pin0").force;
+  // With the ends apart by force / k, of which the spring gives the force.
+  const Eigen::MatrixXd j = loop_jacobian(closed, s, q);
+  double last = 0;
+  for (const double k : {1e6, 1e7}) {
+    runtime_chain sprung;
+    sprung.gravity(along_y(-9.81));
+    for (const auto& e : closed.wiring().elements)
+      if (!e.closes) sprung.append(e.element->clone());
+    sprung << spring_2D("t1", "e0", 0.0, k);
+    auto t = sprung.make_state();
+    const vector apart = j.transpose() * (j * j.transpose()).fullPivLu().solve(numbers({-force.x / k, -force.y / k}));
+    const vector a = kte::forward_dynamics(sprung, t, vector(q + apart), v, none);
+    const double off = largest_difference(a, r.a);
+    CHECK(off < 1e4 / k * 10);
+    if (last > 0) CHECK(off < 0.2 * last);
+    last = off;
+  }
+}
+
+TEST_CASE("velocities on the loops, and after an impact") {
+  const auto c = four_bars(2);
+  auto s = c.make_state();
+  const vector q = four_bar_q(2, 0.4), v = numbers({1, -0.5, 0.3, 0.2, 2});
+  const vector on = consistent_velocities(c, s, q, v);
+  const Eigen::MatrixXd j = loop_jacobian(c, s, q), m = mass_matrix(c, s, q);
+  CHECK((j * on).cwiseAbs().maxCoeff() < 1e-15);
+  // the change is by impulses of closures: M (on - v) is in the range of J^T
+  const vector impulses = m * (on - v);
+  const vector by = j.transpose().fullPivLu().solve(impulses);
+  CHECK(largest_difference(j.transpose() * by, impulses) < 1e-14);
+  CHECK(largest_difference(impulse(c, s, q, v), on) == 0);
+  CHECK(largest_difference(velocities(s), on) == 0);
+}
+
+TEST_CASE("inverse dynamics by actuated coordinates undoes constrained dynamics") {
+  const auto c = four_bars(2);
+  auto s = c.make_state();
+  const vector q = four_bar_q(2, 0.4), v = four_bar_v(2, 1.3);
+  for (const std::string by : {"q0", "q2", "c1"}) {
+    vector tau = vector::Zero(5);
+    const int row = by == "q0" ? 0 : by == "q2" ? 2 : 4;
+    tau[row] = 7.5;
+    const auto r = constrained_dynamics(c, s, q, v, tau);
+    const vector back = inverse_dynamics(c, s, q, v, r.a, actuated(by));
+    REQUIRE(back.size() == 1);
+    CHECK(back[0] == within(7.5, 1e-13));
+  }
+  const Eigen::MatrixXd g = loop_motion(c, s, q, actuated("q1"));
+  CHECK(largest_difference(g, numbers({1, 1, 1, -1, -1})) < 1e-14);
+  const double m = (g.transpose() * mass_matrix(c, s, q) * g)(0, 0);
+  CHECK(m == within(3 / 3.0 + 2, 1e-14));
+
+  CHECK_THROWS_MATCHES(
+      loop_motion(c, s, q, actuated("q0", "q1")), bad_argument,
+      Message("kte: this chain has mobility 1 here, so it is driven by as many coordinates, not by 2"));
+  CHECK_THROWS_AS(loop_motion(c, s, q, actuated("q7")), unknown_name);
+  CHECK_THROWS_MATCHES(inverse_dynamics(c, s, q, v, numbers({1, 0, 0, 0, 0}), actuated("q0")), bad_argument,
+                       Message("kte: these accelerations do not keep 'pin0' closed: those of constrained_dynamics do"));
+}
+
+TEST_CASE("coordinates that do not determine the motion are refused") {
+  // At its dead point the slider moves by nothing: it cannot drive the crank.
+  runtime_chain c;
+  c << revolute_joint_2D("crank", "base", "b") << inertia_2D("b", bar) << rigid_link_2D("b", "t", along_x(1.0))
+    << revolute_joint_2D("rod", "t", "r") << inertia_2D("r", bar) << rigid_link_2D("r", "end", along_x(2.0))
+    << prismatic_joint_2D("slider", "base", "s", axis::x) << inertia_2D("s", bar)
+    << coincident_points_2D("pin", "s", "end");
+  auto s = c.make_state();
+  const vector q = numbers({0, 0, 3});
+  CHECK_THROWS_MATCHES(loop_motion(c, s, q, actuated("slider")), no_solution,
+                       Message("kte: the actuated coordinates do not determine the motion of the loops here"));
+  CHECK(largest_difference(loop_motion(c, s, q, actuated("crank")), numbers({1, -1.5, 0})) < 1e-14);
+}
+
+TEST_CASE("algorithms of trees refuse chains with loops, by name") {
+  const auto c = four_bars(1);
+  auto s = c.make_state();
+  const vector q = four_bar_q(1, 0.4), v = four_bar_v(1, 1.3), none = vector::Zero(3);
+  CHECK_THROWS_MATCHES(
+      kte::inverse_dynamics(c, s, q, v, none), bad_argument,
+      Message("kte: this algorithm does not know closures of loops, as coincident_points_2D (frame1 "
+              "'t1', frame2 'e0', loop 'pin0'): inverse_dynamics(c, s, q, v, a, kte::actuated(\"q1\")) "
+              "of kte/loops.hpp does"));
+  CHECK_THROWS_AS(c.make_state<float>(), bad_argument);
+  CHECK_NOTHROW(mass_matrix(c, s, q));
+  CHECK_NOTHROW(energy(c, s, q, v));
+}
