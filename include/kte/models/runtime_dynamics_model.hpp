@@ -162,7 +162,7 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   mutable runtime_state s_;
   mutable rate rate_;
   mutable detail::own_memory loops_;  ///< the rows of closures of a step
-  std::vector<detail::holder_place> holders_;
+  std::vector<detail::lock_place> locks_;
   output_function output_;
 };
 manipulator_dynamics_model(const runtime_chain&)->manipulator_dynamics_model<runtime_chain>;

@@ -101,8 +101,10 @@ class basic_runtime_state {
   /// An internal state by name or handle.
   internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
   const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  /// The state of a closed loop by name or handle.
   loop_state<S>& loop(const name_or_handle& name) { return at<kind::loop>(*this, name); }
   const loop_state<S>& loop(const name_or_handle& name) const { return at<kind::loop>(*this, name); }
+  /// A coordinate that is a rotation, by name or handle.
   rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
   const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
     return at<kind::rotation_3D>(*this, name);
