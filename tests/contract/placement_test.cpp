@@ -175,14 +175,14 @@ TEST_CASE("the place of a joint is finite, and a rotation") {
 
 namespace {
 /// A sliding joint with friction that grows with what it carries across.
-struct rubbing_joint : transmission<rubbing_joint> {
-  static constexpr type_name type{"rubbing_joint", kind::frame_3D};
+struct frictional_joint : transmission<frictional_joint> {
+  static constexpr type_name type{"frictional_joint", kind::frame_3D};
   static constexpr std::array<port, 3> ports{{{kind::gen, access::in, "coordinate"},
                                               {kind::frame_3D, access::in, "base"},
                                               {kind::frame_3D, access::out, "end"}}};
   static constexpr bool load_dependent_friction = true;
   double coefficient;
-  constexpr explicit rubbing_joint(double c) : coefficient(c) {}
+  constexpr explicit frictional_joint(double c) : coefficient(c) {}
 
   template <class C>
   constexpr auto relative(const C& c) const {
@@ -202,9 +202,10 @@ struct rubbing_joint : transmission<rubbing_joint> {
 
 TEST_CASE("a custom joint has a place, and keeps its friction") {
   const auto placed =
-      chain(connect(rubbing_joint(0.5), q, ground, arm).at(position, rotation), inertia_3D(arm, brick)).gravity(weight);
+      chain(connect(frictional_joint(0.5), q, ground, arm).at(position, rotation), inertia_3D(arm, brick))
+          .gravity(weight);
   const auto linked = chain(fixed_joint_3D(ground, mount, position, rotation),
-                            connect(rubbing_joint(0.5), q, mount, arm), inertia_3D(arm, brick))
+                            connect(frictional_joint(0.5), q, mount, arm), inertia_3D(arm, brick))
                           .gravity(weight);
   const std::array at{0.3}, v{2.0}, a{0.5};
   const double tau = inverse_dynamics(linked, at, v, a)[0];

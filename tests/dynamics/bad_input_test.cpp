@@ -83,8 +83,8 @@ TEST_CASE("arguments that are no numbers") {
 
 namespace {
 /// A slide along x with friction in itself: its force on the coordinate is not that of virtual power alone.
-struct rubbing_joint : kte::transmission<rubbing_joint> {
-  static constexpr kte::type_name type{"rubbing_joint", kte::kind::frame_3D};
+struct frictional_joint : kte::transmission<frictional_joint> {
+  static constexpr kte::type_name type{"frictional_joint", kte::kind::frame_3D};
   static constexpr std::array<kte::port, 3> ports{{{kte::kind::gen, kte::access::in, "coordinate"},
                                                    {kte::kind::frame_3D, kte::access::in, "base"},
                                                    {kte::kind::frame_3D, kte::access::out, "end"}}};
@@ -105,7 +105,7 @@ struct rubbing_joint : kte::transmission<rubbing_joint> {
 
 TEST_CASE("a joint with its own force") {
   using namespace kte;
-  const auto slide = chain(connect(rubbing_joint{}, hip, ground, trunk), inertia_3D(trunk, point_mass(2.0)));
+  const auto slide = chain(connect(frictional_joint{}, hip, ground, trunk), inertia_3D(trunk, point_mass(2.0)));
   const std::array q{0.1}, v{0.5}, a{3.0};
   CHECK(inverse_dynamics(slide, q, v, a)[0] == 6.25);  // m a + c v; what is beyond that does not compile
   for (const bool nested : {false, true}) {
@@ -113,13 +113,13 @@ TEST_CASE("a joint with its own force") {
     if (nested)
       model << slide;
     else
-      model << connect(rubbing_joint{}, "hip", "ground", "trunk") << inertia_3D("trunk", point_mass(2.0));
+      model << connect(frictional_joint{}, "hip", "ground", "trunk") << inertia_3D("trunk", point_mass(2.0));
     auto s = model.make_state();
     CHECK(inverse_dynamics(model, s, q, v, a)[0] == 6.25);
     model.doMotion(s), model.clearForce(s), model.doForce(s);
     CHECK(s.coordinate("hip").f == -6.25);
     const auto refused =
-        test::contains_text("rubbing_joint_3D (coordinate 'hip', base 'ground', end 'trunk') has its own `doForce`");
+        test::contains_text("frictional_joint_3D (coordinate 'hip', base 'ground', end 'trunk') has its own `doForce`");
     CHECK_THROWS_WITH(forward_dynamics(model, s), refused);
     CHECK_THROWS_WITH(mass_matrix(model, s), refused);
     CHECK_THROWS_WITH(mass_matrix_inverse(model, s), refused);

@@ -60,10 +60,10 @@ TEST_CASE("springs that saturate are events of their model, found where they do"
 }
 
 TEST_CASE("friction that sticks asks for no events, so that rest is free; events of users go beside") {
-  const auto rubbing =
+  const auto frictional =
       chain(base_gen(anchor), prismatic_joint_2D(q, base, cart, axis::x), inertia_2D(cart, point_mass(mass)),
             spring_gen(anchor, q, 0.0, k, most), joint_lugre_gen(q, bristles, {50, 5, 0.1, 0.5, 0.6, 0.1}));
-  const manipulator_dynamics_model model(rubbing);
+  const manipulator_dynamics_model model(frictional);
   const auto evaluations = [&](auto solve) {
     dormand_prince45 solver(std::cref(model), 0.0, model.make_x(std::array{0.15}, std::array{0.0}));
     solve(solver);
