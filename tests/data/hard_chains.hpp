@@ -118,7 +118,7 @@ long double error_of(const Accelerations& q_ddot, const hard_chain& c) {
   long double e = 0;
   for (const auto& x : c.accelerations) {
     const auto d = std::fabs(static_cast<long double>(q_ddot[x.dof]) - x.value);
-    if (d > e || d != d) e = d;  // also if it is no number
+    if (d > e || d != d) e = d;  // also if it is NaN
   }
   return e / c.largest;
 }

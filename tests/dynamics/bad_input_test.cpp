@@ -52,7 +52,7 @@ TEST_CASE("a coordinate that moves no mass") {
   CHECK_THROWS_WITH(mass_matrix_inverse(following, two), test::contains_text(singular + "slide'"));
 }
 
-TEST_CASE("arguments that are no numbers") {
+TEST_CASE("arguments that are not finite") {
   const auto model = element_by_element(robots::iiwa14);
   auto s = model.make_state();
   const std::array<double, 7> good{0.1, -0.2, 0.3, 0.4, -0.5, 0.6, 0.7};
@@ -217,7 +217,7 @@ TEST_CASE("quaternions of any length but 0") {
   CHECK_THROWS_WITH(mass_matrix(model, s, of_length(0)), "kte: quaternion 'ball' has length 0");
 }
 
-TEST_CASE("a call that throws leaves the state as it was") {
+TEST_CASE("a call that throws leaves the state unchanged") {
   using limits = std::numeric_limits<double>;
   using vector = std::vector<double>;
   auto c = element_by_element(models::pendulum);
@@ -275,7 +275,7 @@ inline constexpr struct place_ final : kte::vector_key<"place"> { } place; }  //
 namespace {
 inline constexpr struct speed_ final : kte::vector_key<"speed"> { } speed; }  // namespace
 
-TEST_CASE("signals that are no numbers are named, and frames never stand nowhere") {
+TEST_CASE("signals that are not finite are named, and frames never stand nowhere") {
   using namespace kte;
   constexpr auto c = chain(position_control_3D(place, speed, speed, ground, trunk), revolute_joint_3D(hip, trunk, left),
                            inertia_3D(left, rigid_body{1.0, along_x(0.5), diagonal(1.0, 1.0, 1.0)}));

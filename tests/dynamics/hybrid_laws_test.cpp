@@ -108,7 +108,7 @@ TEST_CASE("hybrid dynamics at 50 digits") {
   CHECK(largest(missing) < 1e-45);
 }
 
-TEST_CASE("hybrid dynamics of what is no number, and of other sizes") {
+TEST_CASE("hybrid dynamics of arguments that are not finite, and of other sizes") {
   constexpr auto c =
       chain(revolute_joint_3D(q1, base, a), inertia_3D(a, body), spherical_joint_3D(ball, a, b), inertia_3D(b, body),
             prismatic_joint_3D(q2, b, d, axis::x), inertia_3D(d, light), inertia_gen(lone, 0.5));

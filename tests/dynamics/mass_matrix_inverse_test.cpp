@@ -70,7 +70,7 @@ TEST_CASE("mass matrices without an inverse") {
   throws(chain(rigid_link_gen(q1, lone, 0.5), revolute_joint_3D(lone, base, a), inertia_3D(a, point_mass(1.0))));
 }
 
-TEST_CASE("the inverse of the mass matrix of what is no number") {
+TEST_CASE("the inverse of the mass matrix of arguments that are not finite") {
   constexpr auto c = chain(base_gen(drive), revolute_joint_3D(q1, base, a), inertia_3D(a, body),
                            prismatic_joint_3D(drive, a, b, axis::x), spherical_joint_3D(ball, b, d),
                            inertia_3D(d, body), prismatic_joint_3D(q2, d, e, axis::z), inertia_3D(e, light));
