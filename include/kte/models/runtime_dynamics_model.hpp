@@ -203,7 +203,7 @@ namespace kte {
 KTE_FUNCTION manipulator_dynamics_model<runtime_chain>::manipulator_dynamics_model(const runtime_chain& c)
     : base(c), s_(c.make_state()), rate_(rates()) {
   if (detail::has_loops(c)) detail::check_loops(c, s_);
-  for (const int e : s_.tree().holders) {
+  for (const int e : s_.tree().locks) {
     const auto& index = wiring().elements[static_cast<std::size_t>(e)].index;
     const int row = s_.tree().plan.row_of_gen[static_cast<std::size_t>(index[0])];
     if (row >= dofs())
