@@ -20,7 +20,7 @@ struct runtime_subject {
   int nq = chain.nq(), nv = chain.dofs();
 };
 
-/// The algorithms, compiled once for all chains. Jacobians go where they are wanted; the others give references into
+/// The algorithms, compiled once for all chains. Jacobians go where they are needed; the others give references into
 /// the state, from which results are copied as an application would that keeps them.
 namespace runtime_calls {
 using function = void(runtime_subject&, const double* x, double* y);

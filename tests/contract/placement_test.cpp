@@ -16,7 +16,7 @@ namespace {
 inline constexpr struct q_      final : coord_key<"q">         {} q;
 inline constexpr struct p_      final : coord_key<"p">         {} p;
 inline constexpr struct ground_ final : frame_3D_key<"ground"> {} ground;
-inline constexpr struct seat_   final : frame_3D_key<"seat">   {} seat;
+inline constexpr struct mount_   final : frame_3D_key<"mount">   {} mount;
 inline constexpr struct arm_    final : frame_3D_key<"arm">    {} arm;
 inline constexpr struct perch_  final : frame_3D_key<"perch">  {} perch;
 inline constexpr struct hand_   final : frame_3D_key<"hand">   {} hand;
@@ -68,7 +68,7 @@ TEST_CASE("a joint with a place is a link and the joint") {
   const auto check = [&](const auto& joint, const auto&... place) {
     runtime_chain placed, linked;
     placed << joint("ground").at(place...);
-    linked << fixed_joint_3D("ground", "seat", place...) << joint("seat");
+    linked << fixed_joint_3D("ground", "mount", place...) << joint("mount");
     INFO(record_of(placed).elements[0].type);
     CHECK(difference(beyond(placed), beyond(linked), hand, ++seed) < few_ulps);
     CHECK(difference(placed, models::registered(record_of(placed)), hand, seed) < few_ulps);
@@ -93,7 +93,7 @@ TEST_CASE("static chains of joints with a place") {
             revolute_joint_3D(p, arm, hand).at(position, rotation), inertia_3D(hand, brick))
           .gravity(weight);
   constexpr auto linked =
-      chain(rigid_link_3D(ground, seat, along_z(0.5), quarter_turn_x), revolute_joint_3D(q, seat, arm, axis::x),
+      chain(rigid_link_3D(ground, mount, along_z(0.5), quarter_turn_x), revolute_joint_3D(q, mount, arm, axis::x),
             inertia_3D(arm, brick), rigid_link_3D(arm, perch, position, rotation), revolute_joint_3D(p, perch, hand),
             inertia_3D(hand, brick))
           .gravity(weight);
@@ -175,14 +175,14 @@ TEST_CASE("the place of a joint is finite, and a rotation") {
 
 namespace {
 /// A sliding joint with friction that grows with what it carries across.
-struct rubbing_joint : transmission<rubbing_joint> {
-  static constexpr type_name type{"rubbing_joint", kind::frame_3D};
+struct frictional_joint : transmission<frictional_joint> {
+  static constexpr type_name type{"frictional_joint", kind::frame_3D};
   static constexpr std::array<port, 3> ports{{{kind::gen, access::in, "coordinate"},
                                               {kind::frame_3D, access::in, "base"},
                                               {kind::frame_3D, access::out, "end"}}};
   static constexpr bool load_dependent_friction = true;
   double coefficient;
-  constexpr explicit rubbing_joint(double c) : coefficient(c) {}
+  constexpr explicit frictional_joint(double c) : coefficient(c) {}
 
   template <class C>
   constexpr auto relative(const C& c) const {
@@ -200,11 +200,12 @@ struct rubbing_joint : transmission<rubbing_joint> {
 };
 }  // namespace
 
-TEST_CASE("a joint of one's own has a place, and keeps its friction") {
+TEST_CASE("a custom joint has a place, and keeps its friction") {
   const auto placed =
-      chain(connect(rubbing_joint(0.5), q, ground, arm).at(position, rotation), inertia_3D(arm, brick)).gravity(weight);
-  const auto linked = chain(fixed_joint_3D(ground, seat, position, rotation), connect(rubbing_joint(0.5), q, seat, arm),
-                            inertia_3D(arm, brick))
+      chain(connect(frictional_joint(0.5), q, ground, arm).at(position, rotation), inertia_3D(arm, brick))
+          .gravity(weight);
+  const auto linked = chain(fixed_joint_3D(ground, mount, position, rotation),
+                            connect(frictional_joint(0.5), q, mount, arm), inertia_3D(arm, brick))
                           .gravity(weight);
   const std::array at{0.3}, v{2.0}, a{0.5};
   const double tau = inverse_dynamics(linked, at, v, a)[0];

@@ -167,7 +167,7 @@ TEST_CASE("inputs may move what stands on them, and what the mass matrix depends
   CHECK(gap(both, by_differences(set, at)) < 1e-11);
 }
 
-TEST_CASE("outputs of one's own: by dual numbers, of runtime chains by differences") {
+TEST_CASE("custom outputs: by dual numbers, of runtime chains by differences") {
   const manipulator_dynamics_model model(cart_pole);
   const auto seen = model.with_output([](const auto& s) { return std::array{s[tip].position.x, s[x].q_ddot}; });
   const std::array q{0.3, 0.8}, v{0.5, -2.0};

@@ -61,7 +61,7 @@ TEST_CASE("runtime chains allocate nothing once their state is made and has room
     }
     auto s = c.make_state();
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, 0.1, 0.9);
-    (void)kte::mass_matrix(c, s, x);  // the first call makes room for M, the others find it
+    (void)kte::mass_matrix(c, s, x);  // the first call reserves memory for M, the others find it
     CHECK(during([&] { c.doMotion(s), c.clearForce(s), c.doForce(s); }) == 0);
     CHECK(during([&] { (void)kte::inverse_dynamics(c, s, x, x, x); }) == 0);
     CHECK(during([&] { (void)kte::mass_matrix(c, s, x); }) == 0);

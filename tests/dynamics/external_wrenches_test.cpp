@@ -22,7 +22,7 @@ runtime_chain arm(double length = 1) {
 }
 }  // namespace
 
-TEST_CASE("a call with loads that throws leaves the state as it was") {
+TEST_CASE("a call with loads that throws leaves the state unchanged") {
   const auto c = arm();
   auto s = c.make_state();
   set_positions(s, std::array{0.25}), set_velocities(s, std::array{-0.5}), set_accelerations(s, std::array{2.0});
@@ -56,7 +56,7 @@ TEST_CASE("a call with loads that throws leaves the state as it was") {
   CHECK(external_forces(c, s, q, {{"tip", {}, along_y(2.0)}, {"tip", along_z(-5)}})[0] == within(7, 1e-14));
 }
 
-TEST_CASE("loads whose moment is no finite number") {
+TEST_CASE("loads whose moment is not finite") {
   const auto c = arm();
   auto s = c.make_state();
   const std::array q{0.0};

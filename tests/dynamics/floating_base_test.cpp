@@ -1,6 +1,6 @@
 #include "dynamics/floating_bodies.hpp"
 
-// Bodies that float on bases that move, share rotations, are parts of other chains, and are no numbers.
+// Bodies that float on bases that move, share rotations, are parts of other chains, and are NaN.
 
 using namespace kte;
 using namespace kte::test::floating_bodies;

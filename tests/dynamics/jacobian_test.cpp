@@ -64,7 +64,7 @@ void check_double(const Chain& c, const Frame& frame, unsigned seed) {
   }
 }
 
-/// Into rows 2 to 7 of 9, of which the others stay as they are; into a map.
+/// Into rows 2 to 7 of 9, whose other rows are unchanged; into a map.
 template <class... Axes>
 void check_parts(const runtime_chain& c, runtime_state& s, const Eigen::VectorXd& q, const char* frame, Axes... axes) {
   const runtime_jacobian expected = jacobian(c, s, q, frame, axes...);

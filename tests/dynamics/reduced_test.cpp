@@ -131,7 +131,7 @@ TEST_CASE("locked joints of bad names") {
   CHECK(reduced(c, q, std::vector<std::string>{"q1", "q2"}).dofs() == 0);
 }
 
-TEST_CASE("locked joints of the name of a frame, with a brake, and on a seat") {
+TEST_CASE("locked joints of the name of a frame, with a brake, and on a mount") {
   runtime_chain c;
   c.gravity(along_y(-9.81)) << revolute_joint_2D("arm", "base", "arm").at(along_x(0.5), rotation_by(0.2))
                             << inertia_2D("arm", point_mass(2.0, along_x(0.3))) << brake_gen("arm", "mode", "force")

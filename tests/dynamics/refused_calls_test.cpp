@@ -88,7 +88,7 @@ std::vector<call> all_calls(const runtime_chain& c, const mass_matrix_calc<runti
 
 }  // namespace
 
-TEST_CASE("a call that refuses because numbers overflow leaves the state as it was, and names one") {
+TEST_CASE("a call that refuses because numbers overflow leaves the state unchanged, and names one") {
   const auto c = arm();
   const mass_matrix_calc masses(c);
   const auto calls = all_calls(c, masses);

@@ -21,8 +21,8 @@ namespace {
 runtime_chain arm() {
   runtime_chain c;
   c << prismatic_joint_3D("slide", "base", "cart", axis::y) << inertia_3D("cart", point_mass(2.0))
-    << rigid_link_3D("cart", "seat", vec3{0.1, 0.2, -0.3})
-    << revolute_joint_3D("turn", "seat", "arm", vec3{0.6, 0.0, 0.8}) << inertia_gen("turn", 0.05)
+    << rigid_link_3D("cart", "mount", vec3{0.1, 0.2, -0.3})
+    << revolute_joint_3D("turn", "mount", "arm", vec3{0.6, 0.0, 0.8}) << inertia_gen("turn", 0.05)
     << inertia_3D("arm", rigid_body{1.5, vec3{0.02, -0.03, 0.1}, sym3{0.03, 0.001, -0.002, 0.025, 0.003, 0.02}})
     << spherical_joint_3D("ball", "arm", "hand")
     << inertia_3D("hand", rigid_body{0.5, vec3{0.0, 0.1, 0.05}, diagonal(0.003, 0.002, 0.0025)});
@@ -112,7 +112,7 @@ TEST_CASE("matrices of states in rows are refused") {
   CHECK(flat.reshaped() == mass.reshaped());
 }
 
-TEST_CASE("batches of chains with laws of their own are refused") {
+TEST_CASE("batches of chains with their own laws are refused") {
   runtime_chain c = arm();
   c << spring_gen("slide", "turn", 0.0, 10.0);
   const states x(2);

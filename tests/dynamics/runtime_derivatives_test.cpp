@@ -13,8 +13,8 @@
 #include "robots/iiwa14.hpp"
 
 // Derivatives, the inverse of the mass matrix and hybrid dynamics of runtime chains: against 21 digits, and against
-// static chains, which have tests of their own. Both do the same sums; static chains leave out what is zero by its
-// type, so that results differ where the compiler contracts other products. Bound: the errors of both.
+// static chains, which have their own tests. Both do the same sums; static chains leave out what is zero by its type,
+// so that results differ where the compiler contracts other products. Bound: the errors of both.
 
 using namespace kte;
 using namespace kte::test::trees;
@@ -184,7 +184,7 @@ TEST_CASE("what runtime chains cannot do is said") {
   CHECK_THROWS_AS(inverse_dynamics_derivatives(massless, m), bad_argument);
 }
 
-TEST_CASE("a given coordinate that is no number") {
+TEST_CASE("a given coordinate that is not finite") {
   const runtime_chain model = element_by_element(rotors);
   auto r = model.make_state();
   auto s = make_state(rotors);
@@ -206,7 +206,7 @@ TEST_CASE("a coordinate that hybrid dynamics has prescribed is free in the next 
   CHECK(mass_matrix_inverse(c, s, rest) == free);
 }
 
-TEST_CASE("the inverse of the mass matrix owes nothing to a call that found no finite number") {
+TEST_CASE("the inverse of the mass matrix owes nothing to a call that found a number that is not finite") {
   // Brothers, and trees side by side: their common numbers are zeros that no joint writes.
   const runtime_chain c = element_by_element(tree_3D);
   auto s = c.make_state();
@@ -224,5 +224,5 @@ TEST_CASE("the inverse of the mass matrix owes nothing to a call that found no f
     }
     CHECK(mass_matrix_inverse(c, s, x.q) == good);
   }
-  CHECK(refused > 2);  // positions whose squares are no numbers
+  CHECK(refused > 2);  // positions whose squares are NaN
 }

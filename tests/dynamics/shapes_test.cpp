@@ -17,7 +17,7 @@
 
 using namespace kte;
 
-/// Chains of all shapes that an element may have, put together at random: each algorithm that takes them against the
+/// Chains of all shapes that an element may have, assembled at random: each algorithm that takes them against the
 /// others.
 namespace {
 

@@ -112,7 +112,7 @@ TEST_CASE("a controller whose wanted signal is measured; a base at a given rate"
   }
 }
 
-TEST_CASE("gains that make no sense") {
+TEST_CASE("gains that are invalid") {
   CHECK(complaint([] {
           (void)pid_control_gen("q", "r", "z", "u", {.proportional = 1, .limit = 0});
         }).find("limit must be positive, got 0") != std::string::npos);

@@ -54,8 +54,8 @@ TEST_CASE("a sleeve on a shaft that stands elsewhere") {
           .gravity(weight);
   runtime_chain texts, linked;
   texts << cylindrical_joint_3D("turn", "slide", "ground", "sleeve", oblique).at(along_y(0.5), quarter_turn_x);
-  linked << fixed_joint_3D("ground", "seat", along_y(0.5), quarter_turn_x)
-         << cylindrical_joint_3D("turn", "slide", "seat", "sleeve", oblique);
+  linked << fixed_joint_3D("ground", "mount", along_y(0.5), quarter_turn_x)
+         << cylindrical_joint_3D("turn", "slide", "mount", "sleeve", oblique);
   CHECK(difference(placed, with_arm(texts), hand, 1) < few_ulps);
   CHECK(difference(placed, with_arm(linked), hand, 2) < few_ulps);
   CHECK(record_of(models::registered(record_of(placed))) == record_of(placed));

@@ -87,7 +87,7 @@ TEST_CASE("with its second crank at rest it is a four-bar") {
   for (const double q : {1.2, 2.0, 2.9}) same(q);
 }
 
-TEST_CASE("a dyad that cannot be closed, that makes no sense, and in files") {
+TEST_CASE("a dyad that cannot be closed, with invalid parameters, and in files") {
   auto short_bars = lengths;
   short_bars.bar1 = 0.01, short_bars.bar2 = 0.02;
   CHECK_THROWS_MATCHES(core::dyad_bar1(short_bars).value(2.0, 1.0), bad_argument,

@@ -312,7 +312,7 @@ TEST_CASE("a beam turned round") {
   CHECK(std::isnan(loads(turn, {not_a_number, 0, 0})[1].torque.y));
 }
 
-TEST_CASE("flexible beams are saved and loaded, and reject what makes no sense") {
+TEST_CASE("flexible beams are saved and loaded, and reject invalid input") {
   runtime_chain c;
   c << base_2D("a") << base_2D("b") << flexible_beam_2D("a", "b", 1.5, flat, 0.1) << base_3D("c") << base_3D("d")
     << flexible_beam_3D("c", "d", 1.5, solid, vec3{0.1, 0.2, 0.3});

@@ -91,7 +91,7 @@ TEST_CASE("a mass flies to and fro in the play of a joint, and its touches are e
   }
 }
 
-TEST_CASE("play is saved and loaded, and rejects what makes no sense") {
+TEST_CASE("play is saved and loaded, and rejects invalid input") {
   runtime_chain c;
   c << base_gen("wall") << prismatic_joint_2D("q", "base", "cart", axis::x)
     << joint_backlash_gen("wall", "q", 0.01, 1e4, 3.0);

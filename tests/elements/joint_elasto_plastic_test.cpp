@@ -123,7 +123,7 @@ TEST_CASE("the Jacobian of a model with elasto-plastic friction knows its bristl
   }
 }
 
-TEST_CASE("elasto-plastic friction is saved and loaded, and rejects what makes no sense") {
+TEST_CASE("elasto-plastic friction is saved and loaded, and rejects invalid input") {
   const auto saved = record_of(chain(inertia_gen(q, 1.0), joint_elasto_plastic_gen(q, bristles, dry)));
   CHECK(record_of(models::registered(saved)) == saved);
   const auto what = [](auto member, double x) {

@@ -95,7 +95,7 @@ TEST_CASE("dry friction stops a sliding mass where it should") {
   CHECK(std::abs(solver.state()[1]) < 1e-8);
 }
 
-TEST_CASE("smooth friction is saved and loaded, and rejects what makes no sense") {
+TEST_CASE("smooth friction is saved and loaded, and rejects invalid input") {
   runtime_chain c;
   c << inertia_gen("q", 1.0) << joint_friction_gen("q", dry) << joint_damping_gen("q", 0.5)
     << joint_stiffness_gen("q", 8.0, 0.25) << joint_friction_gen("q", {.viscous = 0.1});

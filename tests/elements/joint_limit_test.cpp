@@ -98,7 +98,7 @@ TEST_CASE("a ball jumps on a stiff floor, and its touches are events") {
   }
 }
 
-TEST_CASE("limits are saved and loaded, and reject what makes no sense") {
+TEST_CASE("limits are saved and loaded, and reject invalid input") {
   runtime_chain c;
   c << inertia_gen("q", 1.0) << joint_limit_gen("q", both) << joint_limit_gen("q", {.lower = 0, .stiffness = 1});
   CHECK(record_of(models::registered(record_of(c))) == record_of(c));

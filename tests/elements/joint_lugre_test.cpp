@@ -133,7 +133,7 @@ TEST_CASE("LuGre friction is saved and loaded") {
   CHECK(record_of(from_record(cart_on_rail, saved)) == saved);
 }
 
-TEST_CASE("LuGre friction rejects what makes no sense") {
+TEST_CASE("LuGre friction rejects invalid input") {
   const auto what = [](auto member, double x) {
     auto p = dry;
     p.*member = x;

@@ -13,7 +13,7 @@
 /// What the algorithms say of a mechanism, static or runtime, for comparisons of two that should be the same.
 namespace kte::test {
 
-/// At q, v and x, which are accelerations where forces are asked for, and forces where accelerations are.
+/// At q, v and x, which are accelerations where forces are requested, and forces where accelerations are.
 struct mechanism_results {
   std::array<Eigen::MatrixXd, 9> all;
 

@@ -126,7 +126,7 @@ TEST_CASE("tables are saved and loaded, functions are refused") {
            "record or file can hold"));
 }
 
-TEST_CASE("tables reject what makes no sense") {
+TEST_CASE("tables reject invalid input") {
   using list = std::vector<double>;
   const auto what = [](const list& x, const list& y) {
     return complaint([&] { (void)table_spring_gen("a", "b", x, y); });

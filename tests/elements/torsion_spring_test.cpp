@@ -121,7 +121,7 @@ TEST_CASE("a torsion spring in space may rest at any rotation") {
         }).find("rest rotation must be a rotation") != std::string::npos);
 }
 
-TEST_CASE("files of torsion springs have a rest rotation where there is one") {
+TEST_CASE("files of torsion springs have a rest rotation if there is one") {
   runtime_chain c;
   c << base_3D("a") << base_3D("b") << torsion_spring_3D("a", "b", 4.0)
     << torsion_spring_3D("a", "b", 4.0, 2.0, as<double>(quarter_turn_z));

@@ -57,8 +57,8 @@ TEST_CASE("a joint of two coordinates has a place, as a link in front of it") {
           .gravity(weight);
   runtime_chain texts, linked;
   texts << hooke_joint_3D("q1", "q2", "ground", "shaft", axis::x, oblique, offset).at(offset, turned);
-  linked << fixed_joint_3D("ground", "seat", offset, turned)
-         << hooke_joint_3D("q1", "q2", "seat", "shaft", axis::x, oblique, offset);
+  linked << fixed_joint_3D("ground", "mount", offset, turned)
+         << hooke_joint_3D("q1", "q2", "mount", "shaft", axis::x, oblique, offset);
   CHECK(difference(placed, with_arm(texts), hand, 1) < few_ulps);
   CHECK(difference(with_arm(texts), with_arm(linked), hand, 2) < few_ulps);
   const auto r = record_of(placed);
@@ -67,7 +67,7 @@ TEST_CASE("a joint of two coordinates has a place, as a link in front of it") {
   CHECK(from_json(to_json(r)) == r);
   CHECK(record_of(models::registered(r)) == r);
   CHECK(record_of(from_record(placed, r)) == r);
-  // By keys alone, and in the plane of the first joint: the cross stands in the seat.
+  // By keys alone, and in the plane of the first joint: the cross stands in the mount.
   constexpr auto alone = universal_joint_3D(q1, q2, ground, shaft, axis::x, axis::y).at(along_z(0.5));
   CHECK(forward_kinematics(alone, std::array{0.3, 0.4}, inner_of(shaft)).position.z == 0.5);
   CHECK(complaint(

@@ -71,7 +71,7 @@ TEST_CASE("a controller joint breaks loose from rest") {
   for (const double tau : to_lift(0.5, 0, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 + 20 * 0.03, 4e-15));
   for (const double tau : to_lift(0.01, 0, 0.02, 0.03)) CHECK(tau == within(2 * 20 * 0.01, 1e-16));
   for (const double tau : to_lift(-0.5, 0, 0.02, 0.03)) CHECK(tau == within(-20 * 0.5 - 20 * 0.03, 4e-15));
-  // Up: besides the load sliding friction; down the other way. The rate makes a force of m r v^2 along the bar.
+  // Up: in addition to the load sliding friction; down the other way. The rate makes a force of m r v^2 along the bar.
   const double force = std::hypot(20.0, 2 * 0.5 * 0.01);
   for (const double tau : to_lift(0.5, 0.1, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 + force * 0.02, 4e-15));
   for (const double tau : to_lift(0.5, -0.1, 0.02, 0.03)) CHECK(tau == within(20 * 0.5 - force * 0.02, 4e-15));

@@ -14,7 +14,7 @@ using kte::test::scratch;
 
 namespace {
 
-/// A file in a folder of its own.
+/// A file in its own folder.
 struct kept_file : test::scratch_folder {
   std::filesystem::path file;
   explicit kept_file(const char* extension)

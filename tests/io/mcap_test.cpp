@@ -106,7 +106,7 @@ TEST_CASE("a file of MCAP has the records of its specification", "[both]") {
   CHECK(fields(7, 2, "884") == name_list{"0", "0", "0"});  // no summary
 }
 
-TEST_CASE("times of a message are whole nanoseconds, or an error that leaves the table as it was") {
+TEST_CASE("times of a message are whole nanoseconds, or an error that leaves the table unchanged") {
   scratch file(".mcap");
   table_writer out(file.path, {"t"});
   out.row(1e-9);

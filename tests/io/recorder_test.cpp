@@ -202,7 +202,7 @@ TEST_CASE("a pendulum that moves is recorded as it is at each row") {
   }
 }
 
-TEST_CASE("states of other scalars are recorded as doubles, in the format that is asked for") {
+TEST_CASE("states of other scalars are recorded as doubles, in the format that is requested") {
   scratch file(".dat");
   auto s = make_state<float>(models::pendulum);
   s[models::q].q = 0.1f;

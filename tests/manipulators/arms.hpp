@@ -27,7 +27,7 @@ inline kte::runtime_chain chain(const vec3<>& pedestal, std::initializer_list<jo
   std::string at = "base";
   int i = 0;
   const auto link = [&](const vec3<>& p) {
-    const std::string next = "seat" + std::to_string(i + 1);
+    const std::string next = "mount" + std::to_string(i + 1);
     c << kte::rigid_link_3D(at, next, p);
     at = next;
   };

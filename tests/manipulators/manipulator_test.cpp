@@ -55,7 +55,7 @@ TEST_CASE("a manipulator is its chain, with tools and limits") {
   CHECK(manipulator(c, std::string("hand"), limits).tools().size() == 1);
 }
 
-TEST_CASE("tools and limits that make no sense are refused") {
+TEST_CASE("tools and limits that is invalid are refused") {
   const auto c = same();
   CHECK_THROWS_AS(manipulator(c, "nose"), unknown_name);
   auto limits = unlimited(c);

@@ -222,7 +222,7 @@ TEST_CASE("numerical inverse kinematics in float") {
   CHECK(p.y == within(wanted.position.y, 4e-6));
 }
 
-TEST_CASE("what makes no sense is refused") {
+TEST_CASE("invalid input is refused") {
   const seven q = seven::Zero();
   const double nan = std::nan("");
   CHECK_THROWS_AS(reach_position(tool, vec3{nan, 0.0, 0.0}), bad_argument);

@@ -66,7 +66,7 @@ TEST_CASE("without limits in the way, rates give the wanted twist as well as lea
   CHECK(missed.angular == within(1, 1e-4));
 }
 
-TEST_CASE("limits are kept whatever twist is wanted, and the arm moves as well as they let it") {
+TEST_CASE("limits are kept whatever twist is requested, and the arm moves as well as they let it") {
   random_numbers random(1);
   three_rates q(0, 0, 0.5), v = three_rates::Zero();
   const double dt = 0.01;

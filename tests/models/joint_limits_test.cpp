@@ -61,7 +61,7 @@ TEST_CASE("limits of a static chain are checked by the compiler") {
   CHECK(good);
 }
 
-TEST_CASE("limits that make no sense are refused, with the coordinate") {
+TEST_CASE("limits that is invalid are refused, with the coordinate") {
   auto limits = unlimited(two);
   limits.lower[1] = 2, limits.upper[1] = 1;
   CHECK_THROWS_MATCHES(check_limits(two, limits), bad_parameter,

@@ -68,13 +68,13 @@ runtime_chain random_arm(int n, double mu, unsigned seed) {
     const auto name = "q" + std::to_string(i), mode = name + ".mode", end = "e" + std::to_string(i);
     const double x = draw(), y = draw(), z = draw(), length = std::sqrt(x * x + y * y + z * z);
     const vec3<> axis{x / length, y / length, z / length};
-    const vec3<> seat{draw(0.3), draw(0.3), draw(0.3)};
+    const vec3<> mount{draw(0.3), draw(0.3), draw(0.3)};
     if (i % 2 == 0)
       c << sticking_revolute_joint_3D(name, mode, base, end, axis, 0.05, {mu, mu * 1.3, 0.2})
-               .at(seat, as<double>(matrix(no_rotation{})));
+               .at(mount, as<double>(matrix(no_rotation{})));
     else
       c << sticking_prismatic_joint_3D(name, mode, base, end, axis, {mu, mu * 1.2, 0.5})
-               .at(seat, as<double>(matrix(no_rotation{})));
+               .at(mount, as<double>(matrix(no_rotation{})));
     const double mass = 1 + draw(0.5);
     const vec3<> centre{draw(0.1), draw(0.1), draw(0.1)};
     c << inertia_3D(end, rigid_body{mass, centre, sym3{0.1, 0.0, 0.0, 0.12, 0.0, 0.09}});

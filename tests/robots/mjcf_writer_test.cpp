@@ -81,7 +81,7 @@ TEST_CASE("robots written as MJCF move as they did") {
     }
 }
 
-TEST_CASE("joints with nothing but a frame between them are those of one body in MJCF") {
+TEST_CASE("joints with only a frame between them are those of one body in MJCF") {
   const auto several = [](const auto& second) {
     runtime_chain c;
     c << revolute_joint_3D("q1", "world", "a", axis::z).at(vec3<>{1, 0, 0}, robot_pose{}.rotation) << second

@@ -103,7 +103,7 @@ TEST_CASE("a chain that cannot be changed for want of memory is as before") {
   }
 }
 
-TEST_CASE("a state that cannot be made, copied or assigned for want of memory leaves all as it was") {
+TEST_CASE("a state that cannot be made, copied or assigned for want of memory leaves all unchanged") {
   const auto small = pendulum();
   auto large = pendulum();
   large.append(nested());

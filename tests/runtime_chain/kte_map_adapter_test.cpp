@@ -11,7 +11,7 @@ using namespace kte;
 
 namespace {
 
-/// An element, connected to a chain of its own.
+/// An element, connected to its own chain.
 template <class Core>
 struct alone {
   explicit alone(const named_element<Core>& e, std::initializer_list<const char*> coordinates = {}) : element(e) {

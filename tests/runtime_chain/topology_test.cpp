@@ -98,7 +98,7 @@ TEST_CASE("shared names in static chains, runtime chains and files") {
                          std::array{1.0, 2.0, -3.0, 4.0, 5.0, -6.0, 7.0, 0.0})[7] == 0);
 }
 
-TEST_CASE("what is asked for by a shared name") {
+TEST_CASE("what is requested by a shared name") {
   const auto& c = of_texts;
   CHECK(c.frame("elbow").what() == kind::frame_3D);
   CHECK(c.coordinate("elbow").what() == kind::gen);
@@ -194,7 +194,7 @@ TEST_CASE("names that were misspelt are found by those that are there") {
   fails(c, inertia_3D("amr", brick),
         "inertia_3D (frame 'amr'): it reads 'amr', which no element before it writes, did you mean 'arm'? (there are "
         "'ground', 'arm'; a further base is declared by base_2D or base_3D)");
-  // an inertia before its joint is taken for the base, and blamed itself
+  // an inertia before its joint is taken for the base, and reported itself
   runtime_chain early;
   early << inertia_3D("arm", brick);
   fails(early, revolute_joint_3D("q", "ground", "arm", axis::y),

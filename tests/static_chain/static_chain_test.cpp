@@ -30,7 +30,7 @@ TEST_CASE("all frames of the pendulum are there to be looked at") {
   s[q].q = 0.0, s[q].q_dot = 2.0, s[q].q_ddot = 3.0;
   pendulum.doMotion(s);
   CHECK(s[tip].velocity == kte::vec2{0.0, 1.0});              // w L, along the path
-  CHECK(s[tip].acceleration == kte::vec2{-2.0, 1.5 + 9.81});  // -w^2 L, and al L besides gravity
+  CHECK(s[tip].acceleration == kte::vec2{-2.0, 1.5 + 9.81});  // -w^2 L, and al L in addition to gravity
   CHECK(s[tip].ang_velocity == 2.0);
   pendulum.clearForce(s);
   pendulum.doForce(s);

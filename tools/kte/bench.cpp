@@ -111,7 +111,7 @@ list numbers_of(const M&... m) {
   return out;
 }
 
-/// The frame in space with the most joints below it, of several the last; empty where there is none.
+/// The frame in space with the most joints below it, of several the last; empty if there is none.
 std::string last_frame(const kte::runtime_chain& c) {
   std::map<std::string, int> joints;
   std::string frame;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the pages of docs/ and of the API reference as Markdown for mkdocs: pages.py OUTPUT. See docs/build.sh.
 
-Ends with an error if a public name has no doc comment.
+Ends with an error if a public name has no doc comment, or if README or docs/*.md name something that is not public.
 """
 import html
 import os
@@ -19,6 +19,7 @@ FOLDERS = {  # folder of include/kte -> title of its page, in the order of the m
     'static_chain': 'Static chains', 'runtime_chain': 'Runtime chains', 'dynamics': 'Algorithms', 'models': 'Systems',
     'integrators': 'Integrators', 'events': 'Events', 'control': 'Control', 'manipulators': 'Manipulators', 'io': 'Files',
     'robots': 'Robots', 'view': 'View', 'adapters': 'Adapters', 'reak': 'ReaK', 'testing': 'Testing'}
+NOT_NAMES = {'core', 'io', 'sundials', 'robots', 'kte', 'compiled', 'view', 'live', 'detail'}  # CMake targets
 KINDS = {'class': 'class', 'forward': 'class', 'enum': 'enumeration', 'enumerator': 'enumerator', 'alias': 'type', 'variable': 'constant',
          'function': 'function', 'concept': 'concept'}
 
@@ -203,6 +204,14 @@ def docs_page(path, text, target):
     write(os.path.join(output, here), '\n'.join(lines))
 
 
+def check_names(path, text, names):
+    """Fails for kte::NAME in a page if the reference has no such name."""
+    for number, line in enumerate(text.split('\n'), 1):
+        for match in re.finditer(r'\bkte::([a-z_]\w*)', line):
+            if match[1] not in names and match[1] not in NOT_NAMES:
+                sys.exit(f'kte: {path}:{number}: kte::{match[1]} is not in the API reference')
+
+
 def menu(pages):
     """The pages in the order in which the README names them, then the others."""
     order = re.findall(r'\]\((docs/\w+\.md)', read(os.path.join(root, 'README.md')).rpartition('## Documentation')[2])
@@ -224,7 +233,7 @@ def main():
         print(f'kte: include/{name.header}:{name.line}: {name.kind} kte::{name.name} has no doc comment', file=sys.stderr)
     shutil.rmtree(output, ignore_errors=True)
     target = reference(names, output)
-    pages = ['README.md', 'CONTRIBUTING.md', 'SECURITY.md', 'CHANGELOG.md']
+    pages = sorted(file for file in os.listdir(root) if file.endswith('.md'))
     for directory, _, files in sorted(os.walk(os.path.join(root, 'docs'))):
         for file in sorted(files):
             path = os.path.relpath(os.path.join(directory, file), root)
@@ -233,8 +242,12 @@ def main():
             elif not file.endswith('.sh'):
                 os.makedirs(os.path.join(output, os.path.relpath(directory, os.path.join(root, 'docs'))), exist_ok=True)
                 shutil.copy(os.path.join(root, path), os.path.join(output, os.path.relpath(path, 'docs')))
+    known = {scope[0] for scope in names} | {'::'.join(scope) for scope in names}
     for path in pages:
-        docs_page(path, read(os.path.join(root, path)), target)
+        text = read(os.path.join(root, path))
+        if re.fullmatch(r'README.md|docs/\w+.md', path):
+            check_names(path, text, known)
+        docs_page(path, text, target)
     write(os.path.join(output, os.pardir, 'mkdocs.yml'), read(os.path.join(root, 'tools/reference/mkdocs.yml')) + menu(pages))
     for file, goal in (('file_worker.js', output), ('style.css', output), ('main.html', os.path.join(output, os.pardir, 'theme'))):
         os.makedirs(goal, exist_ok=True)

@@ -56,9 +56,14 @@ def collect(listed, header, outer, named, found):
             if not INTERNAL & set(declaration.name.split('::')):
                 collect(declaration.members, header, None, '', found)
             continue
-        if not declaration.public or declaration.special or (declaration.kind == 'forward' and not declaration.doc):
+        if not declaration.public or (declaration.kind == 'forward' and not declaration.doc):
             continue
-        scope = tuple(part for part in declaration.scope if part and part != 'kte')
+        scope = tuple(part for part in '::'.join(declaration.scope).split('::') if part)
+        if scope[:1] != ('kte',):
+            continue
+        scope = scope[1:]
+        if declaration.special and not (declaration.kind == 'class' and (declaration.doc or scope + (declaration.name,) in found)):
+            continue  # not the specialization of a documented class
         name = found.setdefault(scope + (declaration.name,), Name('::'.join(scope + (declaration.name,)), declaration.kind,
                                                                   header, declaration.line))
         name.entries.append((header, declaration))
@@ -67,7 +72,8 @@ def collect(listed, header, outer, named, found):
             declaration.text.endswith((' override', ' final')) or
             re.search(rf'\b{re.escape(declaration.name)}\b', named) is not None))
         if declaration.kind in ('class', 'enum') and 'core' not in scope:
-            collect(declaration.members, header, declaration, named + declaration.doc, found)
+            of_class = ' '.join(entry.doc for _, entry in name.entries)
+            collect(declaration.members, header, declaration, named + of_class, found)
 
 
 def public_names(include):

@@ -26,6 +26,7 @@ from declarations import Unreadable  # noqa: E402
 from public_names import undocumented  # noqa: E402
 
 COLUMNS = 140
+FORMER = r'^CHANGELOG|^docs/(glossary|decisions)|deprecated|former_names|contract/port.hpp'  # which name the words of former versions
 SHOWN = 20  # places of a rule, without --list
 COMMENT = re.compile(r'(?P<string>R"(?P<mark>[^(\n]*)\(.*?\)(?P=mark)"|"(?:[^"\\\n]|\\.)*")|\'(?:[^\'\\\n]|\\.)\'|//(?P<comment>[^\n]*)', re.S)
 
@@ -104,7 +105,7 @@ def places(root, files, lists):
         for number, _, measured in prose:
             if measured and len(lines[number - 1]) > COLUMNS:
                 found['long lines'].append((file, number, f'{len(lines[number - 1])} columns'))
-        if file != 'CHANGELOG.md' and not file.startswith('docs/glossary'):  # which name the old words
+        if not re.search(FORMER, file):
             for match, better in matches(content, lists['words']):
                 line = content.count('\n', 0, match.start()) + 1
                 found['words'].append((file, line, f'"{match[0]}": {better}'))

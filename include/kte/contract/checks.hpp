@@ -5,8 +5,8 @@
 
 #include <tuple>
 
-/// What is wrong with a chain, as compile errors in the user's words: each names one element and says one sentence.
-/// (This header and others that have some come first in kte.hpp.)
+/// Errors of a chain as compile errors: each names one element, with one message. (This header and others with messages
+/// are included first in kte.hpp, so that they appear near the top.)
 namespace kte::detail {
 
 /// A rule, about an element and a name; compilers print all three when it is broken.
@@ -99,7 +99,7 @@ struct check_bodies {
                 "kte: this algorithm counts the masses of single frames and coordinates, and this element has a mass "
                 "between several");
 };
-/// What stands for an element that was refused with a sentence, so that nothing more is said about it.
+/// The result of a rejected element: its error has been reported, and no further errors follow.
 struct refused {
   template <class... Place>
   constexpr refused at(const Place&...) const {

@@ -38,7 +38,7 @@ struct coordinate_lock {
   }
 
  protected:
-  /// In which to compute with things, of which some may be typed constants.
+  /// The scalar of arithmetic with arguments; some may be typed constants.
   template <class... X>
   using number = std::remove_cvref_t<decltype((detail::as_number(std::declval<X>()) + ...))>;
   /// 1 or -1, also of a mode that is none; at the start that of the rate.

@@ -39,7 +39,7 @@ struct element {
   using core_type = Core;
   Core core;
 
-  /// Of a joint: the same, placed at a position, m, and a rotation in the base.
+  /// The joint with a placement in the base: position, m, and optionally rotation.
   template <class... Place>
   constexpr auto at(const Place&... place) const {
     return connect(detail::placement<Core>::of(core, place...), Keys{}...);
@@ -53,7 +53,7 @@ struct named_element {
   Core core;
   std::array<std::string, port_count<Core>> names;
 
-  /// Of a joint: the same, placed at a position, m, and a rotation in the base.
+  /// The joint with a placement in the base: position, m, and optionally rotation.
   template <class... Place>
   auto at(const Place&... place) const {
     const auto placed = detail::placement<Core>::of(core, place...);

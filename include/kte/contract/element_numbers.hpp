@@ -10,7 +10,7 @@ enum class part : unsigned char {
   base,      ///< declares something
   rigid,     ///< a joint or link
   body,      ///< a rigid body on a frame, or the mass of a coordinate
-  weight,    ///< a mass on a frame that moves by a law of its own
+  weight,    ///< a mass on a frame that is not rigid in a body
   follower,  ///< writes a coordinate, from others or from signals
   mover,     ///< writes a frame in another way
   signal,    ///< writes a signal

@@ -85,8 +85,9 @@ struct parameter_check {
     finite(i.xx, rule), finite(i.xy, rule), finite(i.xz, rule);
     finite(i.yy, rule), finite(i.yz, rule), finite(i.zz, rule);
   }
-  /// The triangle inequality of the principal moments, which says that the second moments tr(I)/2 1 - I, the integrals
-  /// of x x^T dm, are not negative. With room for printed digits, relative to the body as its frame feels it.
+  /// Requires the triangle inequality of the principal moments, which is equivalent to positive semidefinite second
+  /// moments tr(I)/2 1 - I, the integrals of x x^T dm. With a tolerance for rounded digits, relative to the inertia of
+  /// the body about its frame.
   template <class M, class C, class I>
   constexpr void physical(const rigid_body<M, C, I>& body) const {
     finite(body.inertia, "inertia must be finite");

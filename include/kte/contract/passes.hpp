@@ -87,12 +87,12 @@ struct stored_element {
   template <std::size_t P>
   static constexpr port at = Core::ports[P];
 
-  /// What is connected to port P.
+  /// The item connected to port P.
   template <std::size_t P>
   KTE_INLINE constexpr auto& stored() const {
     return state.template get<at<P>.what>(where.template at<P>());
   }
-  /// The same as the kernels see it.
+  /// The item at port P as kernels take it.
   template <std::size_t P>
   KTE_INLINE constexpr decltype(auto) input() const {
     if constexpr (writes_signal<Core> && !reads_accelerations<Core> && !is_signal(at<P>.what)) {
@@ -124,7 +124,7 @@ struct stored_element {
     update_angles(std::index_sequence<P...>{});
     move(std::index_sequence<P...>{});
   }
-  /// With sines, cosines and matrices as they are.
+  /// Without an update of sines, cosines and matrices.
   template <std::size_t... P>
   KTE_INLINE constexpr void move(std::index_sequence<P...>) const {
     if constexpr (has_output) write(core.doMotion(input<P>()...));
@@ -207,7 +207,7 @@ struct stored_element {
       return zero;
     }
   }
-  /// Of a distributed mass, m c in axes of the base, kg m.
+  /// The first moment m c of a distributed mass in axes of the base, kg m.
   template <std::size_t... P>
   KTE_INLINE constexpr auto first_moment(std::index_sequence<P...>) const {
     if constexpr (requires { core.first_moment(input<P>()...); }) {
@@ -216,7 +216,7 @@ struct stored_element {
       return zero3{};
     }
   }
-  /// What goes through zero where the law of the element changes; one where it does not.
+  /// The function that goes through zero where the law of the element changes; 1 if it never does.
   template <std::size_t... P>
   KTE_INLINE constexpr auto switching(std::index_sequence<P...>) const {
     if constexpr (requires { core.switching(input<P>()...); }) {

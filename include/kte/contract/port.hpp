@@ -85,9 +85,8 @@ inline constexpr bool load_dependent_friction<Core> = former::reads_reaction<Cor
 template <class Core>
 inline constexpr bool is_closure = Core::ports.back().what == kind::loop&& Core::ports.back().how == access::keep;
 
-/// Whether the loads that it returns are the power dual of the motion that it passes on, as in a mechanism. An element
-/// for controllers of which that is not so says `static constexpr bool power_dual = false`: passes and inverse dynamics
-/// take it.
+/// Whether its loads are the power dual of its motion, as in a mechanism. An element for controllers without this
+/// property declares `static constexpr bool power_dual = false`: only passes and inverse dynamics support it.
 template <class Core>
 inline constexpr bool power_dual = true;
 template <class Core>

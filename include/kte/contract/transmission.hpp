@@ -34,7 +34,7 @@ template <int N>
 KTE_INLINE constexpr auto unit_vector() {
   return vec3<constant<N == 0>, constant<N == 1>, constant<N == 2>>{};
 }
-/// A coordinate of kind K of which only rate number N moves, by one: the motion it makes is axis N of the joint.
+/// A coordinate of kind K with a unit rate N and no others: its motion is axis N of the joint.
 template <kind K, int N, class C>
 KTE_INLINE constexpr auto unit_rate(const C& c) {
   if constexpr (K == kind::gen) {
@@ -144,7 +144,7 @@ struct transmission {
         transmit(core().relative(detail::position_only(c)), end));
   }
 
-  // Hidden by passes that a core has of its own.
+  // Hidden by passes of the core.
   static void doMotion(const detail::no_pass&);
   static void doForce(const detail::no_pass&);
 

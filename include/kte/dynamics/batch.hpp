@@ -43,8 +43,7 @@ inline constexpr std::size_t nq = nv<Chain>;
 template <class Chain>
 requires(requires { Chain::nq; }) inline constexpr std::size_t nq<Chain> = std::size_t{Chain::nq};
 
-/// Rejects matrices of which the states are not the columns: columns have the numbers of a state, or `part` of them, or
-/// one.
+/// Rejects matrices whose columns are not states: columns must have the numbers of a state, or `part` of them, or one.
 template <class X>
 void check_layout(const X& x, std::size_t a_state, std::size_t part, const char* name) {
   if constexpr (requires { x.innerStride(), x.outerStride(), x.rows(); }) {

@@ -49,7 +49,7 @@ template <class Gravity, class... E, indexable Q>
   return forces_at_no_acceleration<value_of<Q>>(bodies, at, same<zero_t>{}, base_under_gravity(bodies));
 }
 
-/// The bias of the equations of motion: inverse dynamics for a = 0. (2)
+/// The bias forces of the equations of motion: inverse dynamics for a = 0. (2)
 template <class Gravity, class... E, indexable Q, indexable V>
 [[nodiscard]] auto nonlinear_effects(const static_chain<Gravity, E...>& c, const Q& q, const V& v) {
   using namespace detail;

@@ -62,7 +62,7 @@ class path_follower {
                        (f_.by_load() ? "load factor" : std::string(options_.parameter)) + " " + number(at_.parameter) +
                        (name.empty() ? "" : ": nothing holds '" + name + "'"));
   }
-  /// Of two directions, (d, dp).
+  /// The inner product of two directions (d, dp).
   double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     const Eigen::Index n = squares_.size();
     return a.head(n).cwiseProduct(squares_).dot(b.head(n)) + a[n] * b[n] / (span_ * span_);

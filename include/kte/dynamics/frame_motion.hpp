@@ -62,7 +62,7 @@ constexpr int frame_slot() {
   static_assert(slot >= 0 && is_frame(Frame::what), "kte: this chain has no frame of this name");
   return slot < 0 ? 0 : slot;
 }
-/// The motion of a frame, of bases and rates of which only what is needed is no `skip`.
+/// The motion of a frame; quantities of bases and rates that are not needed are `skip`.
 template <class Frame, class Chain, class Given>
 KTE_INLINE auto motion_at(const Chain& c, const Given& g) {
   return motion_of<flow_types<Chain, Given>, Frame::what, frame_slot<Frame, Chain>()>(c, g);

@@ -35,7 +35,7 @@ KTE_INLINE auto forces_of(const Pass& pass, Sign sign) {
   read(std::make_index_sequence<wiring::freedoms>{});
   return f;
 }
-/// The same of a chain, as they are given.
+/// The generalized forces of a chain at given arguments.
 template <class S, class Chain, class Given, class Sign>
 KTE_INLINE auto generalized_forces(const Chain& c, const Given& g, Sign sign) {
   const auto f = [&]() KTE_INLINE_LAMBDA {

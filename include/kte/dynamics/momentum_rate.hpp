@@ -153,7 +153,7 @@ vec3<S> centre_of_mass_acceleration(const runtime_chain& c, basic_runtime_state<
   const vec3<S> f = centroidal_momentum_rate(c, s).linear;
   return {f.x / mass, f.y / mass, f.z / mass};
 }
-// The same at q, v, a, which are put into the state.
+// At q, v, a, which are stored in the state.
 template <class S, indexable Q>
 runtime_matrix<S> centre_of_mass_jacobian(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q) {
   detail::check_regular(c, s);

@@ -71,8 +71,8 @@ inline undamped_modes solve_undamped(const Eigen::MatrixXd& m, const Eigen::Matr
   }
   return x;
 }
-/// Roots and shapes in the space of the undamped modes: those that neither damping nor forces without a potential
-/// couple are as they are, the others those of  (0, 1; -K', -C').
+/// Roots and shapes in the space of the undamped modes: modes without coupling by damping or by forces without a
+/// potential are unchanged, the others are those of  (0, 1; -K', -C').
 inline void solve_damped(const undamped_modes& modes, const Eigen::MatrixXd& k, const Eigen::MatrixXd& c,
                          std::vector<std::complex<double>>& roots, std::vector<Eigen::VectorXcd>& shapes) {
   const Eigen::MatrixXd by_rate = modes.shape.transpose() * c * modes.shape;

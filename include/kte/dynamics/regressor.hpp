@@ -41,16 +41,16 @@ template <class S = double, class Gravity, class... E>
 ///   Y(q, v, a) pi = M(q) a + C(q, v) v + g(q)          (2)
 ///                 = inverse_dynamics(q, v, a) + Q(q, v)
 ///
-/// with Q the forces of all elements that have no inertial parameters: springs, dampers, actuators. Y does not depend
-/// on pi, only on joints, links and where the bodies are; the chain's `gravity()` is in it. Row and column of a
-/// coordinate and a parameter hold the force on the one for a unit of the other: for a body in whose frame the rate of
-/// the coordinate makes the velocity v, u (its Jacobian),
+/// with the forces Q of all elements without inertial parameters: springs, dampers, actuators. Y does not depend on pi,
+/// only on joints, links and the placement of bodies; it includes the gravity of the chain. An entry is the force on a
+/// coordinate due to a unit of a parameter: for a body in whose frame the unit rate of the coordinate makes the
+/// velocity v and angular velocity u (its Jacobian),
 ///
 ///   v . (m a + al x h + w x (w x h)) + u . (I al + w x I w + h x a),   h = m c          (3)
 ///
-/// A value, of both kinds of chain; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also for a
-/// joint or link that is more than its `relative`, and for distributed masses. Of a static chain no heap, unless the
-/// matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
+/// A value, for static and runtime chains; arguments and errors as for `inverse_dynamics`. Throws `bad_argument` also
+/// for a joint or link that is not described by its `relative` alone, and for distributed masses. Static chains use no
+/// heap, unless the matrix is larger than EIGEN_STACK_ALLOCATION_LIMIT.
 template <class Gravity, class... E, indexable Q, indexable V, indexable A>
 [[nodiscard]] auto torque_regressor(const static_chain<Gravity, E...>& c, const Q& q, const V& v, const A& a) {
   using namespace detail;

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-/// What a frame carries, on static and runtime chains: the bodies on it, and all that stands on links and joints that
-/// start from it. Of the frame that a joint moves that is all beyond the joint.
+/// Inertia of the subtree of a frame, on static and runtime chains: the bodies on it, and all that follow it by links
+/// and joints. For the frame that a joint moves that is the subtree of the joint.
 namespace kte {
 
 /// A composite inertia: mass, kg, first moment m c, kg m, and inertia, kg m^2, about the origin of a frame and in its
@@ -129,7 +129,7 @@ mass_centre<S> carried_mass_centre(const runtime_chain& c, basic_runtime_state<S
   const auto b = subtree_inertia(c, s, frame);
   return detail::centre_in_base(b, forward_kinematics(c, s, frame));
 }
-// The same at q, which is put into the state.
+// At q, which is stored in the state.
 template <class S, indexable Q>
 dense_composite_inertia<S> subtree_inertia(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q,
                                            const name_or_handle& frame) {

@@ -44,7 +44,7 @@ struct constant_force : load_parameters<Dim, Force, Torque> {
     const auto to_own = transpose(x.rotation);
     return make_loads(wrench{to_own * this->force, to_own * this->torque});  // (1)
   }
-  /// Of the force, zero at the origin of the world, J.
+  /// The potential energy of the force, zero at the origin of the world, J.
   template <class Frame>
   KTE_INLINE constexpr auto potential_energy(const Frame& x) const {
     return -dot(this->force, x.position);

@@ -19,7 +19,7 @@ struct inertia {
   static constexpr std::array<port, 1> ports{{{Dim, access::in, "frame"}}};
 
   rigid_body<Mass, Com, Inertia> body;
-  decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the same about the origin of the frame
+  decltype(to_composite(rigid_body<Mass, Com, Inertia>{})) at_origin;  ///< the inertia about the origin of the frame
 
   constexpr explicit inertia(const rigid_body<Mass, Com, Inertia>& b) : body(b), at_origin(composite_of(b)) {}
 
@@ -72,7 +72,7 @@ struct inertia {
 
  private:
   static constexpr decltype(at_origin) composite_of(const rigid_body<Mass, Com, Inertia>& b) {
-#if defined(__clang__)  // which stops at arithmetic that gives NaN: what is no number is left to `check`, which says so
+#if defined(__clang__)  // which stops at arithmetic that gives NaN: NaN is left to `check`
     if (std::is_constant_evaluated()) {
       parameter_check::breach broken;
       const parameter_check numbers{type, ports, {}, broken};

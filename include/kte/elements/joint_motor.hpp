@@ -82,7 +82,7 @@ struct joint_motor_gen {
 /// A motor of a joint, within its limits:
 ///
 ///   joint_motor_gen(q, torque, {.lower = -40, .upper = 40})
-///   joint_motor_gen(q, wanted, {.gain = 300, .stiffness = 300, .damping = 20, .lower = -40, .upper = 40})  // a servo
+///   joint_motor_gen(q, desired, {.gain = 300, .stiffness = 300, .damping = 20, .lower = -40, .upper = 40})  // a servo
 template <class Q, class U>
 [[nodiscard]] constexpr auto joint_motor_gen(const Q& coordinate, const U& command, const motor_law& law = {}) {
   return connect(core::joint_motor_gen{law}, coordinate, command);

@@ -63,13 +63,13 @@ class static_series : public static_chain<zero3, First, Second> {
   constexpr explicit static_series(const static_chain<zero3, First, Second>& c)
       : static_chain<zero3, First, Second>(c) {}
 
-  /// Of two joints: the same, the first placed at a position, m, and a rotation in the base.
+  /// The two joints, the first of them placed at a position, m, and a rotation in the base.
   template <class... Place>
   constexpr auto at(const Place&... place) const {
     return in_series(boost::hana::at_c<0>(this->elements()).at(place...), boost::hana::at_c<1>(this->elements()));
   }
 };
-/// What is checked of both together.
+/// The check of both joints together.
 template <class Check, class... Names>
 constexpr void check_series(std::string_view type, const Check& check, const Names&... names) {
   constexpr std::array<port, 4> ports{{{kind::gen, access::in, "coordinate1"},

@@ -74,7 +74,7 @@ struct pid_control_gen {
 
 /// A PID controller of a coordinate, with an internal state `integral`, that writes the signal `output`:
 ///
-///   pid_control_gen(q, wanted, integral, output, {.proportional = 80, .integral = 40, .derivative = 6, .limit = 20,
+///   pid_control_gen(q, desired, integral, output, {.proportional = 80, .integral = 40, .derivative = 6, .limit = 20,
 ///                                                 .tracking = 1 / 80.0})
 template <class Q, class R, class Z, class Y>
 [[nodiscard]] constexpr auto pid_control_gen(const Q& coordinate, const R& wanted, const Z& integral, const Y& output,

@@ -11,8 +11,8 @@ namespace core {
 ///
 ///   p' = p - n (n . (p - o)),   v' = v - n (n . v),   a' = a - n (n . a)          (1)
 ///
-/// Gravity is an acceleration of bases, of which the frame of the point has the part in the plane: an accelerometer
-/// there shows no more. The frame of the point does not turn. A force on it comes back as the power dual, F += F' - n
+/// Gravity is an acceleration of bases; the frame of the point has its component in the plane: an accelerometer
+/// there measures no more. The frame of the point does not rotate. A force on it is transmitted as F += F' - n
 /// (n . F'); a torque does no work.
 template <class Normal, class Point>
 struct plane_point_mindist {

@@ -235,7 +235,7 @@ template <class = void>
 
 #ifdef KTE_FUNCTION
 namespace detail {
-/// What was not understood is an error, not ignored.
+/// Unknown parameters are errors.
 KTE_FUNCTION void check_complete(const element_record& made, const element_record& r) {
   for (const auto& p : r.parameters)
     if (std::none_of(made.parameters.begin(), made.parameters.end(), [&](const auto& o) { return o.name == p.name; }))

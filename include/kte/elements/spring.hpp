@@ -89,7 +89,7 @@ KTE_INLINE constexpr auto elastic_energy(const X& x, const Stiffness& k, const M
   }
 }
 
-/// How far a force s is from its limit: positive below, negative where it is limited, 1 if there is none.
+/// The distance of a force s from its limit: positive below, negative where limited, 1 without a limit.
 template <entry F, class Most>
 KTE_INLINE constexpr auto below_limit(const F& s, const Most& most) {
   const auto f = as_number(s);

@@ -79,7 +79,7 @@ template <class R, class P, class M, class H, class J>
 }
 
 namespace detail {
-/// m - a b^T, of which the upper triangle is needed.
+/// The upper triangle of m - a b^T.
 template <class... T, class A, class B>
 KTE_INLINE constexpr auto less_dyad(const sym3<T...>& m, const A& a, const B& b) {
   return sym3{m.xx - a.x * b.x, m.xy - a.x * b.y, m.xz - a.x * b.z,

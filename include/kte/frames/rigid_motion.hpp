@@ -6,7 +6,7 @@
 namespace kte {
 
 namespace detail {
-/// Of a rotation by t about an axis: (1 - cos t)/t^2 and (t - sin t)/t^3, given t^2.
+/// The coefficients (1 - cos t)/t^2 and (t - sin t)/t^3 of a rotation by t about an axis, given t^2.
 template <class S>
 constexpr std::pair<S, S> turned_shift(const S& tt) {
   using std::sin;

@@ -128,7 +128,7 @@ class adams : public integrator<adams<F, X>, F, X> {
         [&](int i, int j) { return norm(this->rounding_of_rate(i, j, past_.newest())); });
     return level * level;
   }
-  /// (3), and the slope there, which joins the history. Where they are not finite, neither is the error: false.
+  /// (3), and the slope there, which is added to the history. Returns false if the error is not finite.
   bool correct(const S& end, detail::adams_errors<S>& e) {
     by_ = h_ * past_.g(order_);
     this->next_ += by_ * change_;

@@ -33,7 +33,7 @@ class fixed_step : public integrator<Method, F, X> {
     total_ = d + lost_;
     this->displace(total_);
   }
-  /// The same for the new state.
+  /// The new state with compensated summation.
   template <class D>
   void displace_at_last(const D& d) {
     displace_with_lost(d);

@@ -275,7 +275,7 @@ void integrator<Method, F, X>::begin(const S& t_end) {
 template <class Method, class F, class X>
 void integrator<Method, F, X>::step(const S& t_end) {
   if (in_step_) [[unlikely]]
-    begin(t_end);  // anew: the last step has failed
+    begin(t_end);  // again: the last step has failed
   in_step_ = true;
   no_number_is_failure([&] {
     this->begin_at_state();

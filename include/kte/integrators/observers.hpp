@@ -87,7 +87,7 @@ through(T, More...) -> through<T>;
 
 namespace detail {
 
-/// The times of samples, count() of them. Throw `bad_argument` where they make no sense.
+/// The times of samples, count() of them. Throws `bad_argument` for invalid times.
 template <class S>
 class even_samples {
  public:

@@ -28,7 +28,7 @@ constexpr bool is_finite(const S& x) {
   return x - x == S(0);
 }
 
-/// The same of all numbers of a vector or matrix.
+/// Whether all numbers of a vector or matrix are finite.
 template <class M>
 bool all_finite(const Eigen::MatrixBase<M>& x) {
   using S = typename M::Scalar;

@@ -7,7 +7,7 @@
 
 namespace kte::detail {
 
-/// Reads the fields of a chain, and what a model of a manipulator has besides.
+/// Reads the fields of a chain, and those of the model of a manipulator.
 class model_fields {
  public:
   explicit model_fields(field_reader& in) : in_(in) {}

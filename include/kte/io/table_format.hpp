@@ -27,7 +27,7 @@ inline constexpr known_extension known_extensions[]{{".ssv", table_format::ssv},
                                                     {".csv", table_format::csv}, {".tsv", table_format::tsv},
                                                     {".npy", table_format::npy}, {".mcap", table_format::mcap}};
 
-/// Of a format that is text.
+/// The separator of a text format.
 constexpr char separator_of(table_format f) {
   return f == table_format::csv ? ',' : f == table_format::tsv ? '\t' : ' ';
 }

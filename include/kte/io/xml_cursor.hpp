@@ -39,7 +39,7 @@ class xml_cursor {
     i_ = end + token.size();
     return before;
   }
-  /// What is before one of the characters, or all.
+  /// The text before one of the characters, or all.
   std::string_view until(std::string_view characters) {
     const auto part = text_.substr(i_, text_.find_first_of(characters, i_) - i_);
     i_ += part.size();
@@ -92,7 +92,7 @@ class xml_cursor {
   }
 
  private:
-  /// Of a reference, "233" or "xE9".
+  /// The character of a reference, "233" or "xE9".
   char32_t character(std::string_view digits, std::size_t from) {
     const int base = digits.starts_with('x') ? 16 : 10;
     if (base == 16) digits.remove_prefix(1);

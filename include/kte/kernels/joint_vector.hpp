@@ -113,7 +113,7 @@ KTE_INLINE constexpr bool all_finite(const X& x, std::size_t n) {
   const auto sum = zero_or_nan(x, n);
   return all(sum == decltype(sum)(0));
 }
-/// No algorithm gives NaN back in silence: throws `bad_argument` unless x[0] ... x[n-1] are finite numbers.
+/// Throws `bad_argument` unless x[0] ... x[n-1] are finite: no algorithm returns NaN silently.
 template <class X>
 KTE_INLINE constexpr void check_finite(const X& x, std::size_t n, const char* what) {
   if (!all_finite(x, n)) [[unlikely]]

@@ -50,7 +50,7 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
   }
 }
 
-/// Of a coordinate, where it is known which.
+/// Names the coordinate, if known.
 [[noreturn, gnu::cold]] inline void raise_singular_mass_matrix(std::string_view coordinate = {}) {
   std::string text("kte: the mass matrix is singular: ");
   if (coordinate.empty())
@@ -59,7 +59,7 @@ KTE_INLINE void substitute(const Matrix& m, Vector& b) {
     text.append("'").append(coordinate).append("'");
   raise<singular_mass_matrix>(text.append(" moves no mass independently of the others"));
 }
-/// The first row of which `factorise` said that its pivot vanishes; m_jj follows again from (1).
+/// The first row with a vanishing pivot, reported by `factorise`; m_jj follows again from (1).
 template <class Matrix>
 [[gnu::cold, gnu::noinline]] int first_vanishing(const Matrix& m) {
   using S = typename Matrix::Scalar;
@@ -128,7 +128,7 @@ KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail) {
   substitute(m, b);
 }
 
-/// The same where some of x are known: of b, which are x for them. Their rows and columns of M are used up.
+/// Solves with some x known: their entries of b are x. Their rows and columns of M are overwritten.
 template <class Matrix, class Vector, class Known, class Fail>
 void solve_partly_known(Matrix& m, Vector& b, const Known& is_known, const Fail& fail) {
   using S = typename Matrix::Scalar;

@@ -15,7 +15,7 @@ struct ik_answer {
   unsigned branch = 0;  ///< bits: 1 shoulder, 2 elbow, 4 wrist; higher ones if there are more solutions
   scalar position{};    ///< error of the tool's position by forward kinematics, m
   scalar rotation{};
-  truth<scalar> exact{};  ///< whether these are within the tolerance; else it is an answer of least squares
+  truth<scalar> exact{};  ///< whether these are within the tolerance; else it is a least-squares solution
   truth<scalar> within_limits{};
   /// Bit i: coordinate i of v is arbitrary here (singular), and equal to that of the seed, or 0. For packs one per
   /// element.

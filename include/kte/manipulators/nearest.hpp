@@ -12,7 +12,7 @@ struct best_answer {
   double way = 1e300;
   enum rank_of { none, away, beyond_limits, good } is = none;
 
-  /// |q - q_now|^2 of the joints; of those that do not get there, how far they are off.
+  /// |q - q_now|^2 of the joints; for solutions that are not exact, their error.
   void look_at(const arm_structure& s, const ik_answer<Q>& a, const Q& now) {
     double apart = 0;
     const auto rank = !a.exact ? away : a.within_limits ? good : beyond_limits;

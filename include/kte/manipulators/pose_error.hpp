@@ -8,7 +8,7 @@
 namespace kte {
 
 namespace detail {
-/// Of a rotation in any form; throws `bad_argument` for what is none.
+/// The matrix of a rotation in any form; throws `bad_argument` if it is not a rotation.
 template <class R>
 auto quaternion_of(const R& rotation) {
   if constexpr (requires { rotation.w; }) {

@@ -77,7 +77,7 @@ template <class S>
   };
   S up = towards(upper, S(upper - q)), down = -towards(lower, S(q - lower));
   const S hardest_down = v_now - a * dt, hardest_up = v_now + a * dt;
-  S lost(0);  // in these: of rates, and of q, of which v dt is a difference
+  S lost(0);  // rounding of rates, and of q
   if (a < std::numeric_limits<S>::infinity()) lost = S(64) * eps * (std::abs(v_now) + a * dt + std::abs(q) / dt);
   const bool too_fast_up = up<hardest_down - lost, too_fast_down = down> hardest_up + lost;
   const bool beyond = up < S(0) || down > S(0) || too_fast_up || too_fast_down;

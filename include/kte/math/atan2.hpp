@@ -55,7 +55,7 @@ KTE_INLINE void atan2_of(const V& y, const V& x, V& angle) {
 inline void atan2_each(const double* y, const double* x, double* angle, std::size_t n) {
   std::size_t i = 0;
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
-  for (const std::size_t fours = n / 4 * 4; i < fours; i += 4) {
+  for (const std::size_t whole = n / 4 * 4; i < whole; i += 4) {
     detail::double4 t;
     detail::atan2_of(detail::double4{y[i], y[i + 1], y[i + 2], y[i + 3]},
                      detail::double4{x[i], x[i + 1], x[i + 2], x[i + 3]}, t);

@@ -212,7 +212,7 @@ constexpr auto operator""_c() {
 }  // namespace literals
 
 namespace detail {
-/// A typed constant as a double, a number as it is.
+/// A typed constant as a double, a number unchanged.
 template <entry T>
 KTE_INLINE constexpr auto as_number(const T& x) {
   if constexpr (typed_constant<T>) {

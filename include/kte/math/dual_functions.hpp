@@ -108,7 +108,7 @@ template <class T, int N>
   return detail::chained(T(log(x.value)), T(T(1) / x.value), x);
 }
 
-// ---- of two arguments, of which one may be a constant
+// ---- functions of two arguments; one may be a constant
 
 /// atan2(y, x)' = (x y' - y x') / (x^2 + y^2). The squares must neither overflow nor underflow.
 template <class T, int N>

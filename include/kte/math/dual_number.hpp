@@ -80,7 +80,7 @@ template <class T, int N>
 KTE_INLINE constexpr dual<T, N> chained(const T& value, const T& slope, const dual<T, N>& x) {
   return {value, x.derivative.map([&](const auto& dx) KTE_INLINE_LAMBDA { return slope * dx; }, x.derivative)};
 }
-/// Of two: r' = s a' + t b'.
+/// The derivatives of a result: r' = s a' + t b'.
 template <class T, int N>
 KTE_INLINE constexpr dual<T, N> chained(const T& value, const T& s, const dual<T, N>& a, const T& t,
                                         const dual<T, N>& b) {

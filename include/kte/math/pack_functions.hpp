@@ -122,7 +122,7 @@ KTE_INLINE void reduced_sincos(const Register& x, Register& sine, Register& cosi
   cosine = __builtin_bit_cast(R, cosine_bits);
 }
 
-/// The lanes that are too large for it, infinite or NaN. The other lanes stay as they are: a state must not depend on
+/// The lanes that are too large for it, infinite or NaN. The other elements are unchanged: a state must not depend on
 /// its neighbours.
 template <class P>
 [[gnu::cold, gnu::noinline]] void sincos_of_large(const P& x, P& sine, P& cosine) {

@@ -71,7 +71,7 @@ KTE_INLINE void sincos4(const double4& x, double* sine, double* cosine) {
   __builtin_memcpy(sine, &signed_sin, sizeof signed_sin);
   __builtin_memcpy(cosine, &signed_cos, sizeof signed_cos);
 }
-/// The same of any angles.
+/// Sines and cosines of any angles.
 KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, double* cosine) {
   const auto in_range = [](double x) KTE_INLINE_LAMBDA { return std::fabs(x) <= largest_reduced_angle; };
   if (in_range(a) && in_range(b) && in_range(c) && in_range(d)) [[likely]]
@@ -87,7 +87,7 @@ KTE_INLINE void sincos4(double a, double b, double c, double d, double* sine, do
 inline void sincos_each(const double* angle, double* sine, double* cosine, std::size_t n) {
   std::size_t i = 0;
 #if defined(KTE_HAS_VECTORS) && !defined(KTE_SCALAR_SINCOS)
-  for (const std::size_t fours = n / 4 * 4; i < fours; i += 4)
+  for (const std::size_t whole = n / 4 * 4; i < whole; i += 4)
     detail::sincos4(angle[i], angle[i + 1], angle[i + 2], angle[i + 3], sine + i, cosine + i);
 #endif
   for (; i < n; ++i) sincos(angle[i], sine[i], cosine[i]);
@@ -151,7 +151,7 @@ template <class S, std::size_t N, class Angle>
         return S(0);
       }
     };
-    const auto fours = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
+    const auto by_four = [&]<std::size_t... I>(std::index_sequence<I...>) KTE_INLINE_LAMBDA {
       const int done[]{
           (detail::sincos4(detail::double4{at.template operator()<4 * I>(), at.template operator()<4 * I + 1>(),
                                            at.template operator()<4 * I + 2>(), at.template operator()<4 * I + 3>()},
@@ -163,7 +163,7 @@ template <class S, std::size_t N, class Angle>
       return (1 & ... & int{std::fabs(angle(I)) <= detail::largest_reduced_angle}) != 0;
     };
     if (in_range(std::make_index_sequence<N>{})) [[likely]] {
-      fours(std::make_index_sequence<sines<S, N>::padded / 4>{});
+      by_four(std::make_index_sequence<sines<S, N>::padded / 4>{});
       return r;
     }
 #endif

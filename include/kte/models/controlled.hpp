@@ -237,15 +237,19 @@ class controlled {
     rest.head(changed_.size()) = changed_;
     rest.template tail<N>() = d.template tail<N>() - (out.template tail<N>() - x.template tail<N>());
   }
-  // ---- on the loops, as the model's
+
+  /// Whether the model has closed loops, whose states integrators project onto the constraints.
   static constexpr bool settles = detail::settles_states<model_type, model_state>;
+  /// To be called at the start of a step from x.
   void begin_step(const state& x) const requires(settles) { model().begin_step(own_part(x)); }
+  /// Projects the state `out` = x (+) d onto the constraints.
   void settle(const state& x, rate& d, state& out) const requires(settles) {
     changed_ = own_rate(d);
     moved_ = out.head(own_part(x).size());
     model().settle(own_part(x), changed_, moved_);
     d.head(changed_.size()) = changed_, out.head(moved_.size()) = moved_;
   }
+  /// Removes from e the part normal to the constraints at x.
   void tangential(const state& x, rate& e) const requires(settles) {
     changed_ = own_rate(e);
     model().tangential(own_part(x), changed_);

@@ -141,7 +141,7 @@ template <class Gravity, class... E, class S, class Output>
 }
 
 namespace detail {
-/// Of an event of a model whose inputs a law sets: the law is asked first.
+/// An event of a model under a control law: the law is evaluated first.
 template <class Controlled, class Function>
 struct under_law {
   Controlled* system;

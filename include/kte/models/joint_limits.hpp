@@ -9,7 +9,7 @@
 namespace kte {
 
 namespace detail {
-/// A std::array full of x; of lists without a size of their own one without numbers.
+/// A std::array filled with x; an empty list of dynamic size.
 template <class Numbers>
 constexpr Numbers all_of(double x) {
   Numbers out{};

@@ -45,11 +45,12 @@ void set_mode(const Model& model, X& x, const lock_place& h, int m) {
   for (const auto& other : model.locks())
     if (other.row == h.row) x[other.mode] = typename X::Scalar(m);
 }
-/// What goes through zero where the mode changes: the rate of sliding; of what is held, with capacity F and force f,
+/// The function that goes through zero where the mode changes: the rate of sliding; for a locked coordinate, with
+/// capacity F and force f,
 ///
 ///   F^2 - f^2          (1)
 ///
-/// but not zero: at the limit it is still held, and an event looks for what leaves zero only where it was not there.
+/// but not zero: at the limit it is still locked, and an event detects only functions that were not zero before.
 template <class Model, class T, class X>
 auto mode_function(const Model& model, const T& t, const X& x, const lock_place& h) {
   using S = typename X::Scalar;
@@ -142,8 +143,9 @@ bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::I
 
 }  // namespace detail
 
-/// The state x with the modes of all that may hold a coordinate: where its rate is zero it is held, unless that takes
-/// more than it can; else it slides as the rate says. For the start of a simulation; then events keep them:
+/// The state x with consistent modes of all elements that may lock a coordinate: a coordinate at rest is locked, unless
+/// the holding force exceeds the capacity; else it slides in the direction of its rate. For the start of a simulation;
+/// then events switch the modes:
 ///
 ///   const auto x = kte::settled(model, 0.0, model.make_x(q, v));
 template <class Model, class T, class X>

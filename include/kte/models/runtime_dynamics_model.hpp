@@ -43,7 +43,7 @@ struct sizes_of_model<unchanging_chain> {
 };
 }  // namespace detail
 
-/// `manipulator_dynamics_model` of a runtime chain.
+/// The dynamics of a runtime chain as a system x' = f(t, x, u), y = h(t, x, u): see `manipulator_dynamics_model`.
 template <>
 class manipulator_dynamics_model<runtime_chain, double, void> : public state_space<unchanging_chain, double> {
   using base = state_space<unchanging_chain, double>;
@@ -51,21 +51,24 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
  public:
   using output_function = std::function<Eigen::VectorXd(const runtime_state&)>;
 
-  /// Throws `bad_wiring` as `runtime_chain::make_state` does, and where an element holds a coordinate that others move.
+  /// A model of a runtime chain. Throws `bad_wiring` as `runtime_chain::make_state`, and if an element locks a
+  /// coordinate that others move.
   explicit manipulator_dynamics_model(const runtime_chain& c);
 
   const rate& computeStateRate(double t, const state& x) const;
-  /// The same for integrators. Where it throws, they try a shorter step, or say when it was and why.
+  /// x' of (1), for integrators. If it throws, they try a shorter step, or report the time and the cause.
   const rate& operator()(double t, const state& x) const { return computeStateRate(t, x); }
 
-  /// As of a static chain. Says whether it is known: of chains without internal states (and not where passes alone know
-  /// a joint, tree/chain_tree.hpp); else stiff methods take differences.
+  /// The derivatives of x' by displacements from x. `jacobian` returns whether they are available: for chains without
+  /// internal states whose joints are described by their `relative` (tree/chain_tree.hpp); otherwise stiff methods use
+  /// differences.
   using jacobian_matrix = Eigen::MatrixXd;
   bool jacobian(double t, const state& x, jacobian_matrix& j) const;
-  /// The same; throws `bad_argument` where it is not known.
+  /// The Jacobian of x'; throws `bad_argument` if it is not available.
   jacobian_matrix jacobian(double t, const state& x) const;
 
-  /// As of a static chain, also where there are internal states. Throws `bad_argument` where passes alone know a joint.
+  /// (J B): `jacobian` and the derivatives of x' by inputs, also with internal states. Throws `bad_argument` for a
+  /// joint that only passes support.
   template <std::same_as<double> T>
   jacobian_matrix jacobian_with_inputs(const T& t, const state& x) const {
     setJointStates(t, x, s_);
@@ -75,38 +78,42 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   using base::make_x;
-  /// The same of vectors.
+  /// The state x of vectors q and v, with z = 0 or as given.
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
   state make_x(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& z) const;
   using base::setInput;
+  /// Sets all inputs u. Throws `bad_argument` for a wrong number of inputs, and for numbers that are not finite.
   void setInput(const Eigen::VectorXd& u);
   using base::input;
-  /// The value of an input; throws `unknown_name`, `bad_argument` where an element writes it, or time does.
+  /// The value of an input. Throws `unknown_name`, and `bad_argument` for a signal that an element writes, and for the
+  /// time.
   double& input(std::string_view name) { return u_[place_of_input(name, kind::input)]; }
   /// An input of three numbers.
   Eigen::Ref<Eigen::Vector3d> vector(std::string_view name) {
     return u_.segment<3>(place_of_input(name, kind::vector));
   }
 
-  /// x of a state of the chain.
+  /// The state x of a state of the chain.
   state getJointStates(const runtime_state& s) const;
-  /// Puts the time, x and the inputs into a state of the chain. Frames follow with the next doMotion.
+  /// Stores the time, x and the inputs in a state of the chain. Frames are updated by the next doMotion.
   void setJointStates(double t, const state& x, runtime_state& s) const;
-  /// The same, with a time, if there is one, as it is in the state.
+  /// Stores x and the inputs in a state of the chain; the time is unchanged.
   void setJointStates(const state& x, runtime_state& s) const;
   /// The state of the chain at x, with all its frames, accelerations and forces; valid until the next call.
   const runtime_state& state_at(double t, const state& x) const { return own_state_at(t, x); }
 
   Eigen::VectorXd computeOutput(double t, const state& x) const;
-  /// What goes through zero where the law of element number `which` of the chain changes, 1 where it does not. For
-  /// events: `element_events(model)`.
+  /// The function that goes through zero where the law of element number `which` of the chain changes; 1 if it does
+  /// not. For events: `element_events(model)`.
   double switching(double t, const state& x, std::size_t which) const;
-  /// What the element keeps, after its law has changed there.
+  /// Updates the mode of the element after its law has changed.
   void switch_over(double t, state& x, std::size_t which) const;
-  /// What an integration begins with: what the element keeps is made what happens. Says whether it was not.
+  /// Makes the mode of the element consistent with the state, for the start of an integration. Returns whether it has
+  /// changed.
   bool mend(double t, state& x, std::size_t which) const;
 
-  /// As of a static chain.
+  /// The generalized forces M a at x, N and Nm: those of gravity, elements and inputs, less Coriolis and centrifugal
+  /// forces.
   Eigen::VectorXd forces_at(const state& x, double t = 0) const;
 
   // ---- of elements that may hold a coordinate: models/modes.hpp
@@ -114,9 +121,9 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   const Eigen::VectorXd& needed_forces(double t, const state& x) const;
   double capacity(double t, const state& x, std::size_t element) const;
 
-  /// Whether it has another output than (q, v).
+  /// Whether the output is a function of `with_output`, not (q, v).
   bool has_output() const { return static_cast<bool>(output_); }
-  /// The same system with another output, of a state of the chain.
+  /// The system with another output, a function of a state of the chain.
   manipulator_dynamics_model with_output(output_function f) const {
     auto m = *this;
     m.output_ = std::move(f);
@@ -124,9 +131,13 @@ class manipulator_dynamics_model<runtime_chain, double, void> : public state_spa
   }
 
   // ---- motion on the group, as of `state_space`
+  /// out = x (+) d (integrators/motion_space.hpp).
   void displace(const state& x, const rate& d, state& out) const;
+  /// Converts the rate r of the state to that of the displacement d.
   void pull_back(const rate& d, rate& r) const;
+  /// The size of the state for each number of a displacement.
   void magnitudes(const state& x, rate& m) const;
+  /// The part of d lost in the rounding of out.
   void rounding(const state& x, const rate& d, const state& out, rate& rest) const;
 
   // ---- of chains with loops (integrators/motion_space.hpp); of others these do nothing

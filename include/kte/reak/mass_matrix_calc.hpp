@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-/// Of a runtime chain: reak/twist_shaping.hpp.
+/// The mass matrix of a runtime chain by twist shaping: reak/twist_shaping.hpp.
 namespace kte {
 
 template <>
 class mass_matrix_calc<runtime_chain> {
  public:
-  /// Works with a copy of the chain, of which it takes the same states.
+  /// It owns a copy of the chain, and accepts the states of the chain.
   explicit mass_matrix_calc(runtime_chain c) : chain_(std::move(c)) { (void)chain_.wiring(); }
   /// Fed with names, of inertias and of coordinates.
   mass_matrix_calc(runtime_chain c, const std::vector<std::string>& on, const std::vector<std::string>& by)
@@ -111,7 +111,7 @@ class mass_matrix_calc<runtime_chain> {
                          detail::diagnose_state{"a mass matrix", s});
     return m;
   }
-  // The same at q, or q and v, which are put into the state.
+  // At q, or q and v, which are stored in the state.
   template <indexable Q>
   Eigen::MatrixXd mass_matrix(runtime_state& s, const Q& q) const {
     check(s);

@@ -12,8 +12,8 @@
 /// changes.
 namespace kte {
 
-/// What one rate makes of a frame or coordinate, per unit of the rate: velocities in axes of the frame, and their time
-/// derivatives as numbers in these axes.
+/// The motion of a frame or coordinate per unit of one rate: `velocity` and `ang_velocity`, or `q_dot`, in axes of the
+/// frame, and their time derivatives `velocity_rate`, `ang_velocity_rate`, `q_dot_rate` as numbers in these axes.
 template <kind Moved, class S = double>
 struct partial_motion;
 template <class S>

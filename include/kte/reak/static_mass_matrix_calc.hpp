@@ -4,7 +4,7 @@
 #include <kte/reak/motion_jacobians.hpp>
 #include <kte/reak/twist_shaping.hpp>
 
-/// Of a static chain: reak/twist_shaping.hpp.
+/// The mass matrix of a static chain by twist shaping: reak/twist_shaping.hpp.
 namespace kte {
 
 namespace detail {

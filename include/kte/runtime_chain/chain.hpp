@@ -225,7 +225,7 @@ basic_runtime_state<S> runtime_chain::make_state() const {
     if (t.writers[2][i] < 0) s.template get<kind::frame_3D>(static_cast<int>(i)).acceleration = up;
   return s;
 }
-/// The same as of static chains: `c.make_state<S>()`, `c.dofs()`.
+/// `make_state<S>(c)` and `dofs(c)`, as for static chains.
 template <class S = double>
 [[nodiscard]] basic_runtime_state<S> make_state(const runtime_chain& c) {
   return c.make_state<S>();

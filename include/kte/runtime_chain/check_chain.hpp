@@ -4,9 +4,9 @@
 
 namespace kte {
 
-/// What is odd about a chain, in words, though it may be meant: a coordinate that moves several joints, and a degree of
-/// freedom that moves masses on coordinates alone, where nothing else is connected to it or a joint's coordinate is
-/// nearly of its name. No findings: an empty list.
+/// Probable mistakes in a chain, as messages: a coordinate that moves several joints, and a degree of freedom that
+/// moves only masses on coordinates, if nothing else is connected to it, or its name is nearly that of the coordinate
+/// of a joint. Without findings the list is empty.
 [[nodiscard]] std::vector<std::string> check_chain(const runtime_chain& c);
 /// Probable mistakes in a static chain; see above.
 template <class Gravity, class... E>

@@ -36,7 +36,7 @@ class basic_derivative_state {
   }
   std::span<const freedom> freedoms() const { return freedoms_; }
   const runtime_tree<double>& tree() const { return *tree_; }
-  /// Of the chain for which it was made.
+  /// The wiring of the chain for which it was made.
   const std::shared_ptr<const char>& layout() const { return layout_; }
 
  private:

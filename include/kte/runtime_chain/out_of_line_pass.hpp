@@ -68,11 +68,11 @@ class out_of_line_pass<Core, State, std::index_sequence<P...>> {
         is_output(P) ? 0 : (add_out_of_line_load<Core::ports[P].what>(state_, index_[P], std::get<P>(things_)), 0))...};
     (void)done;
   }
-  /// Of a joint that carries a wrench.
+  /// The friction of a joint under a wrench.
   auto friction(const wrench<vec3<typename State::scalar>, vec3<typename State::scalar>>& end) {
     return scalar(pass().friction(std::bit_cast<wrench<vec3<scalar>, vec3<scalar>>>(end))).number;
   }
-  /// What is connected to port i.
+  /// The item connected to port i.
   template <kind K>
   auto& get(int i) {
     return *static_cast<thing_of<K, scalar>*>(at_[i]);

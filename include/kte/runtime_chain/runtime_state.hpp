@@ -14,7 +14,7 @@
 namespace kte {
 
 namespace detail {
-/// What a state makes for itself when it is first wanted: copies of it begin without.
+/// Memory that a state allocates at first use; copies start without it.
 class own_memory {
  public:
   own_memory() = default;
@@ -101,8 +101,10 @@ class basic_runtime_state {
   /// An internal state by name or handle.
   internal_state<S>& internal(const name_or_handle& name) { return at<kind::internal>(*this, name); }
   const internal_state<S>& internal(const name_or_handle& name) const { return at<kind::internal>(*this, name); }
+  /// The state of a closed loop by name or handle.
   loop_state<S>& loop(const name_or_handle& name) { return at<kind::loop>(*this, name); }
   const loop_state<S>& loop(const name_or_handle& name) const { return at<kind::loop>(*this, name); }
+  /// A coordinate that is a rotation, by name or handle.
   rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) { return at<kind::rotation_3D>(*this, name); }
   const rotation_coord_3D<S>& rotation_3D(const name_or_handle& name) const {
     return at<kind::rotation_3D>(*this, name);
@@ -137,8 +139,8 @@ class basic_runtime_state {
     detail::check_coordinate(i, static_cast<int>(free_coordinates_.size()));
     return free_coordinates_[static_cast<std::size_t>(i)];
   }
-  /// Of a chain without elements, for states that are moved from: made with the first state, as there may be no memory
-  /// when it is needed.
+  /// The wiring of a chain without elements, for states that were moved from: made with the first state, as there may
+  /// be no memory later.
   static const std::shared_ptr<const tree_type>& no_tree() {
     static const auto none = std::make_shared<const tree_type>(detail::tree_of<parameter>(topology()));
     return none;

@@ -129,7 +129,7 @@ class topology {
   }
   std::string did_you_mean(std::string_view name) const;
 
-  /// What has a name: a frame at 1, something else at 0. These live apart, and one look-up finds both.
+  /// The items of a name: a frame at 1, another item at 0; one look-up finds both.
   using namesakes = std::array<thing, 2>;
   const namesakes& named(std::string_view name) const {
     const auto it = things_.find(name);
@@ -218,7 +218,7 @@ KTE_FUNCTION std::string topology::did_you_mean(std::string_view name) const {
 KTE_FUNCTION void topology::check(std::string_view type, std::span<const port> ports,
                                   std::span<const std::string> to) const {
   const auto refuse = [&](const std::string& why) { fail(type, ports, to, why); };
-  // An element that reads what only this element writes is at fault.
+  // The element that reads an item only this element writes is reported.
   const auto diagnose_reader = [&](const port& writes, const std::string& name) {
     const auto it = things_.find(name);
     const thing known = it == things_.end() ? thing{} : it->second[is_frame(writes.what)];

@@ -59,7 +59,7 @@ template <class Core>
 inline constexpr bool follows_freely = Core::ports.back().how == access::out&& is_coordinate(Core::ports.back().what) &&
                                        (port_count<Core> != 2 || Core::ports[0].what != kind::gen);
 
-/// Of the elements of a chain.
+/// The connections of the elements of a chain.
 template <class Wiring, class... Core>
 struct shapes_of {
   /// By element: whether it writes freely, and forces depend on it.

@@ -68,7 +68,7 @@ class chain_state {
   static constexpr auto& at(Self& s, Key) {
     constexpr int i = Wiring::template find<Key>();
     if constexpr (i < 0 && Wiring::elements == 0) {
-      return no_thing();  // an element was refused, in a sentence of its own
+      return no_thing();  // an element was rejected, with its own message
     } else {
       static_assert(i >= 0, "kte: this chain has nothing of this name");
       return s.template get<Key::what>(i < 0 ? 0 : i);

@@ -16,7 +16,7 @@ namespace kte::detail {
 struct port_use {
   kind what{};
   access how{};
-  std::uint64_t key{};   ///< the same number is the same name
+  std::uint64_t key{};   ///< equal numbers are equal names
   std::uint64_t text{};  ///< the same number is the same text
 };
 

@@ -58,8 +58,8 @@ class live_server {
   void stop();
 
  protected:
-  /// Serves a scene with one recording, whose columns are those of `publish`. Throws `bad_argument` for options that
-  /// make no sense, and for a port where it cannot listen.
+  /// Serves a scene with one recording, whose columns are those of `publish`. Throws `bad_argument` for invalid
+  /// options, and for a port that is not available.
   live_server(const scene& s, const live_options& options);
 
   void publish(double t, const scene_row& row);

@@ -7,7 +7,7 @@
 #include <kte/view/svg/topology.hpp>
 
 /// Pictures for papers in SVG, of chains, robots and recordings (docs/pictures.md). Needs the library kte::view, which
-/// makes scenes; who has a `scene`, or plots tables, includes kte/view/svg/picture.hpp or kte/view/svg/plot.hpp alone.
+/// makes scenes. For a `scene`, and for plots of tables, kte/view/svg/picture.hpp and kte/view/svg/plot.hpp suffice.
 namespace kte {
 
 /// Units of the coordinates and columns of a mechanism, by name: `kte::plot(run, {"elbow"}, {.units =

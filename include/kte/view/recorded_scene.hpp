@@ -56,7 +56,7 @@ class recorded_scene {
   std::vector<detail::recorded> cells_;
   scene_row row_;
   bool broken_ = false;                ///< whether there were numbers that are not finite
-  bool knows_v_ = true;                ///< whether v is known
+  bool knows_v_ = true;                ///< whether there are velocities
   std::vector<bool> unknown_signals_;  ///< of a table
 };
 

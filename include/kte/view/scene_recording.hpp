@@ -44,7 +44,7 @@ class scene_recording : public recorded_scene {
   }
 
  protected:
-  /// Of the state, in the order of `scene_row`.
+  /// The numbers of the state, in the order of `scene_row`.
   template <class State>
   const scene_row& numbers_of(const State& s) {
     check(s);

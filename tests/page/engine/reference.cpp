@@ -179,7 +179,7 @@ std::string stiff() {
   return reference("stiff", record_of(c), {0.2, 0.3}, {0, 0}).to(0.5).to(2).text();
 }
 /// A pendulum that comes to rest by friction, one that meets its stop, one with bristles: elements that switch and have
-/// states of their own.
+/// their own states.
 std::string switching() {
   using namespace kte;
   runtime_chain c;

@@ -10,7 +10,7 @@
 
 namespace kte_tool {
 
-/// The chain with a force on each of its coordinates of one number, as inputs of their own.
+/// The chain with a force on each of its coordinates of one number, as their own inputs.
 struct driven_chain {
   kte::runtime_chain chain;
   std::vector<std::string> force_of;  ///< over v: the input; empty where there is none

@@ -21,7 +21,7 @@ struct exerted {
 /// The loads in a mechanism at a state: of its elements, one by one, and of its joints.
 class acting {
  public:
-  /// frames: those whose reactions are wanted.
+  /// frames: those whose reactions are needed.
   acting(dynamics_model m, std::vector<handle> frames)
       : model_(std::move(m)), frames_(std::move(frames)), state_(model_.chain().make_state()) {}
 

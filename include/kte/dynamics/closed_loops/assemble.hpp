@@ -16,7 +16,7 @@ Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s, Eigen::Vecto
 ///   (J^T J + mu 1) d = -J^T g,   q <- q (+) d,   mu ~ |g|^2          (1)
 ///
 /// at most a quarter turn a step, so that it converges quadratically also where rows are redundant. Coordinates that
-/// are `held` stay as they are:
+/// are `held` are unchanged:
 ///
 ///   q = kte::assemble(four_bar, s, guess, kte::held("crank"))
 ///

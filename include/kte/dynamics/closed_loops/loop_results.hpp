@@ -11,8 +11,8 @@ namespace kte {
 /// The closures of a chain at a configuration.
 struct loops_report {
   int rows = 0;      ///< of all closures
-  int rank = 0;      ///< how many of them are independent there
-  int mobility = 0;  ///< degrees of freedom that are left: dofs - rank
+  int rank = 0;      ///< number of independent rows
+  int mobility = 0;  ///< remaining degrees of freedom: dofs - rank
   /// The smallest pivot of independent rows over the largest, of the block where that is least: near a singular
   /// configuration it goes to zero. 1 where there are no rows.
   double pivot_ratio = 1;
@@ -22,7 +22,8 @@ struct loops_report {
   std::vector<std::string> blocks;     ///< closures that share degrees of freedom, in a text: "pin, slot"
 };
 
-/// What `constrained_dynamics` gives.
+/// The result of `constrained_dynamics`. `rank`: the number of independent rows of closures; `mobility`: the remaining
+/// degrees of freedom, dofs - rank.
 struct constrained_dynamics_result {
   Eigen::VectorXd a;  ///< accelerations
   /// The force of a closure, N and Nm, by its rows (frames/loop_state.hpp). Throws `unknown_name`.
@@ -38,18 +39,20 @@ struct constrained_dynamics_result {
   std::vector<loop_state<>> loops;
 };
 
-/// The coordinates that are driven, of `inverse_dynamics` of a chain with loops.
+/// The `names` of actuated coordinates, an argument of `inverse_dynamics` of a chain with loops.
 struct actuated_coordinates {
   std::vector<std::string> names;
 };
+/// The actuated coordinates, an argument of `inverse_dynamics` of a chain with loops.
 template <class... Text>
 actuated_coordinates actuated(const Text&... names) {
   return {{std::string(std::string_view(names))...}};
 }
-/// The coordinates that `assemble` leaves as they are.
+/// The `names` of coordinates that `assemble` does not change.
 struct held_coordinates {
   std::vector<std::string> names;
 };
+/// The coordinates that `assemble` does not change.
 template <class... Text>
 held_coordinates held(const Text&... names) {
   return {{std::string(std::string_view(names))...}};

@@ -25,7 +25,7 @@ struct argument {
 /// "v[2] of 'elbow' is 1e+160"
 template <class Layout>
 std::string describe_number(const Layout& layout, const argument& x, std::size_t i) {
-  // Not by +, of which g++ 12 warns at -O3 without a cause.
+  // Not by +: g++ 12 warns about it at -O3 without a cause.
   std::string text(x.name);
   text.append("[").append(std::to_string(i)).append("]");
   for (const auto& e : layout) {
@@ -99,7 +99,7 @@ std::vector<double> plain_numbers(const X& x, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) all.push_back(plain_number(x[i]));
   return all;
 }
-/// Of a vector of a runtime chain.
+/// Diagnoses a vector of a runtime chain.
 template <class X>
 std::vector<double> plain_numbers(const X& x) {
   return plain_numbers(x.data(), static_cast<std::size_t>(x.size()));
@@ -140,14 +140,14 @@ std::string_view name_of_row(const Layout& layout, int i) {
     if (i >= e.v && i < e.v + e.nv) return e.name;
   return {};
 }
-/// Of a coordinate whose mass overflows, though no argument is too large.
+/// Diagnoses a coordinate whose mass overflows, though no argument is too large.
 [[noreturn, gnu::cold]] inline void raise_non_finite_mass(std::string_view coordinate) {
   raise<bad_argument>(
       std::string("kte: a mass is not finite: what '")
           .append(coordinate)
           .append("' moves is too heavy, or too far away, or infinitely fast (a loop on its dead centre)"));
 }
-/// Of a coordinate whose friction by what its joint carries has no accelerations that go with it.
+/// Diagnoses a coordinate whose load-dependent friction has no consistent accelerations.
 [[noreturn, gnu::cold]] inline void raise_jammed(std::string_view coordinate) {
   raise<no_solution>(std::string("kte: load-dependent friction jams at '")
                          .append(coordinate)
@@ -186,7 +186,7 @@ struct each {
     return S(v[static_cast<std::size_t>(I)]);
   }
 };
-/// The same typed constant, or `skip`, for all.
+/// One typed constant, or `skip`, for all numbers.
 template <class T>
 struct same {
   template <int I>
@@ -251,7 +251,7 @@ template <class Wiring, class Q, class V, class A>
     raise_if_no_rotation(layout, {x.data(), nq});
   raise_not_finite(what, layout, {{"q", {x.data(), nq}, true}, {"v", {y.data(), n}}, {a_name, {z.data(), n}}});
 }
-/// Of a mass matrix that cannot be used, for coordinate `row`: there is no mass, or it is not finite.
+/// Diagnoses a mass matrix without a factorization, at coordinate `row`: there is no mass, or it is not finite.
 template <class Wiring, class Q>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_mass(int row, bool finite, Q q) {
   const auto& layout = layout_of_wiring<Wiring>::table;
@@ -272,7 +272,7 @@ template <class Wiring, class Q>
   if (Wiring::dofs > 64 && last == 63) raise_singular_mass_matrix();
   diagnose_mass<Wiring>(last, (non_finite >> last & 1) == 0, q);
 }
-/// Of one vector of arguments, or of two configurations.
+/// Diagnoses one vector of arguments, or two configurations.
 template <class Wiring, class X>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_rates(const char* what, const char* name, X x) {
   const auto numbers = plain_numbers<Wiring::dofs>(x);
@@ -287,7 +287,7 @@ template <class Wiring, class Q>
   raise_not_finite(what, layout, {{"from", {x.data(), n}, true}, {"to", {y.data(), n}, true}});
 }
 
-/// No algorithm gives NaN back in silence: throws `bad_argument` that says why, unless x[0] ... x[n-1] are finite.
+/// Throws `bad_argument` with the cause unless x[0] ... x[n-1] are finite: no algorithm returns NaN silently.
 template <class X, class Diagnose>
 KTE_INLINE constexpr void check_result(const X& x, std::size_t n, const Diagnose& why) {
   if (!all_finite(x, n)) [[unlikely]]

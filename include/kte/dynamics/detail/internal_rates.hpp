@@ -36,7 +36,7 @@ KTE_INLINE auto with_signals(const Base& base, const S& time, const S* inputs, c
   return base_with_signals<Wiring, Base, S>{base, time, inputs, internals};
 }
 
-/// The same where the whole chain moves: with positions too.
+/// The rates of internal states when the whole chain moves, with positions.
 template <class Base>
 struct base_in_motion : Base {
   template <kind, int>

@@ -105,7 +105,7 @@ void accelerate_articulated(const Elements& c, State& s, const Tau& tau, std::sp
   }
 }
 
-/// The same of any chain by its mass matrix, factorised.
+/// Forward dynamics of any chain by factorization of its mass matrix.
 template <class Elements, class State, class Tau>
 void accelerate_by_mass(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   using S = typename State::scalar;
@@ -154,7 +154,7 @@ void for_each_held(const Elements& c, State& s, const Visit& visit) {
   for (const int e : s.tree().locks)
     if (c.holds(e, s)) visit(e, s.tree().plan.row_of_gen[static_cast<std::size_t>(c.index(e, 0))]);
 }
-/// The same, with coordinates that elements hold: those have no acceleration.
+/// Forward dynamics with locked coordinates, which have no acceleration.
 template <class Elements, class State, class Tau>
 void accelerate_by_tree(const Elements& c, State& s, const Tau& tau, std::span<const char> prescribed) {
   std::vector<char> rows;

@@ -8,7 +8,7 @@
 /// dynamics/looped/inverse_dynamics.hpp.
 namespace kte::detail {
 
-/// Of the i-th joint that has friction by what it carries.
+/// The friction of the i-th joint with load-dependent friction.
 template <class Elements, class State>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_friction(const Elements& c, const State& s, Eigen::Index i) {
   const auto& t = s.tree();

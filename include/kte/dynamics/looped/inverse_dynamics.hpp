@@ -78,7 +78,7 @@ void forces_of_moved_bodies(State& s) {
       each_axis<vector_of::f>(s, r, [&w](auto& f, std::size_t i) { f = -w.force[i]; });
   }
 }
-/// The same at the rates of the state, without accelerations of coordinates.
+/// Inverse dynamics at the rates of the state, without accelerations of coordinates.
 template <class Elements, class State>
 void bias_forces_of_bodies(const Elements& c, State& s) {
   auto& w = s.work;

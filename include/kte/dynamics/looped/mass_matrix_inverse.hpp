@@ -23,7 +23,7 @@ void invert_free_rows(const Elements& c, State& s, Matrix& inverse) {
   for_each_held(c, s, [&inverse](int, int row) { inverse(row, row) = S(0); });
 }
 
-/// The same where friction depends on what joints carry: by dtau/da, which is not symmetric.
+/// The inverse with load-dependent friction: of dtau/da, which is not symmetric.
 template <class Elements, class State, class Matrix>
 void invert_free_rows_with_friction(const Elements& c, State& s, const Matrix& by_a, Matrix& inverse) {
   using S = typename State::scalar;

@@ -211,7 +211,7 @@ joint_vector<S, Chain::dofs> accelerations_by_tree(const Chain& c, const Given& 
   accelerate_static(c, g, s, tau);
   return s.work.forces;
 }
-/// The same, and the inverse of the mass matrix.
+/// Forward dynamics and the inverse of the mass matrix.
 template <class S, class Chain, class Given>
 void accelerations_and_inverse_by_tree(const Chain& c, const Given& g, const joint_vector<S, Chain::dofs>& tau,
                                        joint_vector<S, Chain::dofs>& a, joint_matrix<S, Chain::dofs>& inverse) {

@@ -58,7 +58,7 @@ template <class S, class X>
   raise_not_finite(what, layout, {{name, all, configuration}});
 }
 
-/// Of a state.
+/// The arguments in a state.
 template <class S>
 void check_positions(const basic_runtime_state<S>& s) {
   position_check all;
@@ -170,7 +170,7 @@ struct replaced_numbers {
     for_each_listed_freedom(state,
                             [&old](auto& c, const freedom&) { each(c, [&old](S& number) { number = *old++; }); });
   }
-  /// What body() gives. When it throws, the state is as it was.
+  /// The result of body(). If it throws, the state is unchanged.
   template <class Body>
   KTE_INLINE decltype(auto) call(const Body& body) const {
     try {
@@ -192,7 +192,7 @@ enum class keeping {
 template <class S, class V, class A>
 using replaced_by = replaced_numbers<S, true, is_put<V>, !std::is_same_v<A, not_given>>;
 
-/// Puts q, v, a into a state, but only if they and tau are all good: when this throws, the state is as it was.
+/// Stores q, v, a in a state if they and tau are valid. If this throws, the state is unchanged.
 template <keeping When = keeping::always, class S, class Q, class V = not_given, class A = not_given,
           class Tau = not_given>
 replaced_by<S, V, A> take(const runtime_chain& c, basic_runtime_state<S>& s, const Q& q, const V& v = {},

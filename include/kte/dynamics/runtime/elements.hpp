@@ -72,14 +72,14 @@ template <class Exception>
 }
 /// Whether a chain has closures of loops.
 inline bool has_loops(const runtime_chain& c) { return c.wiring().count(kind::loop) > 0; }
-/// The same where passes alone know the chain.
+/// Rejects a chain that only passes support.
 template <class S>
 void check_regular_tree(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);
   if (s.tree().irregular) [[unlikely]]
     refuse_chain(c, s.tree().irregular);
 }
-/// Throws `bad_argument`, with the first closure, where a chain has loops and an algorithm does not know them.
+/// Throws `bad_argument`, naming the first closure, for a chain with loops in an algorithm that does not support them.
 inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
   if (!has_loops(c)) [[likely]]
     return;
@@ -88,13 +88,13 @@ inline void refuse_loops(const runtime_chain& c, const char* instead = "") {
   throw bad_argument("kte: this algorithm does not know closures of loops, as " + describe_element(*first->element) +
                      instead);
 }
-/// The same as `check_regular_tree`, of algorithms that know trees alone.
+/// `check_regular_tree` for algorithms that support trees only.
 template <class S>
 void check_regular(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_regular_tree(c, s);
   refuse_loops(c);
 }
-/// The same of its motion.
+/// Rejects a chain whose motion only passes support.
 template <class S>
 void check_motion(const runtime_chain& c, const basic_runtime_state<S>& s) {
   check_whole(c, s);

@@ -28,7 +28,7 @@ Eigen::Matrix<S, 6, Eigen::Dynamic> folded(const runtime_chain& c, basic_runtime
                       [&a](int to, int from, const S& ratio) { a.col(to) += ratio * a.col(from); });
   return a.leftCols(s.dofs());
 }
-/// Of a frame that follows others.
+/// The Jacobian of a frame that follows others.
 template <class S>
 basic_runtime_jacobian<S> jacobian_by_rates(const runtime_chain& c, basic_runtime_state<S>& s, const runtime_frame& x,
                                             bool world) {

@@ -148,7 +148,7 @@ limits_by_joint limits_of_joints(const Arm& arm) {
   }
   return limits;
 }
-/// The structure of an arm of seven joints of which one is held.
+/// The structure of an arm of seven joints with one of them locked.
 template <class Arm>
 arm_structure structure_locked(const Arm& arm, std::string_view coordinate) {
   check_closed_form(arm);

@@ -27,7 +27,7 @@ struct elbow_side {
     const vec3<S> e = psi.cos * ex + psi.sin * ey, n = psi.cos * ey - psi.sin * ex;
     return as<S>(dyad(w, v) + dyad(e, f) + dyad(n, g));
   }
-  /// Of a posture that has this elbow.
+  /// The arm angle of a posture with this elbow.
   solved_angle<S> psi_of(const rotation_matrix<S>& R) const {
     const vec3<S> e = R * f;
     return direction(S(dot(ex, e)), S(dot(ey, e)));

@@ -87,7 +87,7 @@ constexpr bool may_have_closed_form() {
   return !refused && (joints == 3 || joints == 4 || joints == 6 || joints == 7);
 }
 
-/// Of the joints between the base and a frame.
+/// The geometry of the joints between the base and a frame.
 template <class Frame, class Chain>
 constexpr arm_geometry geometry_of(const Chain& c) {
   using path = branch<Chain, Frame::what, frame_slot<Frame, Chain>()>;

@@ -69,7 +69,7 @@ struct three_axes_loop {
     vec3<S> a, b, d;  ///< the points, and what they lack
   };
   vec3<S> gap(const place& x) const { return x.b - turned(k2, x.t.second, x.a); }
-  /// Whether t is one of `all`, of which t2 is `unknown`.
+  /// Whether t is one of `all`, whose t2 is `unknown`.
   static bool knows(const list& all, const three_solved_angles<S>& t, double unknown) {
     for (const auto& x : all)
       if (same_angle(x.first, t.first) && same_angle(x.third, t.third) && same_angle(x.second, t.second, unknown))

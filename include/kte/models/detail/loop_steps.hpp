@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/closed_loops/constrained_dynamics.hpp>
+#include <kte/dynamics/configuration_space.hpp>
 #include <kte/dynamics/state_vectors.hpp>
 
 /// Steps of a model whose chain has loops. With J_S, R of the rows that are chosen at the state x0 where a step starts,

@@ -6,7 +6,7 @@
 /// What variational integrators ask of the masses of a chain.
 namespace kte::detail {
 
-/// Of a static chain. What is given is not kept.
+/// Momenta of a static chain. Arguments are not stored.
 template <class Chain, class S>
 class momenta_of {
   using wiring = typename Chain::wiring;

@@ -11,7 +11,7 @@
 
 namespace kte::detail {
 
-/// Of a runtime chain, in its own state.
+/// Momenta of a runtime chain, in its own state.
 template <class S>
 class momenta_of<unchanging_chain, S> {
   using vector = runtime_vector<S>;

@@ -79,7 +79,7 @@ class chain_builder {
     to_.append(constant_force_3D(centre, (0.0 - l.gravity_compensation * l.inertial->mass) * gravity(), vec3<>{}));
   }
 
-  /// Of a joint that does not move: where what it carries stands in what carries it.
+  /// The pose of the child in the parent of a fixed joint.
   robot_pose place_of(const robot_tree::step& s) const {
     const auto& j = joint(s);
     const auto place = j.origin * j.child_pose;

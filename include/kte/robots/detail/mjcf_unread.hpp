@@ -67,7 +67,7 @@ class mjcf_unread {
   void actuator(const xml_item& x) { actuators_[std::string(x.name())].add(x); }
   /// One that pulls without a command.
   void servo(const xml_item& x) { servos_[std::string(x.name())].add(x); }
-  /// What was gathered, as warnings.
+  /// Emits the collected notes as warnings.
   void finish() {
     for (const auto& [kind, a] : actuators_)
       a.first->moves_differently("its law is not modelled, as of others of <" + kind + ">: " + a.list());

@@ -59,7 +59,7 @@ class motor_maker {
   void warn(const robot_actuator& a, const std::string& why) {
     made_.warnings.push_back({a.line, title(a) + " is left out: " + why});
   }
-  /// Says of those that act on nothing that a motor can drive.
+  /// Warns about actuators that act on nothing that a motor can drive.
   void check_joint(const robot_actuator& a, const std::vector<place>& places) {
     const auto at = std::find_if(places.begin(), places.end(), [&](const place& e) { return e.name == a.joint; });
     if (at == places.end())

@@ -4,7 +4,7 @@
 
 namespace kte::detail {
 
-/// What is wrong with the moments of a body, by the rule of the elements (contract/parameter_check.hpp), or nothing.
+/// The error of the moments of a body, by the rule of the elements (contract/parameter_check.hpp), or an empty text.
 inline std::string unphysical(const rigid_body<>& b) {
   parameter_check::breach broken;
   const parameter_check where{"", {}, {}, broken};

@@ -21,7 +21,7 @@ class robot_forces {
                const robot_options& o)
       : to_(to), warnings_(warnings), d_(d), o_(o) {}
 
-  /// Of a joint between two frames, the placement of which stands in the first.
+  /// The forces of a joint between two frames; its placement is in the first.
   void append(const robot_joint& j, const std::string& from, const std::string& end, const robot_pose& placement) {
     const auto& x = j.dynamics;
     if (x == robot_joint_dynamics{} || !o_.joint_dynamics) return;

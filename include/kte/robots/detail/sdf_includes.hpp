@@ -12,7 +12,7 @@ class sdf_includes {
     open_.push_back(whole_path(d.source));
   }
 
-  /// Of a model, and of those in it.
+  /// The includes of a model, and of models in it.
   void resolve(xml_node& model) {
     for (auto& c : model.children) {
       if (c.name == "include") c = included(c);

@@ -186,7 +186,7 @@ class mjcf_writer {
     }
     if (any) out_.close();
   }
-  /// Of a law what differs from that of <motor>.
+  /// The difference of a law from that of <motor>.
   void motor(const motor_law& law) {
     if (law.gain != 1) out_.attribute("gainprm", law.gain);
     if (law.offset != 0 || law.stiffness != 0 || law.damping != 0) {

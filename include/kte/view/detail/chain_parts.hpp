@@ -80,7 +80,7 @@ inline chain_parts parts_of(const runtime_chain& c) {
   return p;
 }
 
-/// What has a chain and shapes: a `robot`. (A template, so that who draws chains does not read robots.)
+/// A type with a chain and shapes: a `robot`. It is a template, so that drawing chains does not include robots.
 template <class T>
 concept robot_like = requires(const T& r) {
   r.chain.wiring();
@@ -96,7 +96,7 @@ chain_parts parts_of(const Robot& r) {
   return p;
 }
 
-/// The same with the limits of a manipulator.
+/// The parts of a manipulator, with its limits.
 template <class T>
 chain_parts parts_with_limits(const T& c) {
   auto p = parts_of(c);

@@ -29,7 +29,7 @@ struct plot_options {
   bool log_x = false, log_y = false;                       ///< whether an axis is logarithmic
   double from = -std::numeric_limits<double>::infinity();  ///< rows below it on the horizontal axis are left out,
   double to = std::numeric_limits<double>::infinity();     ///< and those above this
-  bool dashed = true;                                      ///< whether curves differ by dashes besides colours
+  bool dashed = true;                                      ///< whether curves differ by dashes in addition to colours
   bool grid = true;
 };
 

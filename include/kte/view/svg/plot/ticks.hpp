@@ -41,7 +41,7 @@ inline std::string decimal_text(long long n, int k) {
   return (n < 0 ? "−" : "") + digits;
 }
 
-/// The same without zeros behind the last digit that counts.
+/// The number without trailing zeros.
 inline std::string shortest_decimal_text(long long n, int k) {
   while (n != 0 && k < 0 && n % 10 == 0) n /= 10, ++k;
   return decimal_text(n, k);
