@@ -28,6 +28,7 @@
 #include <kte/io/model_reader.hpp>
 #include <kte/io/recording.hpp>
 #include <kte/io/table_writer.hpp>
+#include <kte/loops.hpp>
 #include <kte/manipulators/numerical_inverse_kinematics.hpp>
 #include <kte/manipulators/runtime_manipulator.hpp>
 #include <kte/models/detail/runtime_rate_derivatives.hpp>

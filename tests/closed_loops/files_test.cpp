@@ -1,5 +1,6 @@
 #include <kte/elements/closures.hpp>
 #include <kte/elements/registry.hpp>
+#include <kte/io/state_records.hpp>
 #include <kte/kte.hpp>
 #include <kte/loops.hpp>
 

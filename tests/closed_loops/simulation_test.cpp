@@ -69,9 +69,9 @@ TEST_CASE("a pendulum in Cartesian coordinates (A01)") {
 }
 
 TEST_CASE("a row of four-bars stays on its branch through singular configurations (A02)", "[long]") {
-  for (const int n : {1, 2, 10, 40})
+  for (const int n : {1, 2, 10})
     for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12}) {
-      if (n > 2 && tolerance < 1e-9) continue;  // they take long
+      if (n > 2 && tolerance != 1e-9) continue;  // it takes long
       const auto r = simulated(four_bars(n), four_bar_q(n, 0), four_bar_v(n, 1), 10, tolerance);
       const double phi = four_bar_angle(n, 0, 1, 10);
       INFO(n << " bars, tolerance " << tolerance);

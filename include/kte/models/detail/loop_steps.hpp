@@ -76,7 +76,9 @@ template <class Model>
 void settle_on_loops(const Model& model, runtime_state& s, loop_step& step, Eigen::VectorXd& d, Eigen::VectorXd& x) {
   const runtime_chain& c = model.chain();
   const int n = model.dofs();
-  auto& [layout, e, factor] = loops_of(c, s);
+  auto& memory = loops_of(c, s);
+  auto& e = memory.equations;
+  auto& factor = memory.factor;
   const loop_factor* by = &step.factor;
   const auto evaluate = [&](bool with_jacobian) {
     set_positions(s, model.positions_of(x));
