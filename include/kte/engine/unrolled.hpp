@@ -35,18 +35,18 @@ struct unrolled {
 
   /// From children to parents, as `looped`: a frame carries own(fixed part, value) of all that is fixed to it, and what
   /// bodies hand on. Nothing is kept, so there are no arrays. meet(body, carried, tree_place).
-  template <bool Keep, class Hand, bool Bases, class Values, class Own, class Meet, class HandOn>
+  template <bool Keep, class Hand, bool Bases, class Values, class Own, class Meet, class PullBack>
   KTE_INLINE constexpr void inward(nothing, const Values& values, const Own& own, const Meet& meet,
-                                   const HandOn& hand_on) const {
+                                   const PullBack& pull_back) const {
     static_assert(!Keep && !Bases);
-    const inward_steps<Values, Own, Meet, HandOn> steps{values, own, meet, hand_on};
+    const inward_steps<Values, Own, Meet, PullBack> steps{values, own, meet, pull_back};
     bodies.each_base([&]<class Frame>(Frame) KTE_INLINE_LAMBDA { (void)carried_by<true, Frame>(steps); });
   }
   /// What a frame carries.
-  template <class Frame, class Values, class Own, class Meet, class HandOn>
+  template <class Frame, class Values, class Own, class Meet, class PullBack>
   KTE_INLINE constexpr auto carried(const Values& values, const Own& own, const Meet& meet,
-                                    const HandOn& hand_on) const {
-    return carried_by<false, Frame>(inward_steps<Values, Own, Meet, HandOn>{values, own, meet, hand_on});
+                                    const PullBack& pull_back) const {
+    return carried_by<false, Frame>(inward_steps<Values, Own, Meet, PullBack>{values, own, meet, pull_back});
   }
 
   /// From parents to children: step(body, kept value, value of its parent), with base(frame) for bodies on bases.
@@ -62,12 +62,12 @@ struct unrolled {
   }
 
  private:
-  template <class Values, class Own, class Meet, class HandOn>
+  template <class Values, class Own, class Meet, class PullBack>
   struct inward_steps {
     const Values& values;
     const Own& own;
     const Meet& meet;
-    const HandOn& hand_on;
+    const PullBack& pull_back;
   };
 
   template <std::size_t I, class Value, class Step>
@@ -99,7 +99,7 @@ struct unrolled {
         if constexpr (Ends) {
           return with_parts<Ends, Frame, N + 1>(steps, sum);
         } else {
-          return with_parts<Ends, Frame, N + 1>(steps, sum + steps.hand_on(b, steps.values.of(b), met));
+          return with_parts<Ends, Frame, N + 1>(steps, sum + steps.pull_back(b, steps.values.of(b), met));
         }
       }
     }
