@@ -14,7 +14,7 @@ struct axis_closure {
 
   constexpr explicit axis_closure(const vec3<>& u) : axis(u), across(detail::normals_of(u)) {}
   constexpr void check(const parameter_check& where) const { where.unit(axis, "axis must have length 1"); }
-  /// Of a closed loop: whether the axes do not point against each other.
+  /// Whether the axes of a closed loop do not point against each other.
   template <class M>
   constexpr bool upright(const M& m) const {
     return detail::cosine{}(m, axis, axis) > 0;

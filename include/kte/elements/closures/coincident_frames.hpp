@@ -30,7 +30,7 @@ struct coincident_frames : closure<coincident_frames<Dim>> {
   constexpr auto residual_ddot(const M& m) const {
     return of(m.rotation * m.acceleration, detail::half_axial(m, detail::cosine_ddot{}));
   }
-  /// Of a closed loop: whether it is not half a turn off.
+  /// Whether the rotation of a closed loop is not half a turn off.
   template <class M>
   constexpr bool upright(const M& m) const {
     return m.rotation.x.x + m.rotation.y.y + m.rotation.z.z > 0;
