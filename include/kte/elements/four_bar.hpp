@@ -38,8 +38,8 @@ struct four_bar_parameters {
   }
 
  protected:
-  /// At q, of which c, s = cos q, sin q, from the end of the crank to the joint of coupler and rocker, and to the
-  /// pivot.
+  /// The vectors at q, with c, s = cos q, sin q, from the end of the crank to the joint of coupler and rocker, and to
+  /// the pivot.
   template <class S>
   constexpr std::pair<vec2<S>, vec2<S>> joint(const S& q, const S& c, const S& s) const {
     const auto& [pivot, crank, coupler, rocker, side] = lengths;

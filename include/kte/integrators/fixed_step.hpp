@@ -45,7 +45,7 @@ class fixed_step : public integrator<Method, F, X> {
       this->system().rounding(this->x_, total_, this->next_, lost_);
     }
   }
-  /// `detail::iterate` within a step h. What is not finite stays so, for `advance` to refuse the new state.
+  /// `detail::iterate` within a step h. Values that are not finite are kept, so that `advance` rejects the new state.
   template <class Step>
   void iterate(const S& h, const Step& step) const {
     if (detail::iterate<S>(step) == detail::iteration::too_long) [[unlikely]]

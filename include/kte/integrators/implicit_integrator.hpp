@@ -128,8 +128,8 @@ class implicit_integrator : public integrator<Method, F, X> {
   matrix jacobian_;
 
  private:
-  /// Of a component, below which its size does not matter; without a relative tolerance, by which differences are as
-  /// large as the absolute one.
+  /// The size of a component below which its size does not matter; without a relative tolerance, the size for which
+  /// differences are as large as the absolute one.
   S least_size(Eigen::Index j) const {
     const S &a = tolerances_.absolute[j], &r = tolerances_.relative[j];
     return a / (r == S(0) ? root_of_epsilon() : r);

@@ -10,8 +10,7 @@
 
 namespace kte::detail {
 
-/// A binary model file (io/binary_layout.hpp). What counts claim is checked against the bytes that are there before
-/// anything is done with them.
+/// A binary model file (io/binary_layout.hpp). Counts are checked against the size of the file before they are used.
 class binary_scanner final : public field_scanner {
  public:
   /// `file` is what messages call it; the bytes must outlive this.

@@ -30,8 +30,8 @@ inline double real_from_bytes(std::string_view bytes) {
   return std::bit_cast<double>(from_bytes<std::uint64_t>(bytes));
 }
 
-/// Takes bytes off the front of a file or of a part of it. Lengths are checked against what is there before anything is
-/// done with them; all errors are `bad_file` with the path and the offset in the file.
+/// Reads bytes from the front of a file or of a part of it. Lengths are checked against the remaining bytes before they
+/// are used; all errors are `bad_file` with the path and the offset in the file.
 class byte_reader {
  public:
   byte_reader(const std::filesystem::path& path, std::string_view bytes, std::size_t offset = 0)

@@ -116,7 +116,7 @@ class field_reader {
   }
 
  private:
-  /// Of a field, counted through both; their number where it is none of them.
+  /// The index of a field among both lists; their total size if it is in neither.
   static std::size_t number_of(std::string_view name, names needed, names others) {
     std::size_t k = 0;
     for (const auto& some : {needed, others})

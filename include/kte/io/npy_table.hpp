@@ -47,8 +47,8 @@ class npy_table {
   }
   void tail(std::string&) const {}
 
-  /// What stands in the header at `shape_at` once there are that many rows: of one length for all numbers of rows, so
-  /// that it can be written over while the table grows.
+  /// The text of the header at `shape_at` for this number of rows: of constant length, so that it can be overwritten
+  /// while the table grows.
   static constexpr std::size_t shape_size = 25;
   std::size_t shape_at() const { return shape_at_; }
   static std::array<char, shape_size> shape(std::uint64_t rows) {

@@ -66,8 +66,8 @@ class npy_header {
   known_names known_;
 };
 
-/// Reads the bytes of such a file. Throws `bad_file` with the path and the offset where something is wrong. What comes
-/// after the rows that the header counts was not flushed as a whole, and is ignored, as NumPy does.
+/// Reads the bytes of such a file. Throws `bad_file` with the path and the offset of an error. Bytes after the rows
+/// that the header counts were not flushed as a whole, and are ignored, as NumPy does.
 inline table read_npy_table(const std::filesystem::path& path, std::string_view bytes) {
   byte_reader in(path, bytes);
   if (!in.next(npy_table::magic)) in.bad("not a file of NumPy");

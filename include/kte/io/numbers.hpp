@@ -37,7 +37,7 @@ inline std::string numbers_to_text(const std::vector<long double>& values) {
   return s;
 }
 
-/// Takes one number off a text. Of a double only where it fits: decimals that are read in more digits and then cut are
+/// Reads one number of a text; a double only where it fits: decimals that are read with more digits and then cut are
 /// rounded twice.
 inline std::from_chars_result take_number(const char* p, const char* end, double& x) {
   return std::from_chars(p, end, x);

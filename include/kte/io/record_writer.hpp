@@ -13,7 +13,7 @@
 namespace kte::detail {
 
 /// Writes records into a file of any format. Throws `bad_file` for what could not be read again: gravity that is not
-/// finite, names with control characters or that come twice, in XML names of parameters that are no names of tags.
+/// finite, names with control characters or that come twice, in XML names of parameters that are not valid tags.
 class record_writer {
  public:
   explicit record_writer(field_writer& out) : out_(out) {}

@@ -145,8 +145,8 @@ class recording_by_names {
   static std::size_t length_in(const std::string& wanted, const named_slot& p) {
     return (std::max)(length_in(wanted, p.name), length_in(wanted, full_name<K>(p)));
   }
-  /// Of the things by whose name `wanted` begins, the one of the longest name: names may have slashes themselves. Where
-  /// two have it, the one that has the quantity.
+  /// The item with the longest name that `wanted` begins with, as names may have slashes. If two items have this name:
+  /// the one with the quantity.
   void add(const std::string& wanted) {
     std::size_t longest = 0;
     each_slot([&]<kind K>(const named_slot& p) { longest = (std::max)(longest, length_in<K>(wanted, p)); });

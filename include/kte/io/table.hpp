@@ -40,8 +40,8 @@ class known_names {
   std::set<std::string, std::less<>> names_;
 };
 
-/// Names that every medium can hold as they are: neither separators of text, nor what JSON or Python would escape.
-/// Throws `bad_argument` for no names, or one that is empty, occurs twice, or has such a character.
+/// Names that every format can hold without escapes: without separators of text, and characters that JSON or Python
+/// would escape. Throws `bad_argument` for no names, or one that is empty, occurs twice, or has such a character.
 inline const std::vector<std::string>& check_column_names(const std::vector<std::string>& names) {
   if (names.empty()) raise<bad_argument>("kte: a table needs a column");
   known_names known;

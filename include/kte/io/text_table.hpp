@@ -52,8 +52,8 @@ inline std::string_view next_cell(std::string_view& line, char separator) {
   return cell;
 }
 
-/// The same for a cell in quotes, which may hold separators, and two quotes for one; `text` keeps it. False where the
-/// quotes do not end the cell.
+/// Reads a cell in quotes, which may hold separators, and two quotes for one; `text` stores it. Returns false if the
+/// closing quote does not end the cell.
 inline bool next_quoted_cell(std::string_view& line, char separator, std::string& text) {
   text.clear();
   for (;;) {
@@ -69,8 +69,8 @@ inline bool next_quoted_cell(std::string_view& line, char separator, std::string
   return without_blanks(next_cell(line, separator)).empty();
 }
 
-/// Reads a text that is a table, cells of which may be in quotes. Throws `bad_file` with the path, the line and the
-/// column, counted from 1, where something is wrong; also for a text cut off within a line.
+/// Reads a text that is a table; cells may be in quotes. Throws `bad_file` with the path, and the line and column,
+/// counted from 1; also for a text that ends within a line.
 inline table read_text_table(const std::filesystem::path& path, std::string_view text, char separator) {
   std::size_t line = 0, column = 0;
   std::string_view cell;

@@ -82,8 +82,8 @@ constexpr void check_configuration(const Q& q) {
   check_configuration(Chain::nq, Chain::dofs, q);
 }
 
-/// term(0) + ... + term(n - 1), in four sums, of which none waits for the others; of many terms in sixteen. (Of Eigen's
-/// g++ 12 warns, by what its headers for AVX-512 do.)
+/// term(0) + ... + term(n - 1), in four independent sums; many terms in sixteen. (Not by Eigen: g++ 12 warns about its
+/// headers for AVX-512.)
 template <class S, class Term>
 KTE_INLINE constexpr S sum_by_four(std::size_t n, const Term& term) {
   std::size_t i = 0;

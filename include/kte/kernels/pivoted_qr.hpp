@@ -38,7 +38,8 @@ class pivoted_qr {
     chosen.resize(static_cast<std::size_t>(k));
     finish(b, k);
   }
-  /// The same of all columns, in their order; `columns` are their numbers. False where they are dependent.
+  /// The factorization of all columns, in their order; `columns` are their numbers. Returns false if they are
+  /// dependent.
   bool take(Eigen::MatrixXd& b, const std::vector<int>& columns, double least) {
     chosen = columns;
     largest = smallest = 0;

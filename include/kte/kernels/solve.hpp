@@ -120,8 +120,7 @@ KTE_INLINE void solve_by_inverse(const Matrix& inverse, const Matrix& b, X& x) {
   });
 }
 
-/// Solves M x = b in place for a mass matrix M, of which the lower triangle is used up. Throws as
-/// `factorise_mass`.
+/// Solves M x = b in place for a mass matrix M; the lower triangle of M is overwritten. Throws as `factorise_mass`.
 template <class Matrix, class Vector, class Fail>
 KTE_INLINE void solve_in_place(Matrix& m, Vector& b, const Fail& fail) {
   factorise_mass(m, fail);

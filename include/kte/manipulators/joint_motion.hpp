@@ -71,7 +71,7 @@ auto motion_between(const Arm& arm, const Q0& from, const Q1& to, const Make& pr
   }
   return joint_motion(arm, q0, d, profile(limits, d));
 }
-/// Of a motion by d: the first coordinate that moves has no limit of `what`, nor has another that does.
+/// The error of a motion by d: the first coordinate that moves has no limit of `what`, nor has another that moves.
 template <class Arm, class D>
 [[noreturn]] void refuse_unlimited(const Arm& arm, const D& d, const std::string& motion, const std::string& what) {
   Eigen::Index i = 0;

@@ -7,9 +7,9 @@
 
 namespace kte {
 
-/// The Franka Emika Panda: seven revolute joints, each about z of its own axes (modified Denavit-Hartenberg parameters
-/// of the maker), flange ("tool") 0.107 m along z of the last. Bodies as identified by Gaz, Cognetti, Oliva, Robuffo
-/// Giordano, De Luca (IEEE Robotics and Automation Letters 4, 2019), which are not the maker's.
+/// The Franka Emika Panda: seven revolute joints, each about z of the frame it moves (modified Denavit-Hartenberg
+/// parameters of the manufacturer), flange ("tool") 0.107 m along z of the last. Bodies as identified by Gaz, Cognetti,
+/// Oliva, Robuffo Giordano, De Luca (IEEE Robotics and Automation Letters 4, 2019), not those of the manufacturer.
 [[nodiscard]] constexpr auto panda_chain() {
   using namespace arm_names;
   constexpr auto& x90 = quarter_turn_x;

@@ -12,7 +12,7 @@ namespace kte::detail {
 template <class S>
 KTE_INLINE constexpr bool keeps_digits(const S& sum) {
   using limits = std::numeric_limits<S>;
-  if constexpr (!limits::is_specialized) return all(sum > S(0));  // nothing is known of it
+  if constexpr (!limits::is_specialized) return all(sum > S(0));  // its limits are unknown
   const S least = S((limits::min)()) / S(limits::epsilon()) / S(limits::epsilon());
   return all(sum > least) && all(sum < S(1) / least);
 }

@@ -130,8 +130,8 @@ bool mend_at_start(const Model& model, const T& t, X& x, const lock_place& h) {
   find_modes(model, t, x);
   return true;
 }
-/// The same of what other elements keep: `switched` is what x would be after an event. A mode of 0 tells nothing of
-/// what happens, and is never wrong.
+/// The consistent modes of other elements: `switched` is x after an event. A mode of 0 does not depend on the motion,
+/// and is always consistent.
 template <class X, class Switched>
 bool mend_internals(const Switched& switched, X& x, Eigen::Index first, Eigen::Index end) {
   using S = typename X::Scalar;

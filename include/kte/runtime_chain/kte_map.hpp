@@ -105,15 +105,15 @@ class kte_element : public kte_map {
       detail::derivative_state&,
       const wrench<vec3<detail::derivative_number>, vec3<detail::derivative_number>>& end) const = 0;
 
-  /// Of a closure (contract/closure.hpp): how many rows it has; none of other elements.
+  /// The number of rows of a closure (contract/closure.hpp); none for other elements.
   virtual closure_rows rows() const { return {}; }
-  /// Of a closure of frames: its residual (order 0) or a derivative of it, for the motion of its second frame in its
+  /// The residual (order 0) of a closure of frames, or a derivative of it, for the motion of its second frame in its
   /// first.
   virtual void close_frames(const detail::closing_motion<double>&, int /*order*/, double* /*rows*/) const {}
-  /// The same: whether a closed loop is not on the false solution of a rotation, half a turn off.
+  /// Whether a closed loop is not at the false solution of a rotation, half a turn off.
   virtual bool is_upright(const detail::closing_motion<double>&) const { return true; }
-  /// Of a closure of coordinates at q with rates v: its residual, the derivatives of that by the coordinates, and its
-  /// second derivative without accelerations.
+  /// The residual of a closure of coordinates at q with rates v, its derivatives by the coordinates, and its second
+  /// derivative without accelerations.
   virtual std::array<double, 2> close_coordinates(const double* /*q*/, const double* /*v*/,
                                                   double* /*gradient*/) const {
     return {};

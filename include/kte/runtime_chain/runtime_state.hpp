@@ -28,7 +28,7 @@ class own_memory {
     if (!made_) made_ = std::make_shared<T>(make());
     return *static_cast<T*>(made_.get());
   }
-  /// What was made, or nullptr.
+  /// The memory, or nullptr.
   template <class T>
   T* find() {
     return static_cast<T*>(made_.get());

@@ -41,8 +41,8 @@ class recorded_scene {
   const std::vector<detail::thing_place>& freedoms() const { return freedoms_; }
   const std::vector<detail::thing_place>& signals() const { return signals_; }
   const std::vector<detail::recorded>& cells() const { return cells_; }
-  /// What a row takes from a table; the columns that nothing takes are added as they are. Throws `unknown_name` for
-  /// coordinates that have no columns, `bad_argument` for numbers and times that cannot be.
+  /// The columns of a table that a row uses; other columns are added unchanged. Throws `unknown_name` for coordinates
+  /// without columns, `bad_argument` for invalid numbers and times.
   detail::replay_plan replay(const detail::chain_parts& chain, const table& numbers);
 
   /// A row to be filled.

@@ -10,25 +10,25 @@ Eigen::VectorXd actuated_forces(const runtime_chain& c, runtime_state& s, const 
 Eigen::MatrixXd actuated_motion(const runtime_chain& c, runtime_state& s, const std::vector<std::string>& names);
 }  // namespace detail
 
-/// All velocities by those of the actuated coordinates of a chain with loops, v = G v_actuated: the null space of the
-/// constraint Jacobian with identity rows at these,
+/// The matrix G of all velocities by those of the actuated coordinates of a chain with loops, v = G v_actuated: the
+/// null space of the constraint Jacobian with identity rows at these,
 ///
 ///   J G = 0,   G_actuated = 1          (1)
 ///
 /// so that G^T M G is the mass matrix of the mechanism in these coordinates, and J_tool G its Jacobian. Throws
-/// `bad_argument` where they are not as many as the mobility, `no_solution` where they do not determine the motion.
+/// `bad_argument` if their number is not the mobility, `no_solution` if they do not determine the motion.
 template <indexable Q>
 Eigen::MatrixXd loop_motion(const runtime_chain& c, runtime_state& s, const Q& q, const actuated_coordinates& by) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q).call([&] { return detail::actuated_motion(c, s, by.names); });
 }
 
-/// Inverse dynamics of a chain with loops: the forces at the actuated coordinates, in their order, by which a motion
-/// that keeps the loops closed happens, with no force at the others:
+/// Inverse dynamics of a chain with loops: the forces on the actuated coordinates, in their order, for a motion that
+/// keeps the loops closed, with no force on the others:
 ///
 ///   tau = G^T (inverse dynamics of the tree)          (2)
 ///
-/// Throws as `loop_motion`, and `bad_argument` where the accelerations do not keep the loops closed.
+/// Throws as `loop_motion`, and `bad_argument` for accelerations that do not keep the loops closed.
 template <indexable Q, indexable V, indexable A>
 Eigen::VectorXd inverse_dynamics(const runtime_chain& c, runtime_state& s, const Q& q, const V& v, const A& a,
                                  const actuated_coordinates& by) {

@@ -10,18 +10,18 @@ Eigen::VectorXd assembled(const runtime_chain& c, runtime_state& s, Eigen::Vecto
                           const std::vector<std::string>& held);
 }  // namespace detail
 
-/// A configuration on the loops, from a guess, by Levenberg and Marquardt's method: with J the constraint Jacobian and
-/// g the residuals,
+/// A configuration with closed loops, from a guess, by the Levenberg-Marquardt method: with the constraint Jacobian J
+/// and the residuals g,
 ///
 ///   (J^T J + mu 1) d = -J^T g,   q <- q (+) d,   mu ~ |g|^2          (1)
 ///
-/// at most a quarter turn a step, so that it converges quadratically also where rows are redundant. Coordinates that
-/// are `held` are unchanged:
+/// at most a quarter turn a step. It converges quadratically also with redundant rows. Coordinates that are `held` are
+/// unchanged:
 ///
 ///   q = kte::assemble(four_bar, s, guess, kte::held("crank"))
 ///
-/// Which of several assemblies is found is the guess's choice. Throws `cannot_assemble`, with the closure that stays
-/// open and by how much, or that closes half a turn off; `bad_argument`, `unknown_name`. Into the state, too.
+/// The guess determines which of several assemblies is found. The state is then at q. Throws `cannot_assemble`, naming
+/// the closure that stays open and its gap, or that closes half a turn off; `bad_argument`, `unknown_name`.
 template <indexable Q>
 Eigen::VectorXd assemble(const runtime_chain& c, runtime_state& s, const Q& guess, const held_coordinates& held = {}) {
   detail::check_regular_tree(c, s);

@@ -16,7 +16,7 @@ struct closure_place {
   std::vector<int> dofs;
   bool of_frames() const { return coordinates.empty(); }
 };
-/// Closures that share degrees of freedom, with those: a problem of its own.
+/// Closures that share degrees of freedom, with those: a separate problem.
 struct loop_block {
   std::vector<int> closures;
   std::vector<int> places;  ///< degrees of freedom of its frames down to the base, those below first

@@ -43,7 +43,7 @@ constrained_dynamics_result constrained_dynamics(const runtime_chain& c, runtime
   });
 }
 
-/// How many rows the closures of a chain have at q, how many are independent, and which follow from others.
+/// The number of rows of the closures of a chain at q, the number of independent rows, and the dependent rows.
 template <indexable Q>
 loops_report loops(const runtime_chain& c, runtime_state& s, const Q& q) {
   detail::check_regular_tree(c, s);
@@ -58,14 +58,14 @@ Eigen::MatrixXd loop_jacobian(const runtime_chain& c, runtime_state& s, const Q&
   return detail::take(c, s, q).call([&] { return detail::loop_jacobian_at_state(c, s); });
 }
 
-/// The velocities nearest to v, in kinetic energy, at which loops stay closed: J v = 0. Into the state, too.
+/// The velocities nearest to v, in kinetic energy, with closed loops: J v = 0. They are stored in the state.
 template <indexable Q, indexable V>
 Eigen::VectorXd consistent_velocities(const runtime_chain& c, runtime_state& s, const Q& q, const V& v) {
   detail::check_regular_tree(c, s);
   return detail::take(c, s, q, v).call([&]() -> Eigen::VectorXd { return detail::velocities_on_loops(c, s); });
 }
-/// The velocities after closures have been switched on by an event, without bounce: a plastic impact. The impulses are
-/// J^T of those of the closures, so the velocities are the ones of `consistent_velocities`.
+/// The velocities after an event has activated closures, without bounce: a plastic impact. The impulses are J^T of
+/// those of the closures, so that the velocities are those of `consistent_velocities`.
 template <indexable Q, indexable V>
 Eigen::VectorXd impulse(const runtime_chain& c, runtime_state& s, const Q& q, const V& v) {
   return consistent_velocities(c, s, q, v);

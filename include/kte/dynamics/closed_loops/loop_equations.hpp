@@ -18,7 +18,7 @@ class loop_equations {
   std::vector<Eigen::MatrixXd> jacobian;  ///< J of each block, its rows by its places
   Eigen::VectorXd acceleration;           ///< J_dot v
 
-  /// g, and J if wanted, at positions that are good.
+  /// g, and optionally J, at valid positions.
   void at_positions(const runtime_chain& c, runtime_state& s, bool with_jacobian) {
     place_bodies(runtime_elements{c}, s);
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {
@@ -72,7 +72,7 @@ class loop_equations {
       for (int r = 0; r < x.rows.count(); ++r) acceleration[x.first + r] = places.scale(x, r) * rows[r];
     }
   }
-  /// J x of all rows, of x by degrees of freedom; the same of the sizes of all numbers.
+  /// J x of all rows, of x by degrees of freedom, and of the sizes of all numbers.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const {
     return product(x, [](const Eigen::MatrixXd& j, const Eigen::VectorXd& part) { return (j * part).eval(); });
   }
@@ -81,7 +81,7 @@ class loop_equations {
       return (j.cwiseAbs() * part.cwiseAbs()).eval();
     });
   }
-  /// J by degrees of freedom; the same of residuals in m and rad.
+  /// J by degrees of freedom, and of residuals in m and rad.
   Eigen::MatrixXd scaled_jacobian() const {
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(places.rows, static_cast<Eigen::Index>(places.row_of_place.size()));
     for (std::size_t i = 0; i < places.blocks.size(); ++i) {

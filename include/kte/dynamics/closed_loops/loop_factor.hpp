@@ -17,7 +17,7 @@ namespace kte::detail {
 
 class loop_factor {
  public:
-  /// (1) to (3), after `at_positions` with J. Rows of which pivots are below `least` times the first are dependent.
+  /// (1) to (3), after `at_positions` with J. Rows with pivots below `least` times the first are dependent.
   void choose(const runtime_chain& c, runtime_state& s, const loop_equations& e, double least) {
     factorize(c, s, e.places);
     parts.resize(e.places.blocks.size());
@@ -28,7 +28,7 @@ class loop_factor {
       parts[i].choose(b, least, 1e-13 * most * (std::min)(1.0, 1 / e.places.length));
     }
   }
-  /// The same for rows that were chosen elsewhere. False where they are dependent here.
+  /// The factorization of given rows. Returns false if they are dependent.
   bool keep(const runtime_chain& c, runtime_state& s, const loop_equations& e, const loop_factor& chosen,
             double least) {
     factorize(c, s, e.places);

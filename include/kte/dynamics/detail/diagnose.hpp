@@ -72,7 +72,7 @@ template <class S>
 inline constexpr bool has_plain_numbers = std::is_convertible_v<S, double> || requires {
   S::lanes;
 };
-/// As a double; typed zeros, and what is not asked for, as 0. Of a pack the first lane that is not finite, else the
+/// The number as a double; typed zeros and `skip` as 0. For a pack the first element that is not finite, else the
 /// largest one.
 template <class X>
 double plain_number(const X& x) {
@@ -265,7 +265,7 @@ template <class Wiring, class Matrix, class Q>
 [[gnu::cold, gnu::noinline]] void diagnose_non_finite(const Matrix& m, Q q) {
   if (const int row = first_non_finite(m); row >= 0) diagnose_mass<Wiring>(row, false, q);
 }
-/// The same by bits (dynamics/unrolled/articulated.hpp): of the last row, whose joint carries none of the others.
+/// The check by bits (dynamics/unrolled/articulated.hpp), for the last row, whose joint carries no other.
 template <class Wiring, class Q>
 [[noreturn, gnu::cold, gnu::noinline]] void diagnose_axes(std::uint64_t nothing, std::uint64_t non_finite, Q q) {
   const int last = static_cast<int>(std::bit_width(nothing)) - 1;

@@ -38,7 +38,7 @@ auto ratio_rate_of(const Elements& c, State& s, int follower, std::size_t port) 
   };
   h = select(h == S(0), S(1), h);
   const S rate = (acceleration_at(h) - acceleration_at(-h)) / (S(4) * h);  // (1)
-  for (std::size_t p = ports.size(); p-- > 0;)  // two ports may be one coordinate, of which the first has all
+  for (std::size_t p = ports.size(); p-- > 0;)  // two ports may be one coordinate; the first has all
     if (ports[p].what == kind::gen) coordinate(p) = before.back(), before.pop_back();
   return rate;
 }

@@ -89,7 +89,7 @@ struct static_elements {
   void derive(int e, State& s) const {
     run<derivative_step>(e, s);
   }
-  // Of what only chains of rare shapes have: nothing of these is instantiated for others.
+  // Parts of chains of rare shapes only: not instantiated for others.
   template <class State>
   void mass_loads(int e, State& s) const {
     if constexpr (!Chain::common) run<mass_step>(e, s);
@@ -189,8 +189,8 @@ joint_matrix<S, Chain::dofs> mass_by_tree(const Chain& c, const Given& g) {
   return s.work.mass;
 }
 
-/// Accelerations under forces `tau`. A degree of freedom of which an acceleration is given (in `Given` it is no typed
-/// zero) keeps that.
+/// Accelerations under forces `tau`. A degree of freedom with a given acceleration (not a typed zero in `Given`) keeps
+/// it.
 template <class Chain, class Given, class State, class Tau>
 void accelerate_static(const Chain& c, const Given& g, State& s, const Tau& tau) {
   static constexpr auto prescribed = []<int... I>(std::integer_sequence<int, I...>) {

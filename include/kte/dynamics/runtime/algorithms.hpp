@@ -29,7 +29,7 @@ const runtime_vector<S>& accelerations_under_kept(const runtime_chain& c, basic_
   write_numbers<vector_of::a>(s, s.work.forces, "a");
   return s.work.forces;
 }
-/// The same under applied(i). Some accelerations may be given, in the state: those of rows that are `prescribed`.
+/// Forward dynamics under applied(i). Accelerations of rows that are `prescribed` are those of the state.
 template <class S, class Tau>
 const runtime_vector<S>& accelerations_under(const runtime_chain& c, basic_runtime_state<S>& s, const Tau& applied,
                                              std::span<const char> prescribed = {}) {
@@ -65,7 +65,7 @@ void move_element(const topology& t, basic_runtime_state<S>& s, int element) {
   for (int e = first; e <= element; ++e)
     if (std::exchange(at(wanted, e), 0)) at(t.elements, e).element->doMotion(s);
 }
-/// The same for a frame: what writes it, if an element does.
+/// The element that writes a frame, if any.
 template <class S>
 void move(const topology& t, basic_runtime_state<S>& s, const runtime_frame& x) {
   const int writer = t.writers[static_cast<std::size_t>(x.what)][static_cast<std::size_t>(x.index)];

@@ -107,7 +107,7 @@ KTE_INLINE void check_result(const basic_runtime_state<S>& s, const Diagnose& wh
   if (!tree::all_finite_in_row(s.work.forces.data(), static_cast<std::size_t>(s.dofs()))) [[unlikely]]
     why();
 }
-/// Of a vector, for a state. Gives whether all are moderate.
+/// Checks a vector for a state. Returns whether all numbers are moderate.
 template <class S, indexable Q>
 KTE_INLINE bool check_positions(const basic_runtime_state<S>& s, const Q& q) {
   check_configuration(s.nq(), s.dofs(), q);

@@ -64,7 +64,7 @@ void carry_bodies(const runtime_chain& c, basic_runtime_state<S>& s) {
   place_in_world(s);
   tree::carry_bodies<true>(s.tree().body_tree, s.work);
 }
-/// The same where bodies are all there is.
+/// The motion of chains of bodies only.
 template <class S>
 void carry(const runtime_chain& c, basic_runtime_state<S>& s) {
   refuse_distributed_masses(c, s);

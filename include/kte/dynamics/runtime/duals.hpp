@@ -4,8 +4,8 @@
 #include <kte/dynamics/runtime/algorithms.hpp>
 #include <kte/runtime_chain/derivative_state.hpp>
 
-/// Derivatives of inverse dynamics of runtime chains by dual numbers, where forces act between frames or coordinates
-/// follow others. Templates, though of double alone: who does not call them does not compile them.
+/// Derivatives of inverse dynamics of runtime chains by dual numbers, for forces between frames or coordinates that
+/// follow others. Templates, though of double only, so that they are compiled only if called.
 namespace kte::detail {
 
 /// A state with derivatives of the same chain.

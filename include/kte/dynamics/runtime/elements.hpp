@@ -10,7 +10,7 @@
 /// The elements of a runtime chain in the loops over body nodes.
 namespace kte::detail {
 
-/// Elements are those of the chain at hand: a state may have been made for one of which this is a copy.
+/// Elements are those of the given chain: a state may have been made for another copy of it.
 struct runtime_elements {
   const runtime_chain& chain;
 

@@ -10,8 +10,8 @@
 /// Newton's method on tau(q, p) = 0 of detail/static_problem.hpp.
 namespace kte::detail {
 
-/// By which the numbers of a step count: rotations as they are, lengths in parts of the distance over which the frames
-/// of the chain are spread at the present q.
+/// Scales of the numbers of a step: rotations 1, lengths the distance over which the frames of the chain are spread at
+/// the present q.
 inline Eigen::VectorXd weights_of_steps(static_problem& f, const Eigen::VectorXd& q, double p) {
   f.forces(q, p);
   const double length = f.extent();
@@ -109,8 +109,8 @@ class static_newton {
   int left() const { return most_ - iterations_; }
   tangent_factors& factors() { return factors_; }
 
-  /// From q and p, which then are the solution, or as they were. `near`: by full steps, which must be short and few;
-  /// else damped.
+  /// Newton's method from q and p, which are then the solution, or unchanged. `near`: by full steps, which must be
+  /// short and few; else damped.
   bool solve(Eigen::VectorXd& q, double& p, bool close, const path_plane* plane = nullptr) {
     Eigen::VectorXd at = q, tau = f_.forces(q, p);
     double at_p = p, before = std::numeric_limits<double>::infinity();

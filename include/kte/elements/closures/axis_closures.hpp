@@ -7,14 +7,14 @@ namespace kte {
 
 namespace core {
 
-/// What closures about an axis have: a unit vector, the same in both frames, and two normals to it.
+/// Parameters of closures about an axis: a unit vector, equal in axes of both frames, and two normals to it.
 struct axis_closure {
   vec3<> axis;
   detail::normals across;
 
   constexpr explicit axis_closure(const vec3<>& u) : axis(u), across(detail::normals_of(u)) {}
   constexpr void check(const parameter_check& where) const { where.unit(axis, "axis must have length 1"); }
-  /// Of a closed loop: whether the axes do not point against each other.
+  /// Whether the axes of a closed loop do not point against each other.
   template <class M>
   constexpr bool upright(const M& m) const {
     return detail::cosine{}(m, axis, axis) > 0;
@@ -25,7 +25,7 @@ struct axis_closure {
   }
 };
 
-/// A hinge about the axis u, the same in both frames, with t_1, t_2 normal to it:
+/// A hinge about the axis u, equal in axes of both frames, with t_1, t_2 normal to it:
 ///
 ///   g = (p, u . R t_1, u . R t_2)          (1)
 struct hinge_3D : axis_closure, closure<hinge_3D> {
@@ -54,7 +54,7 @@ struct hinge_3D : axis_closure, closure<hinge_3D> {
   }
 };
 
-/// A sleeve that turns and slides along the axis u:
+/// A cylindrical joint that turns about and slides along the axis u:
 ///
 ///   g = (t_1 . p, t_2 . p, u . R t_1, u . R t_2)          (2)
 struct cylindrical_3D : axis_closure, closure<cylindrical_3D> {
@@ -83,7 +83,7 @@ struct cylindrical_3D : axis_closure, closure<cylindrical_3D> {
   }
 };
 
-/// A carriage that slides along the axis u and does not turn, with h half of the axial vector of R:
+/// A prismatic joint along the axis u, with h half of the axial vector of R:
 ///
 ///   g = (t_1 . p, t_2 . p, h)          (3)
 ///
@@ -122,7 +122,7 @@ struct sliding : axis_closure, closure<sliding<Dim>> {
   }
 };
 
-/// A cross of two axes, u of A and t of B, that stay normal to each other about one point:
+/// A universal joint: two axes, u of A and t of B, stay normal to each other about one point:
 ///
 ///   g = (p, u . R t)          (4)
 struct universal_3D : closure<universal_3D> {
@@ -168,22 +168,23 @@ template <class L, class A, class B, class X, class Y, class Z>
 constexpr auto hinge_3D(const L& loop, const A& frame1, const B& frame2, const vec3<X, Y, Z>& axis) {
   return connect(core::hinge_3D(as<double>(axis)), frame1, frame2, loop);
 }
-/// By a sleeve that turns about the axis and slides along it: 2 and 2 rows.
+/// Closes a loop by a cylindrical joint about the axis: 2 rows, m, and 2 of cosines.
 template <class L, class A, class B, class X, class Y, class Z>
 constexpr auto cylindrical_3D(const L& loop, const A& frame1, const B& frame2, const vec3<X, Y, Z>& axis) {
   return connect(core::cylindrical_3D(as<double>(axis)), frame1, frame2, loop);
 }
-/// By a carriage that slides along the axis of frame1 and does not turn: 2 and 3 rows.
+/// Closes a loop by a prismatic joint along the axis of frame1: 2 rows, m, and 3 of sines.
 template <class L, class A, class B, class X, class Y, class Z>
 constexpr auto sliding_3D(const L& loop, const A& frame1, const B& frame2, const vec3<X, Y, Z>& axis) {
   return connect(core::sliding<kind::frame_3D>(as<double>(axis)), frame1, frame2, loop);
 }
-/// The same in the plane: 1 and 1 rows.
+/// Closes a loop by a prismatic joint in the plane along the axis of frame1: 1 row, m, and 1 of a sine.
 template <class L, class A, class B, class Axis>
 constexpr auto sliding_2D(const L& loop, const A& frame1, const B& frame2, const Axis& axis) {
   return connect(core::sliding<kind::frame_2D>(as<double>(detail::planar(axis))), frame1, frame2, loop);
 }
-/// By a cross of a unit axis of frame1 and one of frame2, normal to each other: 3 and 1 rows.
+/// Closes a loop by a universal joint with a unit axis of frame1 and one of frame2, normal to each other: 3 rows, m,
+/// and 1 of a cosine.
 template <class L, class A, class B, class X, class Y, class Z, class U, class V, class W>
 constexpr auto universal_3D(const L& loop, const A& frame1, const B& frame2, const vec3<X, Y, Z>& axis1,
                             const vec3<U, V, W>& axis2) {

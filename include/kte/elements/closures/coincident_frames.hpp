@@ -7,11 +7,11 @@ namespace kte {
 
 namespace core {
 
-/// Two frames welded together, with h half of the axial vector of R, the sine of the turn that is left:
+/// Two frames welded together, with h half of the axial vector of R, the sine of the rotation error:
 ///
 ///   g = (p, h),   (R v, h_dot),   (R a, h_ddot)          (1)
 ///
-/// Half a turn has h = 0, too: `assemble` refuses it.
+/// h is zero at half a turn too: `assemble` rejects it.
 template <kind Dim>
 struct coincident_frames : closure<coincident_frames<Dim>> {
   static constexpr type_name type{"coincident_frames", Dim};
@@ -30,7 +30,7 @@ struct coincident_frames : closure<coincident_frames<Dim>> {
   constexpr auto residual_ddot(const M& m) const {
     return of(m.rotation * m.acceleration, detail::half_axial(m, detail::cosine_ddot{}));
   }
-  /// Of a closed loop: whether it is not half a turn off.
+  /// Whether the rotation of a closed loop is not half a turn off.
   template <class M>
   constexpr bool upright(const M& m) const {
     return m.rotation.x.x + m.rotation.y.y + m.rotation.z.z > 0;
@@ -56,7 +56,7 @@ template <class L, class A, class B>
 constexpr auto coincident_frames_2D(const L& loop, const A& frame1, const B& frame2) {
   return connect(core::coincident_frames<kind::frame_2D>{}, frame1, frame2, loop);
 }
-/// In space: 3 and 3 rows.
+/// Closes a loop by welding two frames in space together: 3 rows, m, and 3 of sines.
 template <class L, class A, class B>
 constexpr auto coincident_frames_3D(const L& loop, const A& frame1, const B& frame2) {
   return connect(core::coincident_frames<kind::frame_3D>{}, frame1, frame2, loop);

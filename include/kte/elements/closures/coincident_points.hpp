@@ -6,7 +6,7 @@ namespace kte {
 
 namespace core {
 
-/// The origins of two frames at one point: a hinge of the plane, a ball of space.
+/// The origins of two frames at one point: a hinge in the plane, a ball joint in space.
 ///
 ///   g = p,   R v,   R a          (1)
 template <kind Dim>
@@ -43,13 +43,13 @@ struct coincident_points : closure<coincident_points<Dim>> {
 
 }  // namespace core
 
-/// Closes a loop by a hinge of the plane between the origins of two frames: 2 rows, m. `loop` names the closure and its
-/// forces, which are on frame2, in axes of frame1.
+/// Closes a loop by a hinge in the plane between the origins of two frames: 2 rows, m. `loop` names the closure and its
+/// forces, which act on frame2, in axes of frame1.
 template <class L, class A, class B>
 constexpr auto coincident_points_2D(const L& loop, const A& frame1, const B& frame2) {
   return connect(core::coincident_points<kind::frame_2D>{}, frame1, frame2, loop);
 }
-/// By a ball joint of space: 3 rows.
+/// Closes a loop by a ball joint between the origins of two frames: 3 rows, m.
 template <class L, class A, class B>
 constexpr auto coincident_points_3D(const L& loop, const A& frame1, const B& frame2) {
   return connect(core::coincident_points<kind::frame_3D>{}, frame1, frame2, loop);

@@ -31,7 +31,7 @@ struct coupled_coordinates : coordinate_closure<coupled_coordinates> {
   }
 };
 
-/// One to four coordinates coupled by a function of the user that is zero.
+/// One to four coordinates coupled by a user-defined function that is zero.
 template <class Law, std::size_t N>
 struct coupled_by : coordinate_closure<coupled_by<Law, N>> {
   static constexpr std::string_view type = "coupled_by";
@@ -53,18 +53,18 @@ struct coupled_by : coordinate_closure<coupled_by<Law, N>> {
 }  // namespace core
 
 /// Couples two coordinates: factor1 q1 + factor2 q2 = constant. Both must be degrees of freedom. 1 row; its force, Nm,
-/// is `torque.x` of the loop, and puts factor times itself on each coordinate.
+/// is `torque.x` of the loop, and acts on each coordinate multiplied by its factor.
 template <class L, class Q1, class Q2>
 constexpr auto coupled_coordinates(const L& loop, const Q1& q1, const Q2& q2, double factor1, double factor2,
                                    double constant = 0) {
   return connect(core::coupled_coordinates(factor1, factor2, constant), q1, q2, loop);
 }
-/// Couples one to four coordinates by a function of yours that is zero. Write it for numbers of any type, such as
-/// duals, by which derivatives are found:
+/// Couples one to four coordinates by your function, which is kept at zero. The function must accept numbers of any
+/// type, such as dual numbers for derivatives:
 ///
 ///   coupled_by("cam", "q1", "q2", [](const auto& q1, const auto& q2) { using std::sin; return q2 - 0.1 * sin(q1); })
 ///
-/// It holds code: a model with it cannot be saved.
+/// A chain with it cannot be saved.
 template <class L, class Q1, class Law>
 constexpr auto coupled_by(const L& loop, const Q1& q1, const Law& law) {
   return connect(core::coupled_by<Law, 1>(law), q1, loop);

@@ -82,7 +82,7 @@ struct point_on_plane_3D : closure<point_on_plane_3D> {
 ///
 ///   g = (p . p - L^2) / (2 L),   p . R v / L,   (p . R a + v . v) / L          (3)
 ///
-/// Quadratic, so smooth also where the points meet on the way of an assembly.
+/// It is quadratic, so smooth also where the points meet during an assembly.
 template <kind Dim>
 struct distance : closure<distance<Dim>> {
   static constexpr type_name type{"distance", Dim};
@@ -121,22 +121,23 @@ template <class L, class A, class B, class Axis>
 constexpr auto point_on_line_2D(const L& loop, const A& frame1, const B& frame2, const Axis& axis) {
   return connect(core::point_on_line<kind::frame_2D>(as<double>(detail::planar(axis))), frame1, frame2, loop);
 }
-/// The same in space: 2 rows.
+/// Closes a loop by a pin in a straight slot of frame1 in space: 2 rows, m.
 template <class L, class A, class B, class X, class Y, class Z>
 constexpr auto point_on_line_3D(const L& loop, const A& frame1, const B& frame2, const vec3<X, Y, Z>& axis) {
   return connect(core::point_on_line<kind::frame_3D>(as<double>(axis)), frame1, frame2, loop);
 }
-/// By a ball on a plane of frame1 with the unit normal: 1 row, m.
+/// Closes a loop by a point on a plane of frame1 with the unit normal: 1 row, m.
 template <class L, class A, class B, class X, class Y, class Z>
 constexpr auto point_on_plane_3D(const L& loop, const A& frame1, const B& frame2, const vec3<X, Y, Z>& normal) {
   return connect(core::point_on_plane_3D(as<double>(normal)), frame1, frame2, loop);
 }
-/// By a massless rod of a length, m, between the origins of two frames: 1 row, m. Positive force pushes them apart.
+/// Closes a loop by a massless rod of a length, m, between the origins of two frames in the plane: 1 row, m. A positive
+/// force pushes them apart.
 template <class L, class A, class B>
 constexpr auto distance_2D(const L& loop, const A& frame1, const B& frame2, double length) {
   return connect(core::distance<kind::frame_2D>(length), frame1, frame2, loop);
 }
-/// The same in space.
+/// Closes a loop by a massless rod of a length, m, between the origins of two frames in space: 1 row, m.
 template <class L, class A, class B>
 constexpr auto distance_3D(const L& loop, const A& frame1, const B& frame2, double length) {
   return connect(core::distance<kind::frame_3D>(length), frame1, frame2, loop);

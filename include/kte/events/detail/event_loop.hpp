@@ -128,7 +128,7 @@ class event_loop {
     return false;
   }
 
-  /// An event that is early in a long step is found again in a short one: it has the rounding of its own length.
+  /// An event early in a long step is located again in a short one, with the rounding of the short step.
   bool is_early() const {
     return watch_.next() != begin_ &&
            16 * watch::distance(watch_.next(), begin_) < watch::distance(solver_.time(), begin_);

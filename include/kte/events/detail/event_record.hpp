@@ -6,7 +6,7 @@
 
 namespace kte::detail {
 
-/// What has happened so far, for the report, and whether to stop.
+/// The events so far, for the report, and whether to stop.
 template <class X, class List>
 class event_record {
  public:

@@ -132,8 +132,8 @@ class bdf_step : public implicit_integrator<Method, F, X> {
     if (!matrix_is_known_) obstacle_ = detail::singular;
     return matrix_is_known_;
   }
-  /// Of an error of the step to `next_`. Tenfold: errors of steps sum up, and that in the end shall be about the
-  /// tolerance (tests/integrators/bdf_problems_test.cpp).
+  /// The norm of an error of the step to `next_`, times ten: errors of steps accumulate, and the final error should be
+  /// about the tolerance (tests/integrators/bdf_problems_test.cpp).
   template <class E>
   S size(const E& e) const {
     return 10 * detail::error_norm(this->tolerances_, e, this->x_, this->next_);

@@ -4,8 +4,8 @@
 
 namespace kte::detail {
 
-/// How many answers of an arm are worked on at once, and as what: doubles and floats four in the lanes of a pack, other
-/// scalars one by one. Packs have a pose of their own in each lane already.
+/// The number of solutions of an arm that are computed at once, and their type: doubles and floats four at a time in a
+/// pack, other scalars one at a time. Packs of poses have a pose in each element already.
 template <class S>
 struct answer_pack {
   using type = S;

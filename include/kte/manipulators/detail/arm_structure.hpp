@@ -252,7 +252,7 @@ constexpr arm_structure structure_of(const arm_geometry& arm, double tolerance =
   arm_structure s;
   s.original = arm, s.arm = arm, s.reach = reach_of(arm), s.tolerance = tolerance;
   if (arm.refused == nullptr && arm.moves != arm_geometry::freely::not_at_all) {
-    s.reach = 1 + length_of(arm.tool.position);  // what 1e-9 of it is asked for
+    s.reach = 1 + length_of(arm.tool.position);  // tolerances are relative to it
     s.form = closed_form::free_body, s.family = arm_family::free_body;
   }
   if (!(s.reach * s.reach < std::numeric_limits<double>::infinity())) {

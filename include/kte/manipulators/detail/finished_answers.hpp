@@ -75,7 +75,7 @@ inline unsigned bits_of_v(const arm_structure& s, unsigned joints) {
     if (joints >> k & 1u) bits |= 1u << s.original.in_v[s.joint(k)];
   return bits;
 }
-/// The same of what the formulas say, of packs for each lane.
+/// The free coordinates by the formulas; for packs per element.
 template <class S>
 auto free_coordinates(const arm_structure& s, const S& joints) {
   for_each_lane<S, unsigned> bits{};

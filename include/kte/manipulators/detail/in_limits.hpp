@@ -22,8 +22,8 @@ S whole_above(const S& x) {
   return select(n < x, S(n + S(1)), n);
 }
 
-/// Turns an angle by whole turns to where it is within limits, nearest to `start` of what is; says whether it is. What
-/// is beyond a limit by rounding alone is put on it. A slide does not turn.
+/// Turns an angle by whole turns to within limits, nearest to `start`; returns whether it is within limits. An angle
+/// beyond a limit by rounding is moved onto it. A slide is unchanged.
 template <class S>
 truth<S> bring_within(double lower, double upper, bool slides, const S& start, S& t) {
   const S pi = half_turn<S>(), turn = S(2) * pi, away = t - start, low = S(lower), high = S(upper);

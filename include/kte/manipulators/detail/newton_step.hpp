@@ -70,8 +70,8 @@ void newton_step(six_equations<S> m, std::size_t first, by_joint<S>& t, double m
   for (std::size_t k = 0; k < 6; ++k) t[first + k] += step[k];
 }
 
-/// The same where J is nearly singular, (J^T J + mu) d = J^T e with mu = |e|/1000 (Levenberg, Marquardt): at a double
-/// root each step leaves a quarter of e, next to one it is Newton's in the end.
+/// A step where J is nearly singular, (J^T J + mu) d = J^T e with mu = |e|/1000 (Levenberg, Marquardt): at a double
+/// root each step leaves a quarter of e, near one it becomes Newton's.
 template <class S>
 void damped_step(const six_equations<S>& m, std::size_t first, by_joint<S>& t) {
   const double eps = double_of(std::numeric_limits<S>::epsilon());

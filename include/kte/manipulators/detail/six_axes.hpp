@@ -51,8 +51,7 @@ raw_answers<S> wrist_and_parallel(const arm_structure& s, const rotation_matrix<
   return eight_answers<S>(6, shoulder_bit, elbow_bit, wrist_bit, begin, end);
 }
 
-/// Of the angles at which a cos t + b sin t is within [least, most], the one nearest to 0; if there is none, the one
-/// that misses least.
+/// The angle nearest to 0 with a cos t + b sin t within [least, most]; if there is none, the one with the least error.
 template <class S>
 solved_angle<S> nearest_within(const S& a, const S& b, const S& least, const S& most) {
   const truth<S> within = both<truth<S>>(!(a > most), !(a < least));

@@ -21,7 +21,7 @@ arm_goal<S> goal_of(const arm_structure& s, const plain_pose_of<S>& x) {
   return {R, x.position - R * as<S>(s.arm.tool.position - s.p(s.arm.n - 1))};
 }
 
-/// What is needed of `arm_structure::arm` when the joint that is held stands at `value`.
+/// The part of `arm_structure::arm` that is needed with the locked joint at `value`.
 template <class S>
 plain_pose_of<S> pose_for_formulas(const arm_structure& s, plain_pose_of<S> x, const S& value,
                                    const solved_angle<S>& turn) {
@@ -69,8 +69,7 @@ struct solved_answers {
   std::array<unsigned, raw_answers<S>::most> branch;
 };
 
-/// What the formulas gave, by joint of `original`; the joint that is held stands at `value`, of which `turn` is the
-/// sine and cosine.
+/// The result of the formulas, by joint of `original`; the locked joint is at `value`, with sine and cosine `turn`.
 template <class S>
 void put_postures(const arm_structure& s, const raw_answers<S>& raw, const S& value, const solved_angle<S>& turn,
                   postures<S>& all) {

@@ -2,8 +2,8 @@
 
 #include <kte/manipulators/detail/six_axes.hpp>
 
-/// Arms of seven axes of which 1, 2, 3 meet in the shoulder and 5, 6, 7 in the wrist (Shimizu, Kakuya, Yoon, Kitagaki
-/// and Kosuge, Analytical Inverse Kinematic Computation for 7-DOF Redundant Manipulators With Joint Limits, IEEE
+/// Arms of seven axes; axes 1, 2, 3 meet in the shoulder and 5, 6, 7 in the wrist (Shimizu, Kakuya, Yoon, Kitagaki and
+/// Kosuge, Analytical Inverse Kinematic Computation for 7-DOF Redundant Manipulators With Joint Limits, IEEE
 /// Transactions on Robotics 24, 2008; Elias and Wen, Redundancy Parameterization and Inverse Kinematics of 7-DOF
 /// Revolute Manipulators, 2023).
 namespace kte::detail {

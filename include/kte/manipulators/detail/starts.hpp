@@ -34,8 +34,8 @@ void clamp_to_limits(const Arm& arm, X& q) {
   });
 }
 
-/// A configuration somewhere within limits; where there are none, within half a turn, pi metres, of `from`; poses
-/// within half a turn and `away` metres.
+/// A random configuration within limits; without limits, within half a turn, pi metres, of `from`; poses within half a
+/// turn and `away` metres.
 template <class Arm, class X>
 X somewhere(const Arm& arm, const X& from, double away, even_numbers& random) {
   using S = typename X::Scalar;

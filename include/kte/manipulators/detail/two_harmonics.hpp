@@ -60,7 +60,7 @@ struct two_harmonics {
       if (changes)
         found.push_back(zero_between<0>(a.t, b.t, a.y[0] < 0).t);
       else if (std::abs(b.y[0]) <= touch)
-        found.push_back(b.t);  // the same again from its other side, perhaps: subproblem 6 takes equals once
+        found.push_back(b.t);  // possibly found twice: subproblem 6 takes equal roots once
     } else if (changes) {
       const point p = zero_between<D>(a.t, b.t, a.y[D] < 0);
       look_between<D - 1>(a, p, touch, found), look_between<D - 1>(p, b, touch, found);

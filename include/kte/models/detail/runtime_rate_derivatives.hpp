@@ -6,8 +6,8 @@
 #include <kte/models/detail/rate_derivatives.hpp>
 #include <kte/runtime_chain/runtime_chain.hpp>
 
-/// (J B) of models/detail/rate_derivatives.hpp of runtime chains. Templates, though of double alone: who does not call
-/// them does not compile them.
+/// (J B) of models/detail/rate_derivatives.hpp for runtime chains. Templates, though of double only, so that they are
+/// compiled only if called.
 namespace kte::detail {
 
 /// Column j of (J B) as a direction of a state with derivatives: along q, v, z, u; accelerations along `a`.

@@ -26,8 +26,8 @@ inline void check_orientations(const xml_item& x) {
   for (const auto& c : x.children()) check_orientations(c);
 }
 
-/// What holds for a whole file in MJCF: the compiler's settings and the classes of defaults. Several <compiler> count
-/// as one: of an attribute that comes twice the last holds.
+/// The settings of a whole file in MJCF: those of the compiler and the classes of defaults. Several <compiler> count as
+/// one; the last of repeated attributes is used.
 class mjcf_settings {
  public:
   mjcf_settings(const xml_item& root, const robot_options& o) : options_(o), classes_(root) {

@@ -16,7 +16,7 @@ namespace kte::detail {
     copy_node(*c, n.children.emplace_back());
 }
 
-/// The root of a file in XML, by tinyxml2, of which nothing else here knows (docs/decisions/15-robot-files.md). Throws
+/// The root of a file in XML, by tinyxml2, which is used only here (docs/decisions/15-robot-files.md). Throws
 /// `bad_file` with the line.
 [[gnu::cold]] inline xml_node parse_xml(std::string_view text, const std::string& source) {
   const auto good = checked_text(text, source);

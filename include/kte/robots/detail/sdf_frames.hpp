@@ -6,8 +6,8 @@
 
 namespace kte::detail {
 
-/// Where names are looked up: those of links, joints and frames of a nested model begin, from outside, with the names
-/// of the models that they are in, "leg::foot". What is merged has its own frame for its model, and no such names.
+/// The scope of names: outside of a nested model, names of its links, joints and frames begin with the names of the
+/// models that they are in, "leg::foot". A merged model has a frame, and no such names.
 struct sdf_scope {
   std::string prefix, model = "__model__";  ///< "leg::", and the frame of the model
 

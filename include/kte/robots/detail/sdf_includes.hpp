@@ -19,8 +19,8 @@ class sdf_includes {
       if (c.name == "model") resolve(c);
     }
   }
-  /// What stands instead of an <include>: a model, or an actor or a light. Their names, poses and others are as the
-  /// include says.
+  /// The replacement of an <include>: a model, or an actor or a light, with the name, pose and other settings of the
+  /// include.
   xml_node included(const xml_node& n) {
     const xml_item x(n, d_);
     x.only({"uri", "name", "pose", "static", "placement_frame", "plugin"}, {"merge"});

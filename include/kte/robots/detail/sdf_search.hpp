@@ -6,9 +6,9 @@
 
 namespace kte::detail {
 
-/// Finds the files that URIs name: `model://name`, `package://name`, `file://path`, or a path. What is not absolute is
-/// looked for in the folder of the file that names it, in those around it and in their folders `models`, and then in
-/// those of robot_options::search_path. A folder is a model: its `model.config` names the file.
+/// Finds the files that URIs name: `model://name`, `package://name`, `file://path`, or a path. Relative paths are
+/// searched in the folder of the file that names them, its parents and their folders `models`, and then in
+/// robot_options::search_path. A folder is a model: its `model.config` names the file.
 class sdf_search {
  public:
   using path = std::filesystem::path;

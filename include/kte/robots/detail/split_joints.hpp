@@ -13,8 +13,8 @@ inline std::string fresh_name(std::set<std::string, std::less<>>& taken, std::st
   return name;
 }
 
-/// The same robot without poses of children: where one stands elsewhere than its joint moves, a link "arm.joint" comes
-/// in between, as in chains, and a fixed joint.
+/// The robot without poses of children: if a child is not at the frame that its joint moves, a link "arm.joint" is
+/// inserted, as in chains, and a fixed joint.
 inline robot_description split_joints(robot_description d) {
   std::set<std::string, std::less<>> taken;
   for (const auto& l : d.links) taken.insert(l.name);

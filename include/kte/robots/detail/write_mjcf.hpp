@@ -83,7 +83,7 @@ class mjcf_writer {
     out_.close();
   }
 
-  /// Whether readers of this library give a frame behind so many joints of a body this name.
+  /// Whether readers of this library give a frame after this number of joints of a body this name.
   static bool comes_back(std::string_view frame, const std::string& body, int joints) {
     if (frame.ends_with(".joint")) frame.remove_suffix(6);
     return frame == body || frame == body + "." + std::to_string(joints);

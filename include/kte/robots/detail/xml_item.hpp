@@ -16,7 +16,7 @@ class xml_item {
  public:
   xml_item(const xml_node& e, robot_description& d) : e_(&e), d_(&d) {}
 
-  /// The same element with defaults as they are at a moment; its empty attributes are then as none.
+  /// The element with the defaults at a moment; its empty attributes count as missing.
   xml_item with(xml_defaults& defaults, xml_defaults::moment at) const {
     xml_item x = *this;
     x.defaults_ = &defaults, x.at_ = at;
@@ -62,7 +62,7 @@ class xml_item {
       if (!std::isfinite(x)) fail(std::string(what) + " must be finite, got '" + excerpt(t) + "'");
     return all;
   }
-  /// The same, and of defaults with more numbers the rest.
+  /// The numbers of an attribute, completed by those of a longer default.
   std::vector<double> completed_list(const char* attribute) const {
     auto all = list(attribute);
     const auto* const usual = defaults_ != nullptr ? defaults_->find(attribute, at_) : nullptr;

@@ -66,7 +66,7 @@ class xml_writer {
   void leaf(std::string_view name, std::string_view key, const Value& value) {
     open(name), attribute(key, value), close();
   }
-  /// An element of a word or numbers alone, without characters that XML has for itself.
+  /// An element with a word or numbers only, without characters reserved by XML.
   void text(std::string_view name, std::string_view word) {
     start(name);
     text_.append(">").append(word).append("</").append(name).append(">\n");

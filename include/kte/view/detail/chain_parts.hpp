@@ -30,8 +30,8 @@ struct shape_parts {
   std::string_view file;  ///< that includes it; empty for the robot's own
 };
 
-/// A chain as data, and what a robot has besides: what the library kte::view, which knows no types of chains, makes a
-/// scene of.
+/// A chain as data, with the further parts of a robot: the input from which the library kte::view, which has no types
+/// of chains, makes a scene.
 struct chain_parts {
   vec3<> gravity{};
   std::vector<element_parts> elements;

@@ -8,9 +8,9 @@
 
 namespace kte::detail::svg {
 
-/// A curve through many points as a path that looks the same: of points in a row within 0.1 mm from left to right it
-/// has the first, the lowest, the highest and the last, so that no spike is lost. Of a crowded one points are at
-/// multiples of 0.05 mm, and what would be drawn twice is drawn once, as the rounds of a limit cycle.
+/// A curve through many points as a path of equal appearance: for points within 0.1 mm from left to right it has the
+/// first, the lowest, the highest and the last, so that no spike is lost. In crowded curves points are at multiples of
+/// 0.05 mm, and segments that repeat, as in a limit cycle, are drawn once.
 class curve_path {
  public:
   explicit curve_path(bool crowded) : crowded_(crowded) {}
